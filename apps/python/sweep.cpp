@@ -24,13 +24,17 @@ struct Swept {
   double at(std::size_t row) const { return numbers.data()[row] * unit; }
 };
 
+bool can_be_swept(const Key& key) {
+  const bool number = key.kind == KeyKind::number || key.kind == KeyKind::whole;
+  return number && !key.list && key.place.is_member();
+}
+
 const Key& key_of(const KeyTable& table, const std::string& name, const std::string& path) {
+  for (const Key& key : table.keys)
+    if ((key.key == name || house_key(key) == name) && can_be_swept(key)) return key;
   std::vector<std::string> may;
-  for (const Key& key : table.keys) {
-    if (!key.place || (key.kind != KeyKind::number && key.kind != KeyKind::whole)) continue;
-    may.push_back(house_key(key));
-    if (key.key == name || may.back() == name) return key;
-  }
+  for (const Key& key : table.keys)
+    if (can_be_swept(key)) may.push_back(house_key(key));
   raise(Error{path, "", fmt::format("cannot be swept over; these can: {}", fmt::join(may, ", "))});
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/rating/factor.hpp"
@@ -21,6 +22,7 @@ struct MaterialInput {
   std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
   std::optional<double> surface_hardness;  ///< HV
   std::optional<double> yield_strength;    ///< R_e      N/mm²
+  std::vector<double> temperatures;        ///< °C, of the lists of a plastic
   ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
 };
 

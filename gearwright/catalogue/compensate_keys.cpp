@@ -1,5 +1,7 @@
 #include "gearwright/catalogue/compensate_keys.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace gearwright {
@@ -12,48 +14,53 @@ std::vector<std::string_view> correction_words() {
   return words;
 }
 
+constexpr int kMaxRanges = 5;  // 32 corners
+
+std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
+  int count = 0;
+  for (std::size_t i = 0; i < kErrorCount; ++i) {
+    if (!c.range[i] || ++count <= kMaxRanges) continue;
+    return KeyFault{error_entries()[i].key,
+                    fmt::format("is one range too many: {} at most, for every corner of them is "
+                                "looked at",
+                                kMaxRanges)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const KeyTable& compensate_keys() {
   static const KeyTable table{
       "compensate",
       "Which corrections the verb compensate may make, and against what",
-      {{.key = "corrections",
-        .kind = KeyKind::word,
-        .words = correction_words(),
-        .list = KeyList{1, kCorrectionCount},
-        .form = "a list of names, [\"gear1.lead_crowning_um\"]",
-        .fallback = "`tool_setting_mm` and `cutter_lead1_deg` of circular-arc pairs, else "
-                    "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
-        .meaning = "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
-                   "`cutter_lead1_deg`, `cutter_lead2_deg` (within ±0.5), and of either gear "
-                   "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
-                   "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50); each is "
-                   "added to what the spec has"},
-       {.key = "aim",
-        .kind = KeyKind::word,
-        .words = {"transmission_error", "loaded_transmission_error", "pressure"},
-        .place = &CompensateInput::aim,
-        .fallback = "\"transmission_error\"",
-        .meaning = "what is to be least: the transmission error of rigid teeth with the pattern in "
-                   "the middle, or under the torques of `[load]` that of loaded teeth, peak to "
-                   "peak, or the greatest pressure; of several torques the worst counts, and "
-                   "`centering_arcsec` does not"},
-       {.key = "centering_arcsec",
-        .symbol = "w",
-        .range = KeyRange::not_negative(),
-        .place = &CompensateInput::centering_arcsec,
-        .fallback = "a tenth of the transmission error as it stands, at least 0.1, and no "
-                    "correction that makes that error greater (less than 0.01 is none)",
-        .meaning = "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, "
-                   "whose contact runs along the face anyhow, at the end of the profile): a value "
-                   "asks for a trade, in which the transmission error may grow; "
-                   "where less than 0.001 arcsec is to be had in all, every correction is 0"},
-       {.key = "range",
-        .kind = KeyKind::table,
-        .tables = {compensate_range_keys},
-        .in_documents = false,
-        .meaning = "errors that the corrections must serve, up to five, each [least, greatest]"}}};
+      {Key::word("corrections", correction_words(), &CompensateInput::corrections,
+                 "`tool_setting_mm` and `cutter_lead1_deg` of circular-arc pairs, else "
+                 "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
+                 "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
+                 "`cutter_lead1_deg`, `cutter_lead2_deg` (within ±0.5), and of either gear "
+                 "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
+                 "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50); each is "
+                 "added to what the spec has")
+           .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
+           .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
+       Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
+                 &CompensateInput::aim, "\"transmission_error\"",
+                 "what is to be least: the transmission error of rigid teeth with the pattern in "
+                 "the middle, or under the torques of `[load]` that of loaded teeth, peak to "
+                 "peak, or the greatest pressure; of several torques the worst counts, and "
+                 "`centering_arcsec` does not"),
+       Key::not_negative(
+           "centering_arcsec", "w", &CompensateInput::centering_arcsec,
+           "a tenth of the transmission error as it stands, at least 0.1, and no "
+           "correction that makes that error greater (less than 0.01 is none)",
+           "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, "
+           "whose contact runs along the face anyhow, at the end of the profile): a value "
+           "asks for a trade, in which the transmission error may grow; "
+           "where less than 0.001 arcsec is to be had in all, every correction is 0"),
+       Key::part("range", compensate_range_keys,
+                 KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
+                 "errors that the corrections must serve, up to five, each [least, greatest]")}};
   return table;
 }
 
@@ -61,13 +68,16 @@ const KeyTable& compensate_range_keys() {
   static const KeyTable table = [] {
     KeyTable t{"compensate_range",
                "Errors that the corrections must serve at every corner, each [least, greatest]",
-               {}};
-    for (const Key& error : error_keys().keys) {
-      t.keys.push_back({.key = error.key,
-                        .symbol = error.symbol,
-                        .range = error.range,
-                        .list = KeyList{2, 2},
-                        .meaning = error.meaning});
+               {},
+               check_ranges};
+    for (std::size_t i = 0; i < kErrorCount; ++i) {
+      const Key& error = error_keys().keys[i];
+      t.keys.push_back(Key::number(error.key, error.symbol, error.range,
+                                   KeyPlace::within<CompensateInput>([i](auto& c) -> auto& {
+                                     return c.range[i];
+                                   }),
+                                   "", error.meaning)
+                           .with_list(kErrorRange));
     }
     return t;
   }();

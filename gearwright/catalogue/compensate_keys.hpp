@@ -58,7 +58,7 @@ constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::tran
 struct CompensateInput {
   bool given = false;  ///< the spec has [compensate]
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<WorkshopCorrection> corrections;  ///< empty: the pair's own
+  std::vector<std::size_t> corrections;    ///< places in kCorrections; empty: the pair's own
   std::optional<double> centering_arcsec;       ///< what a pattern at the end of the face may cost
   /// [compensate.range]: the least and the greatest value of an error, by its place in
   /// error_entries.

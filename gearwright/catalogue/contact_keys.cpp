@@ -1,5 +1,7 @@
 #include "gearwright/catalogue/contact_keys.hpp"
 
+#include <fmt/format.h>
+
 namespace gearwright {
 
 namespace {
@@ -12,54 +14,59 @@ std::vector<std::string_view> error_words() {
   return words;
 }
 
+KeyPlace axis(std::size_t i) {
+  return KeyPlace::within<ContactMapInput>([i](auto& map) -> auto& { return map.key[i]; });
+}
+
+KeyPlace range(std::size_t i) {
+  return KeyPlace::within<ContactMapInput>([i](auto& map) -> auto& { return map.range[i]; });
+}
+
+std::optional<KeyFault> check_map(ContactMapInput& map, const KeyGiven&) {
+  if (map.key[0] == map.key[1]) return KeyFault{"y", "must be another error than x"};
+  for (const std::size_t i : {0, 1}) {
+    const KeyRange& allowed = error_keys().keys[map.key[i]].range;
+    for (const double v : map.range[i])
+      if (!allowed.contains(v))
+        return KeyFault{i == 0 ? "x_range" : "y_range", allowed.sentence(v)};
+  }
+  return std::nullopt;
+}
+
+std::optional<KeyFault> check_contact(ContactInput& c, const KeyGiven&) {
+  if (static_cast<long long>(c.positions) * c.pitches <= kMaxPositions) return std::nullopt;
+  return KeyFault{"pitches", fmt::format("positions times pitches must be at most {}; every pitch "
+                                         "is like the first",
+                                         kMaxPositions)};
+}
+
 }  // namespace
 
 const KeyTable& contact_keys() {
   static const KeyTable table{
       "contact",
       "How the contact of the pair is looked at",
-      {{.key = "positions",
-        .kind = KeyKind::whole,
-        .range = Range::between(4, 100'000),
-        .place = &ContactInput::positions,
-        .fallback = "64",
-        .meaning = "positions per pitch of gear 1"},
-       {.key = "pitches",
-        .kind = KeyKind::whole,
-        .range = Range::between(1, 10'000),
-        .place = &ContactInput::pitches,
-        .fallback = "1",
-        .meaning = "how many pitches; every one is like the first; positions times pitches at most "
-                   "10⁶"},
-       {.key = "marking_mm",
-        .symbol = "δ",
-        .range = Range::above(0, 1, ", usually 0.003 to 0.01"),
-        .place = &ContactInput::marking,
-        .fallback = "0.00635",
-        .meaning = "thickness of the marking compound, for ellipses and pattern"},
-       {.key = "driver",
-        .kind = KeyKind::whole,
-        .range = Range::between(1, 2),
-        .place = &ContactInput::driver,
-        .fallback = "1",
-        .meaning =
-            "1, or 2: gear 2 pushes in the same sense of rotation, and the non-working flanks "
-            "touch"},
-       {.key = "pattern",
-        .kind = KeyKind::boolean,
-        .place = &ContactInput::pattern,
-        .fallback = "false",
-        .meaning = "true: the result has the marking pattern of both flanks"},
-       {.key = "rotation1_deg",
-        .range = Range::between(-1e6, 1e6),
-        .list = KeyList{1, 100'000},
-        .meaning = "rotations of gear 1, in place of positions and pitches",
-        .fields = {"rotations"}},
-       {.key = "map",
-        .kind = KeyKind::table,
-        .tables = {contact_map_keys},
-        .in_documents = false,
-        .meaning = "peak to peak of the transmission error over two errors at once"}}};
+      {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
+                   "positions per pitch of gear 1"),
+       Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
+                   "how many pitches; every one is like the first; positions times pitches at most "
+                   "10⁶"),
+       Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
+                   &ContactInput::marking, "0.00635",
+                   "thickness of the marking compound, for ellipses and pattern"),
+       Key::number(
+           "driver", "", Range::between(1, 2), &ContactInput::driver, "1",
+           "1, or 2: gear 2 pushes in the same sense of rotation, and the non-working flanks "
+           "touch"),
+       Key::flag("pattern", &ContactInput::pattern, "false",
+                 "true: the result has the marking pattern of both flanks"),
+       Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
+                   "rotations of gear 1, in place of positions and pitches")
+           .with_list(KeyList{1, 100'000})
+           .with_fields({"rotations"}),
+       Key::part("map", contact_map_keys, &ContactInput::map,
+                 "peak to peak of the transmission error over two errors at once")},
+      check_contact};
   return table;
 }
 
@@ -68,32 +75,20 @@ const KeyTable& contact_map_keys() {
       "contact_map",
       "Peak to peak of the transmission error over two errors at once, the others as they stand in "
       "[errors]",
-      {{.key = "x",
-        .kind = KeyKind::word,
-        .words = error_words(),
-        .form = "a key of `[errors]`",
-        .required = true,
-        .meaning = "a key of [errors], such as crossing_deg"},
-       {.key = "x_range",
-        .list = KeyList{2, 2},
-        .required = true,
-        .meaning = "the least and the greatest value, in the unit of the key"},
-       {.key = "y",
-        .kind = KeyKind::word,
-        .words = error_words(),
-        .form = "a key of `[errors]`",
-        .required = true,
-        .meaning = "a key of [errors], another than x"},
-       {.key = "y_range",
-        .list = KeyList{2, 2},
-        .required = true,
-        .meaning = "the least and the greatest value, in the unit of the key"},
-       {.key = "points",
-        .kind = KeyKind::whole,
-        .range = Range::between(2, 1000),
-        .list = KeyList{2, 2},
-        .fallback = "[21, 21]",
-        .meaning = "how many along x and along y, ends included"}}};
+      {Key::word("x", error_words(), axis(0), kRequired, "a key of [errors], such as crossing_deg")
+           .with_form("a key of `[errors]`"),
+       Key::number("x_range", "", {}, range(0), kRequired,
+                   "the least and the greatest value, in the unit of the key")
+           .with_list(kErrorRange),
+       Key::word("y", error_words(), axis(1), kRequired, "a key of [errors], another than x")
+           .with_form("a key of `[errors]`"),
+       Key::number("y_range", "", {}, range(1), kRequired,
+                   "the least and the greatest value, in the unit of the key")
+           .with_list(kErrorRange),
+       Key::number("points", "", Range::between(2, 1000), &ContactMapInput::points, "[21, 21]",
+                   "how many along x and along y, ends included")
+           .with_list(KeyList{2, 2})},
+      check_map};
   return table;
 }
 

@@ -7,27 +7,14 @@ const KeyTable& drawing_keys() {
   static const KeyTable table{
       "drawing",
       "The title block of the report and of drawings, as given",
-      {{.key = "title",
-        .kind = KeyKind::text,
-        .place = &D::title,
-        .fallback = "the spec's `title`",
-        .meaning = "what the drawing shows"},
-       {.key = "number",
-        .kind = KeyKind::text,
-        .place = &D::number,
-        .meaning = "drawing number",
-        .also = {"drawing_number", "no", "part_number"}},
-       {.key = "author", .kind = KeyKind::text, .place = &D::author, .meaning = "who drew it"},
-       {.key = "date",
-        .kind = KeyKind::text,
-        .place = &D::date,
-        .meaning = "in quotes, any form; never that of today by itself"},
-       {.key = "material", .kind = KeyKind::text, .place = &D::material, .meaning = "in words"},
-       {.key = "note",
-        .kind = KeyKind::text,
-        .place = &D::note,
-        .meaning = "what a workshop should know besides",
-        .also = {"notes", "remark", "comment"}}}};
+      {Key::text("title", &D::title, "the spec's `title`", "what the drawing shows"),
+       Key::text("number", &D::number, "", "drawing number")
+           .with_also({"drawing_number", "no", "part_number"}),
+       Key::text("author", &D::author, "", "who drew it"),
+       Key::text("date", &D::date, "", "in quotes, any form; never that of today by itself"),
+       Key::text("material", &D::material, "", "in words"),
+       Key::text("note", &D::note, "", "what a workshop should know besides")
+           .with_also({"notes", "remark", "comment"})}};
   return table;
 }
 

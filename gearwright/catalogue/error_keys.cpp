@@ -84,15 +84,12 @@ const KeyTable& error_keys() {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
                                   " micrometres: a helix angle belongs to the gear");
       }
-      t.keys.push_back({.key = e.key,
-                        .symbol = e.symbol,
-                        .range = range,
-                        .place = KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {
-                          return errors.value[i];
-                        }),
-                        .fallback = "0",
-                        .meaning = e.meaning,
-                        .fields = {e.member()}});
+      t.keys.push_back(Key::number(e.key, e.symbol, range,
+                                   KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {
+                                     return errors.value[i];
+                                   }),
+                                   "0", e.meaning)
+                           .with_fields({e.member()}));
     }
     return t;
   }();

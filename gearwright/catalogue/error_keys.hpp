@@ -51,6 +51,10 @@ struct ErrorsInput {
   }
 };
 
+/// The least and the greatest value of an error.
+inline constexpr KeyList kErrorRange{
+    .least = 2, .most = 2, .order = {true, "must grow: the least value, then the greatest"}};
+
 const KeyTable& error_keys();
 
 }  // namespace gearwright

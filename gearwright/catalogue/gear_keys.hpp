@@ -23,11 +23,6 @@ struct BasicInput {
   std::optional<double> root_form_diameter;  ///< d_Ff  mm
 };
 
-/// [gearN.tip_fillet]: where it begins, said in one of three ways, or the rounding of both corners.
-struct TipFilletInput {
-  std::optional<double> radius, l, clearance, corner_radius;  ///< mm
-};
-
 const KeyTable& gear_keys();
 /// Of [gearN.cut_by]: a gear's, without those of flanks and cutters.
 const KeyTable& cutter_keys();

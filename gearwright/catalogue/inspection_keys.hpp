@@ -7,6 +7,10 @@
 
 namespace gearwright {
 
+inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
+/// One number, or two where the teeth are made at their mean.
+inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
+
 const KeyTable& measure_keys();
 const KeyTable& tolerance_keys();
 

@@ -13,8 +13,15 @@ namespace gearwright {
 
 namespace {
 
-// Ends of keys that say a unit.
+// Ends of keys that are a unit; members have the same name without it.
 constexpr std::array<std::string_view, 6> kKeyUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
+constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
+                                                         "HV", "m2", "m2K_per_W", "kg_per_m3"};
+
+bool ends_with_unit(std::string_view key, std::string_view unit) {
+  return key.size() > unit.size() && key.ends_with(unit) &&
+         key[key.size() - unit.size() - 1] == '_';
+}
 
 }  // namespace
 
@@ -55,17 +62,79 @@ std::string KeyRange::sentence(double value) const {
 }
 
 std::string_view key_unit(std::string_view key) {
-  for (const std::string_view unit : kKeyUnits) {
-    if (key.size() > unit.size() && key.ends_with(unit) && key[key.size() - unit.size() - 1] == '_')
-      return unit;
-  }
+  for (const std::string_view unit : kKeyUnits)
+    if (ends_with_unit(key, unit)) return unit;
   return {};
+}
+
+namespace {
+
+Key plain(KeyKind kind, std::string_view key, KeyPlace place, std::string_view fallback,
+          std::string_view meaning) {
+  const bool required = fallback == kRequired;
+  return {.key = key,
+          .kind = kind,
+          .place = std::move(place),
+          .required = required,
+          .fallback = required ? std::string_view() : fallback,
+          .meaning = meaning};
+}
+
+}  // namespace
+
+Key Key::number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
+                std::string_view fallback, std::string_view meaning) {
+  const bool whole = place.kind() == KeyKind::whole;
+  Key k = plain(whole ? KeyKind::whole : KeyKind::number, key, std::move(place), fallback, meaning);
+  k.symbol = symbol;
+  k.range = std::move(range);
+  return k;
+}
+
+Key Key::positive(std::string_view key, std::string_view symbol, KeyPlace place,
+                  std::string_view fallback, std::string_view meaning) {
+  return number(key, symbol, KeyRange::positive(), std::move(place), fallback, meaning);
+}
+
+Key Key::not_negative(std::string_view key, std::string_view symbol, KeyPlace place,
+                      std::string_view fallback, std::string_view meaning) {
+  return number(key, symbol, KeyRange::not_negative(), std::move(place), fallback, meaning);
+}
+
+Key Key::word(std::string_view key, Words words, KeyPlace place, std::string_view fallback,
+              std::string_view meaning) {
+  Key k = plain(KeyKind::word, key, std::move(place), fallback, meaning);
+  k.words = std::move(words);
+  return k;
+}
+
+Key Key::flag(std::string_view key, KeyPlace place, std::string_view fallback,
+              std::string_view meaning) {
+  return plain(KeyKind::boolean, key, std::move(place), fallback, meaning);
+}
+
+Key Key::text(std::string_view key, KeyPlace place, std::string_view fallback,
+              std::string_view meaning) {
+  return plain(KeyKind::text, key, std::move(place), fallback, meaning);
+}
+
+Key Key::part(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
+              std::string_view meaning) {
+  return {.key = key,
+          .kind = KeyKind::table,
+          .place = std::move(place),
+          .tables = {table},
+          .in_documents = false,
+          .meaning = meaning};
 }
 
 std::vector<std::string> Key::members() const {
   if (!fields.empty()) return fields;
-  const std::string_view unit = key_unit(key);
-  return {std::string(unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1))};
+  const std::string_view name = alias.of.empty() ? key : alias.of;
+  std::string_view unit = key_unit(name);
+  for (const std::string_view other : kStrengthUnits)
+    if (ends_with_unit(name, other)) unit = other;
+  return {std::string(unit.empty() ? name : name.substr(0, name.size() - unit.size() - 1))};
 }
 
 const Key* KeyTable::find(std::string_view name) const {
@@ -77,6 +146,13 @@ const Key* KeyTable::find(std::string_view name) const {
 std::vector<std::string> KeyTable::names() const {
   std::vector<std::string> names;
   for (const Key& k : keys) names.emplace_back(k.key);
+  return names;
+}
+
+std::vector<std::string> KeyTable::ways(std::string_view key) const {
+  std::vector<std::string> names{std::string(key)};
+  for (const Key& k : keys)
+    if (k.alias.of == key) names.emplace_back(k.key);
   return names;
 }
 

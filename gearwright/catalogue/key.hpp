@@ -2,40 +2,23 @@
 //
 //   Key        name in the file, symbol, kind, range with its reason, default, what it needs or
 //              excludes, one sentence of meaning, and the member of an input struct that it sets
-//   KeyTable   the keys of one table of a spec
+//   KeyTable   the keys of one table of a spec, and the rule that they keep together
+//   KeyPlace   the member, key_place.hpp
 //
 // Reading, the nearest-name hint, the tables of docs/spec.md and the JSON Schema of specs are made
 // from it. A new key is one entry of one of the *_keys.cpp files.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "gearwright/base/angle.hpp"
-#include "gearwright/base/contract.hpp"
+#include "gearwright/catalogue/key_place.hpp"
 
 namespace gearwright {
-
-/// A value as it stands in a file: a number, a whole number or the place of a word in its list, a
-/// switch, a text.
-using KeyValue = std::variant<double, int, bool, std::string>;
-
-enum class KeyKind {
-  number,
-  whole,
-  boolean,
-  text,
-  word,   ///< one of `words`
-  table,  ///< one of `tables`
-  any     ///< whatever stands there: not read in this version
-};
 
 constexpr double kMaxInput = 1e9;  ///< of any number of a spec, in its unit
 constexpr double kMaxWholeInput = 1e6;
@@ -72,96 +55,115 @@ struct KeyRange {
   std::string sentence(double value) const;
 };
 
+/// The order of a list's numbers; without a sentence any.
+struct ListOrder {
+  bool strict = false;          ///< no number stands there twice
+  std::string_view sentence{};  ///< of a list that breaks it; its {} are the first and the last
+};
+
+inline constexpr ListOrder kLowerFirst{false, "must be two numbers, the lower one first"};
+
 /// A list instead of one value.
 struct KeyList {
   std::size_t least = 1, most = 1;
-  bool single = false;  ///< one value without a list will do, too
+  bool single = false;      ///< one value without a list will do, too
+  ListOrder order{};        ///< of numbers
+  std::string_view noun{};  ///< what a word of the list is: "objective"
+  /// The word that is meant by another one; empty: none.
+  std::string_view (*meant)(std::string_view word) = nullptr;
+  std::string_view must{};  ///< of tables: what the list must be
+  int first = 1;            ///< number of its first element in a path
 };
 
-/// Where the value of a plain key goes: a member, or a member's member, of the input struct.
-/// Degrees become an Angle; the place of a word in its list becomes the enumerator.
-class KeyPlace {
- public:
-  KeyPlace() = default;  ///< the reader has code for this key
-  template <class T, class V>
-  KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor): an entry names the member
-      : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
-  /// within<T>([](T& t) -> auto& { return t.limits.contact_ratio; })
-  template <class T, class F>
-  static KeyPlace within(F reach);
-
-  explicit operator bool() const { return put_ != nullptr; }
-  KeyKind kind() const { return kind_; }
-  bool is_angle() const { return angle_; }
-  /// Domain  an input of the type that the entry names (contract)
-  template <class T>
-  void put(T& input, const KeyValue& value) const {
-    GW_EXPECTS(owner_ == &kOwner<T>);
-    put_(&input, value);
-  }
-  template <class T>
-  bool same(const T& a, const T& b) const {
-    GW_EXPECTS(owner_ == &kOwner<T>);
-    return same_(&a, &b);
-  }
-
- private:
-  template <class T>
-  static constexpr char kOwner = 0;  // its address stands for the type
-
-  static void store(double& to, const KeyValue& v) { to = std::get<double>(v); }
-  static void store(Angle& to, const KeyValue& v) { to = Angle::degrees(std::get<double>(v)); }
-  static void store(int& to, const KeyValue& v) { to = std::get<int>(v); }
-  static void store(bool& to, const KeyValue& v) { to = std::get<bool>(v); }
-  static void store(std::string& to, const KeyValue& v) { to = std::get<std::string>(v); }
-  template <class E>
-  requires std::is_enum_v<E>
-  static void store(E& to, const KeyValue& v) { to = static_cast<E>(std::get<int>(v)); }
-  template <class V>
-  static void store(std::optional<V>& to, const KeyValue& v) {
-    store(to.emplace(), v);
-  }
-  template <class V>
-  struct Bare {
-    using type = V;
-  };
-  template <class V>
-  struct Bare<std::optional<V>> {
-    using type = V;
-  };
-
-  KeyKind kind_ = KeyKind::any;
-  bool angle_ = false;
-  const char* owner_ = nullptr;
-  std::function<void(void*, const KeyValue&)> put_;
-  std::function<bool(const void*, const void*)> same_;
+/// A key that gives in another unit or section what the key `of` gives.
+struct KeyAlias {
+  std::string_view of;
+  double (*value)(double given, double cos_beta) = nullptr;  ///< in the unit of `of`
+  bool transverse = false;  ///< of the transverse section: the helix angle counts
 };
 
 struct KeyTable;
 
-/// One key of a table.
+/// The fallback of a key that must be there.
+inline constexpr std::string_view kRequired = "required";
+
+/// One key of a table. Most are made by one of the functions below and completed by with_…().
 struct Key {
+  using Words = std::vector<std::string_view>;
+
   std::string_view key;       ///< as in the file, "helix_angle_deg"
   std::string_view symbol{};  ///< ISO 21771, "β"
   KeyKind kind = KeyKind::number;
-  std::vector<std::string_view> words{};  ///< of a word; of other kinds: words that will do, too
-  KeyRange range{};                       ///< of each number
+  Words words{};     ///< of a word; of other kinds: words that will do, too
+  KeyRange range{};  ///< of each number
   std::optional<KeyList> list{};
   std::string
-      form{};  ///< what may stand there, where kind and range do not say it: "a number or …"
+      form{};  ///< what may stand there, where kind and range do not show it: "a number or …"
   KeyPlace place{};  ///< none: the reader has code for it
   bool required = false;
-  std::vector<std::string_view> needs{};     ///< keys that must stand beside it
-  std::vector<std::string_view> excludes{};  ///< keys that may not stand beside it
+  Words needs{};     ///< keys that must stand beside it
+  Words excludes{};  ///< keys that may not stand beside it
   /// The tables it may be, told apart by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
   std::string_view fallback{};  ///< what holds when it is absent: a value as in the file, or words
-  bool in_documents = true;     ///< false: the prose beside the table says it
+  bool in_documents = true;     ///< false: the prose beside the table has it
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
-  /// The members it sets, as errors name them; none: what its name says, "helix_angle" of
+  /// The members it sets, as errors name them; none: that of its name, "helix_angle" of
   /// helix_angle_deg.
   std::vector<std::string> fields{};
-  std::vector<std::string_view> also{};  ///< what people write for it: "module", "dp"
+  Words also{};  ///< what people write for it: "module", "dp"
+  KeyAlias alias{};
+
+  /// A number; whole if its place holds one.
+  static Key number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
+                    std::string_view fallback, std::string_view meaning);
+  static Key positive(std::string_view key, std::string_view symbol, KeyPlace place,
+                      std::string_view fallback, std::string_view meaning);
+  static Key not_negative(std::string_view key, std::string_view symbol, KeyPlace place,
+                          std::string_view fallback, std::string_view meaning);
+  static Key word(std::string_view key, Words words, KeyPlace place, std::string_view fallback,
+                  std::string_view meaning);
+  /// true or false.
+  static Key flag(std::string_view key, KeyPlace place, std::string_view fallback,
+                  std::string_view meaning);
+  static Key text(std::string_view key, KeyPlace place, std::string_view fallback,
+                  std::string_view meaning);
+  /// A table within the table, [gear1.bore]; documents show it by a heading.
+  static Key part(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
+                  std::string_view meaning);
+
+  Key with_list(KeyList l) && {
+    list = l;
+    return std::move(*this);
+  }
+  Key with_form(std::string f) && {
+    form = std::move(f);
+    return std::move(*this);
+  }
+  Key with_needs(Words keys) && {
+    needs = std::move(keys);
+    return std::move(*this);
+  }
+  Key with_excludes(Words keys) && {
+    excludes = std::move(keys);
+    return std::move(*this);
+  }
+  Key with_fields(std::vector<std::string> f) && {
+    fields = std::move(f);
+    return std::move(*this);
+  }
+  Key with_also(Words w) && {
+    also = std::move(w);
+    return std::move(*this);
+  }
+  Key with_alias(KeyAlias a) && {
+    alias = a;
+    return std::move(*this);
+  }
+  Key undocumented() && {
+    in_documents = false;
+    return std::move(*this);
+  }
 
   /// `fields`, or the one of the name.
   std::vector<std::string> members() const;
@@ -172,9 +174,12 @@ struct KeyTable {
   std::string_view name;     ///< in documents and in the schema: "pair", "rack_circular_arc"
   std::string_view meaning;  ///< one sentence
   std::vector<Key> keys;
+  KeyRule rule{};  ///< of what was read; needs and excludes are those of the keys
 
   const Key* find(std::string_view key) const;
   std::vector<std::string> names() const;
+  /// The key, and those whose alias it is.
+  std::vector<std::string> ways(std::string_view key) const;
 };
 
 /// The unit that a key's name ends with, without the underscore: "mm"; empty: none.
@@ -195,29 +200,5 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// `meant`: what the word means here, where that is known.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
-
-template <class T, class F>
-KeyPlace KeyPlace::within(F reach) {
-  using V = std::remove_reference_t<decltype(reach(std::declval<T&>()))>;
-  using B = typename Bare<V>::type;
-  KeyPlace place;
-  place.kind_ = std::is_enum_v<B>                ? KeyKind::word
-                : std::is_same_v<B, bool>        ? KeyKind::boolean
-                : std::is_same_v<B, int>         ? KeyKind::whole
-                : std::is_same_v<B, std::string> ? KeyKind::text
-                                                 : KeyKind::number;
-  place.angle_ = std::is_same_v<B, Angle>;
-  place.owner_ = &kOwner<T>;
-  place.put_ = [reach](void* input, const KeyValue& v) {
-    store(reach(*static_cast<T*>(input)), v);
-  };
-  place.same_ = [reach](const void* a, const void* b) {
-    // `reach` wants something to change; it is only looked at.
-    auto& at_a = reach(*const_cast<T*>(static_cast<const T*>(a)));  // NOLINT
-    auto& at_b = reach(*const_cast<T*>(static_cast<const T*>(b)));  // NOLINT
-    return at_a == at_b;
-  };
-  return place;
-}
 
 }  // namespace gearwright

@@ -52,10 +52,12 @@ TEST(Keys, each_is_said_once_and_knows_its_neighbours) {
 TEST(Keys, a_place_takes_what_the_key_says) {
   for (const KeyTable* table : all_key_tables()) {
     for (const Key& key : table->keys) {
-      if (!key.place) continue;
+      if (!key.place || key.place.kind() == KeyKind::any) continue;  // the latter is checked only
       EXPECT_EQ(key.place.kind(), key.kind) << table->name << "." << key.key;
       EXPECT_TRUE(!key.place.is_angle() || key_unit(key.key) == "deg") << key.key;
-      EXPECT_FALSE(key.list) << key.key;
+      const bool table = key.kind == KeyKind::table;
+      EXPECT_TRUE(!table || key.tables.size() == 1) << key.key;
+      EXPECT_TRUE(!table || !key.list || !key.list->must.empty()) << key.key;
     }
   }
 }
@@ -78,16 +80,50 @@ void expect_defaults(const KeyTable& table, std::size_t at_least) {
   std::size_t seen = 0;
   for (const Key& key : table.keys) {
     const Json v = Json::parse(key.fallback, nullptr, false);
-    if (!key.place || v.is_discarded()) continue;
-    T input{};
+    if (!key.place.is_member() || key.list || v.is_discarded()) continue;
+    T input{}, untouched{};
     key.place.put(input, value_of(key, v));
     // What is absent by itself has its default from elsewhere.
-    EXPECT_TRUE(key.place.same(T{}, input))
+    EXPECT_TRUE(key.place.same(untouched, input))
         << table.name << "." << key.key << " = " << key.fallback;
     EXPECT_TRUE(!v.is_number() || key.range.contains(v.get<double>())) << key.key;
     ++seen;
   }
   EXPECT_GE(seen, at_least) << table.name;
+}
+
+struct Target {
+  std::vector<Angle> angles;
+  std::optional<std::array<int, 2>> points;
+  double mean = 0.0;
+  std::optional<std::array<double, 2>> ends;
+  std::vector<LoadProbeInput> probes;
+  ContactInput contact;
+};
+
+TEST(Keys, the_type_of_a_member_decides_what_a_place_takes) {
+  Target t;
+  const KeyPlace angles(&Target::angles), points(&Target::points), probes(&Target::probes);
+  EXPECT_TRUE(angles.kind() == KeyKind::number && angles.is_angle());
+  EXPECT_EQ(points.kind(), KeyKind::whole);
+  EXPECT_EQ(probes.kind(), KeyKind::table);
+  angles.put(t, std::vector<double>{10.0, 20.0});
+  EXPECT_EQ(t.angles, (std::vector{Angle::degrees(10), Angle::degrees(20)}));
+  points.put(t, std::vector<double>{3.0, 4.0});
+  EXPECT_EQ(t.points, (std::array{3, 4}));
+  const auto both = KeyPlace::mean_and_ends<Target>(
+      [](auto& x) -> auto& { return x.mean; }, [](auto& x) -> auto& { return x.ends; });
+  both.put(t, std::vector<double>{1.0});
+  EXPECT_TRUE(t.mean == 1.0 && !t.ends);
+  both.put(t, std::vector<double>{1.0, 2.0});
+  EXPECT_TRUE(t.mean == 1.5 && t.ends == (std::array{1.0, 2.0}));
+  probes.part(t);
+  probes.part(t).as<LoadProbeInput>().diameter = 5.0;
+  EXPECT_TRUE(t.probes.size() == 2 && t.probes[1].diameter == 5.0);
+  EXPECT_FALSE(t.contact.given);
+  KeyPlace(&Target::contact).part(t);
+  EXPECT_TRUE(t.contact.given);
+  EXPECT_THROW(angles.put(t.contact, std::vector<double>{1.0}), ContractViolation);
 }
 
 TEST(Keys, defaults_are_those_of_the_structs) {
@@ -98,7 +134,10 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   expect_defaults<RootFilletSpec>(root_fillet_keys(), 1);
   expect_defaults<StraightRack>(straight_rack_keys(), 6);
   expect_defaults<DoubleArcRack>(double_arc_rack_keys(), 8);
-  expect_defaults<RackArcInput>(rack_arc_keys(), 1);
+  RackArc flank;
+  rack_arc_keys().find("part")->place.put(flank, 1);
+  EXPECT_EQ(rack_arc_keys().find("part")->fallback, "\"flank\"");
+  EXPECT_TRUE(flank.cuts == RackArc{}.cuts && flank.working == RackArc{}.working);
   expect_defaults<PairInput>(pair_keys(), 2);
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
@@ -142,7 +181,7 @@ TEST(Keys, the_limits_of_a_gear_are_its_own) {
 template <class Rack, class Edge>
 void expect_limits(const KeyTable& table, const Rack& good, const Edge& edge) {
   for (const Key& key : table.keys) {
-    if (!key.place || !key.range.limited() || key.place.is_angle()) continue;
+    if (!key.place.is_member() || !key.range.limited() || key.place.is_angle()) continue;
     for (const double end : {key.range.lo, key.range.hi}) {
       if (!std::isfinite(end)) continue;
       Rack rack = good;

@@ -1,24 +1,50 @@
 #include "gearwright/catalogue/material_keys.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "gearwright/base/error.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr KeyList kSteps{2, 100};
+constexpr std::size_t kMinSteps = 2, kMaxSteps = 100;  // of temperature
 
-Key by_temperature(std::string_view key, std::string_view symbol, std::string_view member,
+// Values of a plastic, one for each of its temperatures.
+Key by_temperature(std::string_view key, std::string_view symbol,
+                   ByTemperature MaterialInput::*member, std::string_view field,
                    std::string_view meaning) {
-  return {.key = key,
-          .symbol = symbol,
-          .range = KeyRange::positive(),
-          .list = kSteps,
-          .form = "a list of as many values as `temperatures_C`",
-          .needs = {"temperatures_C"},
-          .fallback = "the one value above",
-          .meaning = meaning,
-          .fields = {std::string(member)}};
+  const auto set = [member](MaterialInput& m, const std::vector<double>& values) {
+    const std::vector<double>& celsius = m.temperatures;
+    if (celsius.empty()) return std::string();
+    if (values.size() != celsius.size())
+      return fmt::format("has {} values for {} temperatures_C", values.size(), celsius.size());
+    for (std::size_t i = 0; i < values.size(); ++i) (m.*member).push_back({celsius[i], values[i]});
+    return std::string();
+  };
+  return Key::positive(key, symbol, KeyPlace::by<MaterialInput, std::vector<double>>(set),
+                       "the one value above", meaning)
+      .with_list({kMinSteps, kMaxSteps})
+      .with_form("a list of as many values as `temperatures_C`")
+      .with_needs({"temperatures_C"})
+      .with_fields({std::string(field)});
+}
+
+// A name without values is a row of the shipped table.
+std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
+  const bool by_temperature = !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty();
+  if (!m.name || m.sigma_Hlim || m.sigma_Flim || m.youngs_modulus || by_temperature)
+    return std::nullopt;
+  std::vector<std::string> known;
+  for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
+  if (std::find(known.begin(), known.end(), *m.name) != known.end()) return std::nullopt;
+  return KeyFault{"name",
+                  fmt::format("is not in the shipped table; {}. Of any other material give the "
+                              "values: kind, sigma_Hlim_MPa, sigma_Flim_MPa, and of a plastic "
+                              "youngs_modulus_MPa",
+                              word_hint(*m.name, known))};
 }
 
 }  // namespace
@@ -30,90 +56,53 @@ const KeyTable& material_keys() {
     return KeyTable{
         "material",
         "What the teeth are made of, for `rate`",
-        {{.key = "name",
-          .kind = KeyKind::text,
-          .place = &MaterialInput::name,
-          .fallback = "the values below",
-          .meaning = "a row of the shipped table, \"18CrNiMo7-6\"; any name where the values "
-                     "themselves are given",
-          .also = {"steel", "grade", "material"}},
-         {.key = "kind",
-          .kind = KeyKind::word,
-          .words = {kinds.begin(), kinds.end()},
-          .place = &MaterialInput::kind,
-          .fallback = "of the named row",
-          .meaning = "how ISO 6336-5 sorts it: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
-                     "bai.), GGG (ferr.), GTS",
-          .also = {"type", "treatment", "heat_treatment"}},
-         {.key = "youngs_modulus_MPa",
-          .symbol = "E",
-          .range = Range::positive(),
-          .place = &MaterialInput::youngs_modulus,
-          .fallback = "206 000, of cast iron less",
-          .meaning = "Young's modulus",
-          .fields = {"youngs_modulus"},
-          .also = {"e", "modulus", "elasticity"}},
-         {.key = "poisson_ratio",
-          .symbol = "ν",
-          .range = Range::between(0, 0.5),
-          .place = &MaterialInput::poisson_ratio,
-          .fallback = "0.3",
-          .meaning = "Poisson's ratio",
-          .also = {"nu", "poisson"}},
-         {.key = "density_kg_per_m3",
-          .symbol = "ρ",
-          .range = Range::positive(),
-          .place = &MaterialInput::density,
-          .fallback = "7830, of cast iron 7300",
-          .meaning = "density, for the resonance of the mesh",
-          .fields = {"density"}},
-         {.key = "sigma_Hlim_MPa",
-          .symbol = "σ_Hlim",
-          .range = Range::positive(),
-          .place = &MaterialInput::sigma_Hlim,
-          .fallback = "of the named row",
-          .meaning = "allowable contact stress number of the reference test gears",
-          .fields = {"sigma_Hlim"},
-          .also = {"sigma_h", "contact_strength", "hlim"}},
-         {.key = "sigma_Flim_MPa",
-          .symbol = "σ_Flim",
-          .range = Range::positive(),
-          .place = &MaterialInput::sigma_Flim,
-          .fallback = "of the named row",
-          .meaning = "allowable bending stress number, nominal: without Y_ST = 2",
-          .fields = {"sigma_Flim"},
-          .also = {"sigma_f", "bending_strength", "flim"}},
-         {.key = "surface_hardness_HV",
-          .range = Range::between(50, 1200),
-          .place = &MaterialInput::surface_hardness,
-          .fallback = "of the named row",
-          .meaning = "Vickers hardness of the surface; of a named row it sets the limits, too",
-          .fields = {"surface_hardness"},
-          .also = {"hardness", "hv"}},
-         {.key = "yield_strength_MPa",
-          .symbol = "R_e",
-          .range = Range::positive(),
-          .place = &MaterialInput::yield_strength,
-          .fallback = "Y_δrelT = 1 of a tempered or normalized steel",
-          .meaning = "yield strength or 0.2 % proof stress",
-          .fields = {"yield_strength"},
-          .also = {"yield", "re", "rp02"}},
-         {.key = "temperatures_C",
-          .symbol = "ϑ",
-          .range = Range::between(-100, 400),
-          .list = kSteps,
-          .form = "a list of rising temperatures",
-          .fallback = "the values above, at any temperature",
-          .meaning = "of a plastic: where its values below are stated; between two the straight "
-                     "line, outside nothing",
-          .fields = {"temperatures"}},
-         by_temperature("sigma_Hlim_by_temperature_MPa", "σ_HlimN", "sigma_Hlim_by",
-                        "flank strength at each temperature, for the wanted life"),
-         by_temperature("sigma_Flim_by_temperature_MPa", "σ_FlimN", "sigma_Flim_by",
+        {Key::text("name", &MaterialInput::name, "the values below",
+                   "a row of the shipped table, \"18CrNiMo7-6\"; any name where the values "
+                   "themselves are given")
+             .with_also({"steel", "grade", "material"}),
+         Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind, "of the named row",
+                   "how ISO 6336-5 sorts it: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
+                   "bai.), GGG (ferr.), GTS")
+             .with_also({"type", "treatment", "heat_treatment"}),
+         Key::positive("youngs_modulus_MPa", "E", &MaterialInput::youngs_modulus,
+                       "206 000, of cast iron less", "Young's modulus")
+             .with_also({"e", "modulus", "elasticity"}),
+         Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &MaterialInput::poisson_ratio,
+                     "0.3", "Poisson's ratio")
+             .with_also({"nu", "poisson"}),
+         Key::positive("density_kg_per_m3", "ρ", &MaterialInput::density, "7830, of cast iron 7300",
+                       "density, for the resonance of the mesh"),
+         Key::positive("sigma_Hlim_MPa", "σ_Hlim", &MaterialInput::sigma_Hlim, "of the named row",
+                       "allowable contact stress number of the reference test gears")
+             .with_also({"sigma_h", "contact_strength", "hlim"}),
+         Key::positive("sigma_Flim_MPa", "σ_Flim", &MaterialInput::sigma_Flim, "of the named row",
+                       "allowable bending stress number, nominal: without Y_ST = 2")
+             .with_also({"sigma_f", "bending_strength", "flim"}),
+         Key::number("surface_hardness_HV", "", Range::between(50, 1200),
+                     &MaterialInput::surface_hardness, "of the named row",
+                     "Vickers hardness of the surface; of a named row it sets the limits, too")
+             .with_also({"hardness", "hv"}),
+         Key::positive("yield_strength_MPa", "R_e", &MaterialInput::yield_strength,
+                       "Y_δrelT = 1 of a tempered or normalized steel",
+                       "yield strength or 0.2 % proof stress")
+             .with_also({"yield", "re", "rp02"}),
+         Key::number("temperatures_C", "ϑ", Range::between(-100, 400), &MaterialInput::temperatures,
+                     "the values above, at any temperature",
+                     "of a plastic: where its values below are stated; between two the straight "
+                     "line, outside nothing")
+             .with_list({.least = kMinSteps,
+                         .most = kMaxSteps,
+                         .order = {true, "must rise from one to the next"}})
+             .with_form("a list of rising temperatures"),
+         by_temperature("sigma_Hlim_by_temperature_MPa", "σ_HlimN", &MaterialInput::sigma_Hlim_by,
+                        "sigma_Hlim_by", "flank strength at each temperature, for the wanted life"),
+         by_temperature("sigma_Flim_by_temperature_MPa", "σ_FlimN", &MaterialInput::sigma_Flim_by,
+                        "sigma_Flim_by",
                         "root strength at each temperature, for the wanted life, nominal: without "
                         "Y_ST = 2"),
-         by_temperature("youngs_modulus_by_temperature_MPa", "E", "youngs_modulus_by",
-                        "Young's modulus at each temperature")}};
+         by_temperature("youngs_modulus_by_temperature_MPa", "E", &MaterialInput::youngs_modulus_by,
+                        "youngs_modulus_by", "Young's modulus at each temperature")},
+        check_name};
   }();
   return table;
 }

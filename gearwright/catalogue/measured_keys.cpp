@@ -7,25 +7,8 @@
 
 namespace gearwright {
 
-namespace {
-
-template <class F>
-KeyPlace reading(F reach) {
-  return KeyPlace::within<IdentifyProblem>(reach);
-}
-
-Key uncertainty(std::string_view key, KeyPlace place, std::string_view fallback,
-                std::string_view meaning) {
-  return {.key = key,
-          .range = KeyRange::positive(),
-          .place = std::move(place),
-          .fallback = fallback,
-          .meaning = meaning};
-}
-
-}  // namespace
-
 const KeyTable& measured_keys() {
+  using I = IdentifyProblem;
   static const KeyTable table{
       "measured",
       "Readings of an unknown gear, for the verb identify; an uncertainty is that of 95 %",
@@ -34,83 +17,59 @@ const KeyTable& measured_keys() {
         .kind = KeyKind::any,
         .form = "a table of readings by the number of teeth: { 3 = 19.751, 4 = 27.131 }",
         .meaning = "spans over k teeth (internal: spaces), `{ 3 = 19.751, 4 = 27.131 }`"},
-       uncertainty("span_uncertainty_mm", &IdentifyProblem::span_uncertainty, "0.02",
-                   "of each span"),
+       Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02", "of each span"),
        {.key = "over_balls_mm",
         .symbol = "M_dK",
         .kind = KeyKind::table,
-        .list = KeyList{1, kMostBallReadings},
+        .list = KeyList{.most = kMostBallReadings,
+                        .must = "must be a list of tables: [{{ ball_diameter_mm = 5, "
+                                "dimension_mm = 69.426 }}], 1 to {} of them"},
+        .place = &I::balls,
         .tables = {measured_ball_keys},
         .meaning = "over two balls (internal: between them), "
                    "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
-       uncertainty("over_balls_uncertainty_mm", &IdentifyProblem::balls_uncertainty, "0.02",
-                   "of each dimension over balls"),
-       {.key = "tip_diameter_mm",
-        .symbol = "d_a",
-        .range = KeyRange::positive(),
-        .place = reading([](auto& p) -> auto& { return p.tip.value; }),
-        .meaning = "tip diameter; the tip may be worn"},
-       uncertainty("tip_diameter_uncertainty_mm",
-                   reading([](auto& p) -> auto& { return p.tip.uncertainty; }), "0.02",
-                   "of the tip diameter, without wear"),
-       {.key = "root_diameter_mm",
-        .symbol = "d_f",
-        .range = KeyRange::positive(),
-        .place = reading([](auto& p) -> auto& { return p.root.value; }),
-        .meaning = "root diameter"},
-       uncertainty("root_diameter_uncertainty_mm",
-                   reading([](auto& p) -> auto& { return p.root.uncertainty; }), "0.02",
-                   "of the root diameter"),
-       {.key = "lead_mm",
-        .symbol = "p_z",
-        .range = {.zero = false},
-        .place = reading([](auto& p) -> auto& { return p.lead.value; }),
-        .meaning = "lead, > 0 right hand"},
-       uncertainty("lead_uncertainty_mm",
-                   reading([](auto& p) -> auto& { return p.lead.uncertainty; }), "2 % of the lead",
-                   "of the lead"),
-       {.key = "helix_angle_deg",
-        .symbol = "β",
-        .range = KeyRange::between(-89, 89),
-        .place = reading([](auto& p) -> auto& { return p.helix.value; }),
-        .meaning = "helix angle at the reference cylinder, > 0 right hand; 0: the teeth "
-                   "are straight"},
-       uncertainty("helix_angle_uncertainty_deg",
-                   reading([](auto& p) -> auto& { return p.helix.uncertainty; }), "0.5",
-                   "of the helix angle"),
-       {.key = "center_distance_mm",
-        .symbol = "a",
-        .range = KeyRange::positive(),
-        .place = reading([](auto& p) -> auto& { return p.distance.value; }),
-        .needs = {"mating_teeth"},
-        .meaning = "centre distance to the mating gear"},
-       uncertainty("center_distance_uncertainty_mm",
-                   reading([](auto& p) -> auto& { return p.distance.uncertainty; }), "0.02",
-                   "of the centre distance"),
-       {.key = "mating_teeth",
-        .symbol = "z",
-        .kind = KeyKind::whole,
-        .range = {.lo = -1e5, .hi = 1e5, .zero = false},
-        .place = &IdentifyProblem::mating_teeth,
-        .meaning = "number of teeth of the mating gear, negative if internal"}}};
+       Key::positive("over_balls_uncertainty_mm", "", &I::balls_uncertainty, "0.02",
+                     "of each dimension over balls"),
+       Key::positive("tip_diameter_mm", "d_a", {&I::tip, &MaybeReading<double>::value}, "",
+                     "tip diameter; the tip may be worn"),
+       Key::positive("tip_diameter_uncertainty_mm", "",
+                     {&I::tip, &MaybeReading<double>::uncertainty}, "0.02",
+                     "of the tip diameter, without wear"),
+       Key::positive("root_diameter_mm", "d_f", {&I::root, &MaybeReading<double>::value}, "",
+                     "root diameter"),
+       Key::positive("root_diameter_uncertainty_mm", "",
+                     {&I::root, &MaybeReading<double>::uncertainty}, "0.02",
+                     "of the root diameter"),
+       Key::number("lead_mm", "p_z", KeyRange{.zero = false},
+                   {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 right hand"),
+       Key::positive("lead_uncertainty_mm", "", {&I::lead, &MaybeReading<double>::uncertainty},
+                     "2 % of the lead", "of the lead"),
+       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89),
+                   {&I::helix, &MaybeReading<Angle>::value}, "",
+                   "helix angle at the reference cylinder, > 0 right hand; 0: the teeth "
+                   "are straight"),
+       Key::positive("helix_angle_uncertainty_deg", "",
+                     {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5", "of the helix angle"),
+       Key::positive("center_distance_mm", "a", {&I::distance, &MaybeReading<double>::value}, "",
+                     "centre distance to the mating gear")
+           .with_needs({"mating_teeth"}),
+       Key::positive("center_distance_uncertainty_mm", "",
+                     {&I::distance, &MaybeReading<double>::uncertainty}, "0.02",
+                     "of the centre distance"),
+       Key::number("mating_teeth", "z", KeyRange{.lo = -1e5, .hi = 1e5, .zero = false},
+                   &I::mating_teeth, "",
+                   "number of teeth of the mating gear, negative if internal")}};
   return table;
 }
 
 const KeyTable& measured_ball_keys() {
-  static const KeyTable table{"measured_ball",
-                              "One dimension over or between two balls",
-                              {{.key = "ball_diameter_mm",
-                                .symbol = "D_M",
-                                .range = KeyRange::positive(),
-                                .place = &DiameterReading::tool,
-                                .required = true,
-                                .meaning = "diameter of the balls"},
-                               {.key = "dimension_mm",
-                                .symbol = "M_dK",
-                                .range = KeyRange::positive(),
-                                .place = &DiameterReading::value,
-                                .required = true,
-                                .meaning = "over both, or between them in an internal gear"}}};
+  static const KeyTable table{
+      "measured_ball",
+      "One dimension over or between two balls",
+      {Key::positive("ball_diameter_mm", "D_M", &DiameterReading::tool, kRequired,
+                     "diameter of the balls"),
+       Key::positive("dimension_mm", "M_dK", &DiameterReading::value, kRequired,
+                     "over both, or between them in an internal gear")}};
   return table;
 }
 

@@ -2,106 +2,79 @@
 
 namespace gearwright {
 
+namespace {
+
+KeyRange no_pressing() { return KeyRange::not_negative(": the teeth would press into each other"); }
+
+}  // namespace
+
 const KeyTable& pair_keys() {
   static const KeyTable table{
       "pair",
       "How the two gears are mounted",
-      {{.key = "center_distance_mm",
-        .symbol = "a",
-        .range = KeyRange::positive(),
-        .place = &PairInput::center_distance,
-        .fallback = "what `mounting` says",
-        .meaning = "centre distance",
-        .also = {"centre_distance", "distance", "axis_distance", "center", "cd"}},
-       {.key = "center_distance_tolerance",
-        .kind = KeyKind::text,
-        .place = &PairInput::distance_tolerance,
-        .excludes = {"center_distance_deviations_mm"},
-        .meaning = "tolerance of the centre distance by ISO 286, `\"JS7\"` (JS1 to JS12)",
-        .fields = {"distance_tolerance"},
-        .also = {"js"}},
-       {.key = "center_distance_deviations_mm",
-        .list = KeyList{2, 2},
-        .meaning = "lower and upper deviation of the centre distance",
-        .fields = {"distance_deviations"}},
-       {.key = "shaft_angle_deg",
-        .symbol = "Σ",
-        .range = KeyRange::inside(-180, 180, " (> 0: right hands prevail)"),
-        .place = &PairInput::shaft_angle,
-        .fallback = "0 where the helices allow it; an error where both have one hand and angle; "
-                    "else that of "
-                    "the minimum centre distance, with a warning",
-        .meaning = "Σ = β_w1 + β_w2, signed: two right hands cross at Σ > 0, two left hands at "
-                   "Σ < 0",
-        .also = {"axis_angle", "crossing_angle"}},
-       {.key = "backlash_mm",
-        .symbol = "j_n",
-        .range = KeyRange::not_negative(": the teeth would press into each other"),
-        .list = KeyList{1, 2, true},
-        .excludes = {"backlash_circumferential_mm", "backlash_deg"},
-        .fallback = "what the allowances and the centre distance leave",
-        .meaning = "normal backlash: the teeth are thinned for it, instead of by "
-                   "`thickness_allowance_mm`; two: the least and the greatest",
-        .also = {"backlash", "play", "normal_backlash", "jn"}},
-       {.key = "backlash_circumferential_mm",
-        .symbol = "j_t",
-        .range = KeyRange::not_negative(": the teeth would press into each other"),
-        .place = &PairInput::backlash_circumferential,
-        .excludes = {"backlash_deg"},
-        .meaning = "the same as an arc of the working pitch circle of gear 1",
-        .also = {"circumferential_backlash", "transverse_backlash", "jt", "jwt"}},
-       {.key = "backlash_deg",
-        .range = KeyRange::not_negative(": the teeth would press into each other"),
-        .place = &PairInput::backlash_angle,
-        .meaning = "the same as the angle that gear 1 turns while gear 2 is held",
-        .fields = {"backlash_angle"},
-        .also = {"angular_backlash", "backlash_angle"}},
-       {.key = "backlash_split",
-        .range = KeyRange::between(0, 1),
-        .place = &PairInput::backlash_split,
-        .fallback = "0.5",
-        .meaning = "gear 1's share of the thinning; the rest is gear 2's"},
-       {.key = "mounting",
-        .kind = KeyKind::word,
-        .words = {"tight", "extended"},
-        .place = &PairInput::mounting,
-        .fallback = "\"tight\"",
-        .meaning =
-            "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
-            "x2), an internal gear a_d − m_n (x1 + x2)"},
-       {.key = "choose_profile_shifts",
-        .kind = KeyKind::boolean,
-        .place = &PairInput::choose_profile_shifts,
-        .fallback = "true",
-        .meaning = "at a given centre distance absent profile shifts follow from it, and a note "
-                   "says them; `false`: they must be given"},
-       {.key = "shorten_tips",
-        .kind = KeyKind::boolean,
-        .place = &PairInput::shorten_tips,
-        .fallback = "false",
-        .meaning = "tips without a given `tip_diameter_mm` are cut back by k m_n, so that the "
-                   "clearance of the racks is kept"},
-       {.key = "friction_coefficient",
-        .symbol = "μ",
-        .range = {.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
-        .place = &PairInput::friction_coefficient,
-        .fallback = "no efficiency",
-        .meaning = "coefficient of friction of the flanks, for the efficiency",
-        .also = {"friction"}},
-       {.key = "bearing_span_mm",
-        .symbol = "L",
-        .range = KeyRange::positive(),
-        .place = &PairInput::bearing_span,
-        .fallback = "that of `[rating.mounting]`; no tolerances of the axes",
-        .meaning = "greater distance of the bearings of a shaft, for the tolerances of the axes",
-        .also = {"bearing_distance", "span"}},
-       {.key = "speed_rpm",
-        .symbol = "n_1",
-        .range = KeyRange::positive(),
-        .place = &PairInput::speed_rpm,
-        .fallback = "no velocities",
-        .meaning = "speed of rotation of gear 1, for the pitch line velocity",
-        .also = {"speed", "rpm", "n"}}}};
+      {Key::positive("center_distance_mm", "a", &PairInput::center_distance, "what `mounting` says",
+                     "centre distance")
+           .with_also({"centre_distance", "distance", "axis_distance", "center", "cd"}),
+       Key::text("center_distance_tolerance", &PairInput::distance_tolerance, "",
+                 "tolerance of the centre distance by ISO 286, `\"JS7\"` (JS1 to JS12)")
+           .with_excludes({"center_distance_deviations_mm"})
+           .with_fields({"distance_tolerance"})
+           .with_also({"js"}),
+       Key::number("center_distance_deviations_mm", "", {}, &PairInput::distance_deviations, "",
+                   "lower and upper deviation of the centre distance")
+           .with_list(kLowerAndUpper)
+           .with_fields({"distance_deviations"}),
+       Key::number("shaft_angle_deg", "Σ",
+                   KeyRange::inside(-180, 180, " (> 0: right hands prevail)"),
+                   &PairInput::shaft_angle,
+                   "0 where the helices allow it; an error where both have one hand and angle; "
+                   "else that of "
+                   "the minimum centre distance, with a warning",
+                   "Σ = β_w1 + β_w2, signed: two right hands cross at Σ > 0, two left hands at "
+                   "Σ < 0")
+           .with_also({"axis_angle", "crossing_angle"}),
+       Key::number("backlash_mm", "j_n", no_pressing(),
+                   KeyPlace::mean_and_ends<PairInput>(
+                       [](auto& p) -> auto& { return p.backlash; },
+                       [](auto& p) -> auto& { return p.backlash_ends; }),
+                   "what the allowances and the centre distance leave",
+                   "normal backlash: the teeth are thinned for it, instead of by "
+                   "`thickness_allowance_mm`; two: the least and the greatest")
+           .with_list(kOneOrEnds)
+           .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
+           .with_also({"backlash", "play", "normal_backlash", "jn"}),
+       Key::number("backlash_circumferential_mm", "j_t", no_pressing(),
+                   &PairInput::backlash_circumferential, "",
+                   "the same as an arc of the working pitch circle of gear 1")
+           .with_excludes({"backlash_deg"})
+           .with_also({"circumferential_backlash", "transverse_backlash", "jt", "jwt"}),
+       Key::number("backlash_deg", "", no_pressing(), &PairInput::backlash_angle, "",
+                   "the same as the angle that gear 1 turns while gear 2 is held")
+           .with_fields({"backlash_angle"})
+           .with_also({"angular_backlash", "backlash_angle"}),
+       Key::number("backlash_split", "", KeyRange::between(0, 1), &PairInput::backlash_split, "0.5",
+                   "gear 1's share of the thinning; the rest is gear 2's"),
+       Key::word("mounting", {"tight", "extended"}, &PairInput::mounting, "\"tight\"",
+                 "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
+                 "x2), an internal gear a_d − m_n (x1 + x2)"),
+       Key::flag("choose_profile_shifts", &PairInput::choose_profile_shifts, "true",
+                 "at a given centre distance absent profile shifts follow from it, and a note "
+                 "says them; `false`: they must be given"),
+       Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
+                 "tips without a given `tip_diameter_mm` are cut back by k m_n, so that the "
+                 "clearance of the racks is kept"),
+       Key::number("friction_coefficient", "μ",
+                   KeyRange{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
+                   &PairInput::friction_coefficient, "no efficiency",
+                   "coefficient of friction of the flanks, for the efficiency")
+           .with_also({"friction"}),
+       Key::positive("bearing_span_mm", "L", &PairInput::bearing_span,
+                     "that of `[rating.mounting]`; no tolerances of the axes",
+                     "greater distance of the bearings of a shaft, for the tolerances of the axes")
+           .with_also({"bearing_distance", "span"}),
+       Key::positive("speed_rpm", "n_1", &PairInput::speed_rpm, "no velocities",
+                     "speed of rotation of gear 1, for the pitch line velocity")
+           .with_also({"speed", "rpm", "n"})}};
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include "gearwright/tool/arc_rack.hpp"
 #include "gearwright/tool/double_arc_rack.hpp"
+#include "gearwright/tool/rack_of_arcs.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
@@ -16,13 +17,30 @@ Range any_length() { return Range::between(-kMaxModules, kMaxModules); }
 Range some_length() { return Range::above(0, kMaxModules); }
 Range no_or_some_length(const char* reason = "") { return Range::between(0, kMaxModules, reason); }
 
-Key kind(std::string_view word, std::string_view meaning, bool required) {
-  return {.key = "kind",
-          .kind = KeyKind::word,
-          .words = {word},
-          .required = required,
-          .in_documents = false,
-          .meaning = meaning};
+Key kind(std::string_view word, std::string_view meaning, std::string_view fallback = kRequired) {
+  return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
+}
+
+// The cutter's own numbers come first; what stands beside them counts more.
+void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
+
+// If the default rounding of the tip is the full radius, the last digits may not push it out of the
+// tip.
+std::optional<KeyFault> complete_arc_rack(ArcRack& rack, const KeyGiven& given) {
+  constexpr double kInside = 1.0 - 1e-12;
+  const double greatest = full_radius(rack);
+  if (!given("root_fillet_radius") && greatest >= 0.0 && greatest < rack.root_fillet_radius)
+    rack.root_fillet_radius = greatest * kInside;
+  return std::nullopt;
+}
+
+enum class ArcPart { root_fillet, flank, joint, tip_fillet };
+
+void set_part(RackArc& arc, ArcPart part) {
+  arc.cuts = part == ArcPart::root_fillet  ? ArcName::root_fillet
+             : part == ArcPart::tip_fillet ? ArcName::tip_fillet
+                                           : ArcName::flank;
+  arc.working = part == ArcPart::flank;
 }
 
 }  // namespace
@@ -31,58 +49,33 @@ const KeyTable& straight_rack_keys() {
   static const KeyTable table{
       "rack",
       "A cutter with straight flanks; lengths in normal modules",
-      {kind("straight", "straight flanks", false),
-       {.key = "addendum",
-        .symbol = "h_aP*",
-        .range = no_or_some_length(),
-        .place = &StraightRack::addendum,
-        .fallback = "1",
-        .meaning = "addendum of the gear tooth above the datum line",
-        .also = {"addendum_factor"}},
-       {.key = "dedendum",
-        .symbol = "h_fP*",
-        .range = some_length(),
-        .place = &StraightRack::dedendum,
-        .fallback = "1.25",
-        .meaning = "how deep the cutter goes",
-        .also = {"dedendum_factor"}},
-       {.key = "root_fillet_radius",
-        .symbol = "ρ_fP*",
-        .range = no_or_some_length(" (0 is a sharp corner)"),
-        .place = &StraightRack::root_fillet_radius,
-        .fallback = "0.38",
-        .meaning = "the cutter's tip rounding, which cuts the root fillet; 0 is a sharp corner",
-        .also = {"fillet_radius", "root_radius", "tip_radius"}},
-       {.key = "tip_fillet_radius",
-        .symbol = "ρ_1*",
-        .range = no_or_some_length(" (0 is none)"),
-        .place = &StraightRack::tip_fillet_radius,
-        .fallback = "0",
-        .meaning = "the cutter's bottom rounding, which cuts a tip fillet"},
-       {.key = "tool_addendum",
-        .range = any_length(),
-        .place = &StraightRack::tool_addendum,
-        .fallback = "see below",
-        .meaning = "height above the datum line at which the cutter's straight flank ends"},
-       {.key = "semi_topping_angle_deg",
-        .range = Range::inside(0, 90),
-        .place = &StraightRack::semi_topping_angle,
-        .needs = {"tool_addendum"},
-        .fallback = "none",
-        .meaning =
-            "a ramp of this pressure angle, greater than α_n, from `tool_addendum` on, which "
-            "cuts a tip chamfer; instead of `tip_fillet_radius`"},
-       {.key = "protuberance",
-        .symbol = "pr_P*",
-        .range = no_or_some_length(" (0 is none)"),
-        .place = &StraightRack::protuberance,
-        .fallback = "0",
-        .meaning = "how far the cutter's tip stands proud of its flank, normal to it"},
-       {.key = "protuberance_angle_deg",
-        .symbol = "α_pr",
-        .place = &StraightRack::protuberance_angle,
-        .fallback = "10",
-        .meaning = "pressure angle of the proud part, greater than 0 and less than α_n"}}};
+      {kind("straight", "straight flanks", ""),
+       Key::number("addendum", "h_aP*", no_or_some_length(), &StraightRack::addendum, "1",
+                   "addendum of the gear tooth above the datum line")
+           .with_also({"addendum_factor"}),
+       Key::number("dedendum", "h_fP*", some_length(), &StraightRack::dedendum, "1.25",
+                   "how deep the cutter goes")
+           .with_also({"dedendum_factor"}),
+       Key::number("root_fillet_radius", "ρ_fP*", no_or_some_length(" (0 is a sharp corner)"),
+                   &StraightRack::root_fillet_radius, "0.38",
+                   "the cutter's tip rounding, which cuts the root fillet; 0 is a sharp corner")
+           .with_also({"fillet_radius", "root_radius", "tip_radius"}),
+       Key::number("tip_fillet_radius", "ρ_1*", no_or_some_length(" (0 is none)"),
+                   &StraightRack::tip_fillet_radius, "0",
+                   "the cutter's bottom rounding, which cuts a tip fillet"),
+       Key::number("tool_addendum", "", any_length(), &StraightRack::tool_addendum, "see below",
+                   "height above the datum line at which the cutter's straight flank ends"),
+       Key::number(
+           "semi_topping_angle_deg", "", Range::inside(0, 90), &StraightRack::semi_topping_angle,
+           "none",
+           "a ramp of this pressure angle, greater than α_n, from `tool_addendum` on, which "
+           "cuts a tip chamfer; instead of `tip_fillet_radius`")
+           .with_needs({"tool_addendum"}),
+       Key::number("protuberance", "pr_P*", no_or_some_length(" (0 is none)"),
+                   &StraightRack::protuberance, "0",
+                   "how far the cutter's tip stands proud of its flank, normal to it"),
+       Key::number("protuberance_angle_deg", "α_pr", {}, &StraightRack::protuberance_angle, "10",
+                   "pressure angle of the proud part, greater than 0 and less than α_n")}};
   return table;
 }
 
@@ -92,56 +85,28 @@ const KeyTable& arc_rack_keys() {
       "A rack with one circular arc for a flank: F cuts the convex teeth of one gear, P the "
       "concave "
       "ones of its mating gear; lengths in normal modules",
-      {kind("circular_arc", "one circular arc for a flank", true),
-       {.key = "cutter",
-        .kind = KeyKind::word,
-        .words = {"F", "P"},
-        .place = &ArcRack::cutter,
-        .required = true,
-        .meaning = "`\"F\"` cuts convex teeth, `\"P\"` concave ones"},
-       {.key = "arc_radius",
-        .symbol = "ρ*",
-        .range = some_length(),
-        .place = &ArcRack::arc_radius,
-        .required = true,
-        .meaning = "radius of the flank's arc [T7.1] [T7.2]"},
-       {.key = "center_a",
-        .symbol = "a*",
-        .range = any_length(),
-        .place = &ArcRack::center_a,
-        .required = true,
-        .meaning = "how far the arc's centre lies beyond the middle"},
-       {.key = "center_b",
-        .symbol = "b*",
-        .range = any_length(),
-        .place = &ArcRack::center_b,
-        .required = true,
-        .meaning = "how far the arc's centre lies from the pitch plane"},
-       {.key = "pressure_angle_deg",
-        .symbol = "ψ_c",
-        .place = &ArcRack::pressure_angle,
-        .fallback = "not checked",
-        .meaning = "what the drawing says of it: an error where the arc has no such point, a "
+      {kind("circular_arc", "one circular arc for a flank"),
+       Key::word("cutter", {"F", "P"}, KeyPlace::by<ArcRack, ArcRack::Cutter>(set_cutter),
+                 kRequired, "`\"F\"` cuts convex teeth, `\"P\"` concave ones"),
+       Key::number("arc_radius", "ρ*", some_length(), &ArcRack::arc_radius, kRequired,
+                   "radius of the flank's arc [T7.1] [T7.2]"),
+       Key::number("center_a", "a*", any_length(), &ArcRack::center_a, kRequired,
+                   "how far the arc's centre lies beyond the middle"),
+       Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
+                   "how far the arc's centre lies from the pitch plane"),
+       Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
+                   "what the drawing says of it: an error where the arc has no such point, a "
                    "warning (`pressure_angle`) where the pair touches elsewhere by more than 0.05° "
-                   "[T7.9]"},
-       {.key = "addendum",
-        .symbol = "h_a*",
-        .range = any_length(),
-        .place = &ArcRack::addendum,
-        .fallback = "F 0.9, P 0",
-        .meaning = "addendum of the tooth above the pitch cylinder"},
-       {.key = "dedendum",
-        .symbol = "h_f*",
-        .range = any_length(),
-        .place = &ArcRack::dedendum,
-        .fallback = "F 0.3, P 1.05",
-        .meaning = "how deep the cutter goes"},
-       {.key = "root_fillet_radius",
-        .symbol = "ρ_r*",
-        .range = no_or_some_length(" (0 is a sharp corner)"),
-        .place = &ArcRack::root_fillet_radius,
-        .fallback = "F 0.35, P 0.5; the full radius where that is less",
-        .meaning = "the cutter's tip rounding [T7.4]; at most the full radius [T7.5]"}}};
+                   "[T7.9]"),
+       Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "F 0.9, P 0",
+                   "addendum of the tooth above the pitch cylinder"),
+       Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "F 0.3, P 1.05",
+                   "how deep the cutter goes"),
+       Key::number("root_fillet_radius", "ρ_r*", no_or_some_length(" (0 is a sharp corner)"),
+                   &ArcRack::root_fillet_radius,
+                   "F 0.35, P 0.5; the full radius where that is less",
+                   "the cutter's tip rounding [T7.4]; at most the full radius [T7.5]")},
+      complete_arc_rack};
   return table;
 }
 
@@ -150,73 +115,30 @@ const KeyTable& double_arc_rack_keys() {
       "rack_double_circular_arc",
       "Convex arc, step, concave arc and a full-radius root, in the symbols of GB/T 12759-1991; "
       "lengths in normal modules",
-      {kind("double_circular_arc", "convex arc, step and concave arc", true),
-       {.key = "concave_radius",
-        .symbol = "ρ_f*",
-        .range = some_length(),
-        .place = &DoubleArcRack::concave_radius,
-        .required = true,
-        .meaning = "radius of the concave arc"},
-       {.key = "concave_height",
-        .symbol = "x_f*",
-        .range = any_length(),
-        .place = &DoubleArcRack::concave_height,
-        .required = true,
-        .meaning = "height of its centre over the datum line"},
-       {.key = "space_width",
-        .symbol = "e_f*",
-        .range = some_length(),
-        .place = &DoubleArcRack::space_width,
-        .required = true,
-        .meaning = "width of the space where the concave arc is touched"},
-       {.key = "pressure_angle_deg",
-        .symbol = "α",
-        .range = Range::inside(0, 90, ", usually 24"),
-        .place = &DoubleArcRack::pressure_angle,
-        .fallback = "24",
-        .meaning = "pressure angle where the arcs touch the mating gear's"},
-       {.key = "addendum",
-        .symbol = "h_a*",
-        .range = some_length(),
-        .place = &DoubleArcRack::addendum,
-        .fallback = "0.9",
-        .meaning = "addendum of the tooth above the datum line"},
-       {.key = "dedendum",
-        .symbol = "h_f*",
-        .range = some_length(),
-        .place = &DoubleArcRack::dedendum,
-        .fallback = "1.1",
-        .meaning = "how deep the cutter goes"},
-       {.key = "convex_radius",
-        .symbol = "ρ_a*",
-        .range = some_length(),
-        .place = &DoubleArcRack::convex_radius,
-        .fallback = "1.3",
-        .meaning = "radius of the convex arc"},
-       {.key = "convex_height",
-        .symbol = "x_a*",
-        .range = any_length(),
-        .place = &DoubleArcRack::convex_height,
-        .fallback = "0.0163",
-        .meaning = "height of its centre over the datum line"},
-       {.key = "convex_offset",
-        .symbol = "l_a*",
-        .range = any_length(),
-        .place = &DoubleArcRack::convex_offset,
-        .fallback = "0.6289",
-        .meaning = "how far its centre lies beyond the middle of the tooth"},
-       {.key = "step_height",
-        .symbol = "h_ja*",
-        .range = some_length(),
-        .place = &DoubleArcRack::step_height,
-        .fallback = "0.16",
-        .meaning = "height over the datum line at which the step begins"},
-       {.key = "step_depth",
-        .symbol = "h_jf*",
-        .range = some_length(),
-        .place = &DoubleArcRack::step_depth,
-        .fallback = "0.2",
-        .meaning = "depth under the datum line at which it ends"}}};
+      {kind("double_circular_arc", "convex arc, step and concave arc"),
+       Key::number("concave_radius", "ρ_f*", some_length(), &DoubleArcRack::concave_radius,
+                   kRequired, "radius of the concave arc"),
+       Key::number("concave_height", "x_f*", any_length(), &DoubleArcRack::concave_height,
+                   kRequired, "height of its centre over the datum line"),
+       Key::number("space_width", "e_f*", some_length(), &DoubleArcRack::space_width, kRequired,
+                   "width of the space where the concave arc is touched"),
+       Key::number("pressure_angle_deg", "α", Range::inside(0, 90, ", usually 24"),
+                   &DoubleArcRack::pressure_angle, "24",
+                   "pressure angle where the arcs touch the mating gear's"),
+       Key::number("addendum", "h_a*", some_length(), &DoubleArcRack::addendum, "0.9",
+                   "addendum of the tooth above the datum line"),
+       Key::number("dedendum", "h_f*", some_length(), &DoubleArcRack::dedendum, "1.1",
+                   "how deep the cutter goes"),
+       Key::number("convex_radius", "ρ_a*", some_length(), &DoubleArcRack::convex_radius, "1.3",
+                   "radius of the convex arc"),
+       Key::number("convex_height", "x_a*", any_length(), &DoubleArcRack::convex_height, "0.0163",
+                   "height of its centre over the datum line"),
+       Key::number("convex_offset", "l_a*", any_length(), &DoubleArcRack::convex_offset, "0.6289",
+                   "how far its centre lies beyond the middle of the tooth"),
+       Key::number("step_height", "h_ja*", some_length(), &DoubleArcRack::step_height, "0.16",
+                   "height over the datum line at which the step begins"),
+       Key::number("step_depth", "h_jf*", some_length(), &DoubleArcRack::step_depth, "0.2",
+                   "depth under the datum line at which it ends")}};
   return table;
 }
 
@@ -224,20 +146,17 @@ const KeyTable& rack_of_arcs_keys() {
   static const KeyTable table{
       "rack_arcs",
       "Any chain of arcs from the cutter's tip on; lengths in normal modules",
-      {kind("arcs", "any chain of arcs", true),
-       {.key = "addendum",
-        .symbol = "h_a*",
-        .place = &RackOfArcs::addendum,
-        .required = true,
-        .meaning = "addendum of the gear's tooth above the datum line"},
-       {.key = "dedendum",
-        .symbol = "h_f*",
-        .place = &RackOfArcs::dedendum,
-        .required = true,
-        .meaning = "how deep the cutter goes"},
+      {kind("arcs", "any chain of arcs"),
+       Key::number("addendum", "h_a*", {}, &RackOfArcs::addendum, kRequired,
+                   "addendum of the gear's tooth above the datum line"),
+       Key::number("dedendum", "h_f*", {}, &RackOfArcs::dedendum, kRequired,
+                   "how deep the cutter goes"),
        {.key = "arcs",
         .kind = KeyKind::table,
-        .list = KeyList{1, kMaxArcs},
+        .list = KeyList{.most = kMaxArcs,
+                        .must = "must be a list of 1 to {} tables, one for each arc, from the "
+                                "cutter's tip on"},
+        .place = &RackOfArcs::arcs,
         .required = true,
         .tables = {rack_arc_keys},
         .meaning = "list of tables, one for each arc, from the cutter's tip on"}}};
@@ -248,37 +167,18 @@ const KeyTable& rack_arc_keys() {
   static const KeyTable table{
       "rack_arc",
       "One arc of a rack's edge; lengths in normal modules",
-      {{.key = "part",
-        .kind = KeyKind::word,
-        .words = {"root_fillet", "flank", "joint", "tip_fillet"},
-        .place = &RackArcInput::part,
-        .fallback = "\"flank\"",
-        .meaning = "what it cuts; a joint lies between two flanks and touches nothing"},
-       {.key = "center_height",
-        .symbol = "x",
-        .place = &RackArcInput::center_height,
-        .required = true,
-        .meaning = "height of the arc's centre over the datum line"},
-       {.key = "center_offset",
-        .symbol = "y",
-        .place = &RackArcInput::center_offset,
-        .required = true,
-        .meaning = "distance of the arc's centre from the middle of the tooth"},
-       {.key = "radius",
-        .symbol = "q",
-        .place = &RackArcInput::radius,
-        .required = true,
-        .meaning = "radius; > 0 cuts a convex part of the tooth, < 0 a concave one, 0 is a corner"},
-       {.key = "begin_deg",
-        .symbol = "τ",
-        .place = &RackArcInput::begin,
-        .required = true,
-        .meaning = "normal angle at the root side"},
-       {.key = "end_deg",
-        .symbol = "τ",
-        .place = &RackArcInput::end,
-        .required = true,
-        .meaning = "normal angle at the tip side"}}};
+      {Key::word("part", {"root_fillet", "flank", "joint", "tip_fillet"},
+                 KeyPlace::by<RackArc, ArcPart>(set_part), "\"flank\"",
+                 "what it cuts; a joint lies between two flanks and touches nothing"),
+       Key::number("center_height", "x", {}, &RackArc::center_height, kRequired,
+                   "height of the arc's centre over the datum line"),
+       Key::number("center_offset", "y", {}, &RackArc::center_offset, kRequired,
+                   "distance of the arc's centre from the middle of the tooth"),
+       Key::number("radius", "q", {}, &RackArc::radius, kRequired,
+                   "radius; > 0 cuts a convex part of the tooth, < 0 a concave one, 0 is a corner"),
+       Key::number("begin_deg", "τ", {}, &RackArc::begin, kRequired,
+                   "normal angle at the root side"),
+       Key::number("end_deg", "τ", {}, &RackArc::end, kRequired, "normal angle at the tip side")}};
   return table;
 }
 

@@ -1,5 +1,12 @@
 #include "gearwright/catalogue/rating_keys.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/error.hpp"
 #include "gearwright/rating/accuracy.hpp"
 
 namespace gearwright {
@@ -10,23 +17,90 @@ using Range = KeyRange;
 using R = RatingTable;
 
 constexpr double kMaxFactor = 100.0;
-constexpr KeyList kBoth{2, 2, true};  // one number stands for both gears
 
 // A factor that takes the place of its formula.
-Key factor(std::string_view key, std::string_view symbol, KeyPlace place, std::string_view fallback,
+Key factor(std::string_view key, std::string_view symbol, double RatingInput::*member,
+           std::string_view fallback, std::string_view meaning) {
+  return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
+                     meaning);
+}
+Key factor(std::string_view key, std::string_view symbol,
+           std::optional<double> RatingInput::*member, std::string_view fallback,
            std::string_view meaning) {
-  return {.key = key,
-          .symbol = symbol,
-          .range = Range::between(1, kMaxFactor),
-          .place = std::move(place),
-          .fallback = fallback,
-          .meaning = meaning};
+  return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
+                     meaning);
 }
 
-// A member of the input that the rating room takes.
-template <auto member>
-KeyPlace in() {
-  return KeyPlace::within<R>([](R & r) -> auto& { return r.input.*member; });
+// A number of each gear; one alone holds for both.
+Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
+            std::string_view fallback, std::string_view meaning) {
+  return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
+      .with_list(KeyList{2, 2, true})
+      .with_form("one number, or a list of two: gear 1, gear 2");
+}
+
+std::string set_quality(RatingTable& rating, const std::array<double, 2>& grade) {
+  for (const double g : grade)
+    if (g != std::floor(g)) return "must be whole numbers, grades of ISO 1328-1";
+  rating.input.quality = {static_cast<int>(grade[0]), static_cast<int>(grade[1])};
+  return "";
+}
+
+// Both gears have one rim in the stiffness of their bodies: the thinner one.
+void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
+  rating.input.rim = {rim[0], rim[1]};
+  rating.rim_thickness = std::min(rim[0], rim[1]);
+}
+
+// A load that is given twice must agree; of a spectrum alone the heaviest step is the load.
+std::optional<KeyFault> complete_load(RatingTable& rating) {
+  RatingInput& in = rating.input;
+  if (!rating.spectrum.empty()) {
+    if (in.life_h)
+      return KeyFault{"life_h", "has no place beside a spectrum, whose steps have their hours"};
+    const LoadBin& worst =
+        *std::max_element(rating.spectrum.begin(), rating.spectrum.end(),
+                          [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });
+    if (!rating.torque && !rating.power) rating.torque = worst.torque;
+    if (!in.speed) in.speed = worst.speed;
+  }
+  constexpr double kWattPerKilowatt = 1000.0;
+  if (rating.power) {
+    const double omega = *in.speed * 2 * std::numbers::pi / 60.0;
+    const double torque = *rating.power * kWattPerKilowatt / omega;
+    if (rating.torque && std::abs(torque - *rating.torque) > 1e-9 * torque) {
+      return KeyFault{
+          "torque_Nm",
+          fmt::format("contradicts power_kW = {}, which is {} N m at this speed; leave one of "
+                      "them out",
+                      format_number(*rating.power), format_number(torque, *rating.torque))};
+    }
+    rating.torque = torque;
+  }
+  in.torque = rating.torque.value_or(0.0);
+  return std::nullopt;
+}
+
+std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& given) {
+  const bool plastics = rating.input.edition == RatingEdition::vdi_2736;
+  if (rating.input.mounting && rating.input.face_load_factor) {
+    return KeyFault{"face_load_factor",
+                    "has no place beside [rating.mounting], which makes it; leave one out"};
+  }
+  if (given("plastic") && !plastics)
+    return KeyFault{"plastic", "belongs to standard = \"VDI 2736:2014\""};
+  if (!rating.spectrum.empty() && plastics) {
+    return KeyFault{"spectrum", "has no place in VDI 2736, whose strengths are given for one life"};
+  }
+  return complete_load(rating);
+}
+
+std::optional<KeyFault> check_mounting(PinionMounting& m, const KeyGiven&) {
+  if (2 * m.offset < m.bearing_span || m.arrangement == PinionArrangement::c) return std::nullopt;
+  return KeyFault{"pinion_offset_mm",
+                  fmt::format("must be less than half of the bearing span {} mm; an overhung "
+                              "pinion is arrangement = \"c\"",
+                              format_number(m.bearing_span))};
 }
 
 }  // namespace
@@ -35,276 +109,152 @@ const KeyTable& rating_keys() {
   static const KeyTable table{
       "rating",
       "Strength by ISO 6336, method B",
-      {{.key = "standard",
-        .kind = KeyKind::word,
-        .words = {"ISO 6336:2006", "ISO 6336:2019", "VDI 2736:2014"},
-        .place = in<&RatingInput::edition>(),
-        .fallback = "\"ISO 6336:2006\"",
-        .meaning = "the edition of ISO 6336-1, -2, -3; or the guideline for plastics",
-        .fields = {"edition"},
-        .also = {"norm", "edition", "method"}},
-       {.key = "power_kW",
-        .symbol = "P",
-        .range = Range::positive(),
-        .place = &R::power,
-        .needs = {"speed_rpm"},
-        .fallback = "the torque",
-        .meaning = "power through the mesh; or the torque",
-        .fields = {"power"},
-        .also = {"power", "p", "kw"}},
-       {.key = "torque_Nm",
-        .symbol = "T_1",
-        .range = Range::positive(),
-        .place = &R::torque,
-        .fallback = "the power",
-        .meaning = "torque on gear 1; or the power",
-        .fields = {"torque"},
-        .also = {"torque", "moment", "t"}},
-       {.key = "speed_rpm",
-        .symbol = "n_1",
-        .range = Range::positive(),
-        .place = in<&RatingInput::speed>(),
-        .fallback = "only beside a given `dynamic_factor`",
-        .meaning = "speed of gear 1",
-        .also = {"speed", "rpm", "n"}},
-       factor("application_factor", "K_A", in<&RatingInput::application_factor>(), "1",
+      {Key::word("standard", {"ISO 6336:2006", "ISO 6336:2019", "VDI 2736:2014"},
+                 {&R::input, &RatingInput::edition}, "\"ISO 6336:2006\"",
+                 "the edition of ISO 6336-1, -2, -3; or the guideline for plastics")
+           .with_fields({"edition"})
+           .with_also({"norm", "edition", "method"}),
+       Key::positive("power_kW", "P", &R::power, "the torque",
+                     "power through the mesh; or the torque")
+           .with_needs({"speed_rpm"})
+           .with_also({"power", "p", "kw"}),
+       Key::positive("torque_Nm", "T_1", &R::torque, "the power", "torque on gear 1; or the power")
+           .with_also({"torque", "moment", "t"}),
+       Key::positive("speed_rpm", "n_1", {&R::input, &RatingInput::speed},
+                     "only beside a given `dynamic_factor`", "speed of gear 1")
+           .with_also({"speed", "rpm", "n"}),
+       factor("application_factor", "K_A", &RatingInput::application_factor, "1",
               "what motor and machine add to the nominal load"),
-       factor("mesh_load_factor", "K_γ", in<&RatingInput::mesh_load_factor>(), "1",
+       factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
               "the share of the worst of several meshes, of planets"),
-       {.key = "life_h",
-        .symbol = "L_h",
-        .range = Range::positive(),
-        .place = in<&RatingInput::life_h>(),
-        .needs = {"speed_rpm"},
-        .fallback = "life factors of 1",
-        .meaning = "hours at this load",
-        .fields = {"life_h"},
-        .also = {"life", "hours", "service_life"}},
-       {.key = "reversed",
-        .kind = KeyKind::boolean,
-        .place = in<&RatingInput::reversed>(),
-        .fallback = "false",
-        .meaning = "the teeth bend both ways, as those of an idler: σ_FG times 0.7",
-        .also = {"idler", "alternating"}},
-       {.key = "lubricant_viscosity_40C_mm2_s",
-        .symbol = "ν_40",
-        .range = Range::between(1, 5000),
-        .place = in<&RatingInput::viscosity>(),
-        .fallback = "Z_L = 1",
-        .meaning = "viscosity of the oil at 40 °C",
-        .fields = {"viscosity"},
-        .also = {"viscosity", "oil", "iso_vg", "lubricant"}},
-       {.key = "quality",
-        .symbol = "Q",
-        .range = Range::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
-        .list = kBoth,
-        .form = "one whole number, or a list of two: gear 1, gear 2",
-        .fallback = "`quality` of the gears; none only beside given dynamic and transverse load "
-                    "factors",
-        .meaning = "accuracy grades of ISO 1328-1, of 1995 for the edition of 2006, else of 2013",
-        .also = {"accuracy", "grade", "iso1328"}},
-       {.key = "flank_roughness_um",
-        .symbol = "Rz_H",
-        .range = Range::between(0.01, 1000),
-        .list = kBoth,
-        .form = "one number, or a list of two: gear 1, gear 2",
-        .fallback = "Z_R = 1",
-        .meaning = "mean peak-to-valley roughness Rz of the flanks, about 6 Ra",
-        .also = {"roughness", "rz", "flank_rz"}},
-       {.key = "root_roughness_um",
-        .symbol = "Rz_F",
-        .range = Range::between(0.01, 1000),
-        .list = kBoth,
-        .form = "one number, or a list of two: gear 1, gear 2",
-        .fallback = "Y_RrelT = 1",
-        .meaning = "Rz of the root fillets",
-        .also = {"root_rz"}},
-       {.key = "tip_relief_um",
-        .symbol = "C_a",
-        .range = Range::not_negative(),
-        .place = in<&RatingInput::tip_relief>(),
-        .fallback = "what running-in leaves; none from grade 6 on",
-        .meaning = "tip relief, for the dynamic factor of grades 0 to 5",
-        .fields = {"tip_relief"}},
-       {.key = "rim_thickness_mm",
-        .symbol = "s_R",
-        .range = Range::positive(),
-        .list = kBoth,
-        .form = "one number, or a list of two: gear 1, gear 2",
-        .fallback = "a thick rim",
-        .meaning = "thickness of the rim under the teeth, for Y_B, and with the web for c'",
-        .also = {"rim"}},
-       {.key = "web_thickness_mm",
-        .symbol = "b_s",
-        .range = Range::positive(),
-        .place = &R::web_thickness,
-        .needs = {"rim_thickness_mm"},
-        .fallback = "a solid disc",
-        .meaning = "thickness of the web that bears the rim, for c'",
-        .also = {"web"}},
-       {.key = "limited_pitting",
-        .kind = KeyKind::boolean,
-        .place = KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
-        .fallback = "false",
-        .meaning = "some pitting is permitted: the longer line of Z_NT"},
-       {.key = "life_factor_end",
-        .range = Range::between(0.85, 1),
-        .place = KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
-        .fallback = "0.85",
-        .meaning = "Z_NT and Y_NT at 10¹⁰ cycles; more than 0.85 only of the best making and "
-                   "lubrication"},
-       factor("face_load_factor", "K_Hβ", in<&RatingInput::face_load_factor>(),
+       Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors of 1",
+                     "hours at this load")
+           .with_needs({"speed_rpm"})
+           .with_also({"life", "hours", "service_life"}),
+       Key::flag("reversed", {&R::input, &RatingInput::reversed}, "false",
+                 "the teeth bend both ways, as those of an idler: σ_FG times 0.7")
+           .with_also({"idler", "alternating"}),
+       Key::number("lubricant_viscosity_40C_mm2_s", "ν_40", Range::between(1, 5000),
+                   {&R::input, &RatingInput::viscosity}, "Z_L = 1", "viscosity of the oil at 40 °C")
+           .with_fields({"viscosity"})
+           .with_also({"viscosity", "oil", "iso_vg", "lubricant"}),
+       of_both("quality", "Q", Range::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
+               KeyPlace::by<R, std::array<double, 2>>(set_quality),
+               "`quality` of the gears; none only beside given dynamic and transverse load "
+               "factors",
+               "accuracy grades of ISO 1328-1, of 1995 for the edition of 2006, else of 2013")
+           .with_form("one whole number, or a list of two: gear 1, gear 2")
+           .with_also({"accuracy", "grade", "iso1328"}),
+       of_both("flank_roughness_um", "Rz_H", Range::between(0.01, 1000),
+               {&R::input, &RatingInput::flank_roughness}, "Z_R = 1",
+               "mean peak-to-valley roughness Rz of the flanks, about 6 Ra")
+           .with_also({"roughness", "rz", "flank_rz"}),
+       of_both("root_roughness_um", "Rz_F", Range::between(0.01, 1000),
+               {&R::input, &RatingInput::root_roughness}, "Y_RrelT = 1", "Rz of the root fillets")
+           .with_also({"root_rz"}),
+       Key::not_negative("tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
+                         "what running-in leaves; none from grade 6 on",
+                         "tip relief, for the dynamic factor of grades 0 to 5"),
+       of_both("rim_thickness_mm", "s_R", Range::positive(),
+               KeyPlace::by<R, std::array<double, 2>>(set_rims), "a thick rim",
+               "thickness of the rim under the teeth, for Y_B, and with the web for c'")
+           .with_also({"rim"}),
+       Key::positive("web_thickness_mm", "b_s", &R::web_thickness, "a solid disc",
+                     "thickness of the web that bears the rim, for c'")
+           .with_needs({"rim_thickness_mm"})
+           .with_also({"web"}),
+       Key::flag("limited_pitting",
+                 KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
+                 "false", "some pitting is permitted: the longer line of Z_NT"),
+       Key::number("life_factor_end", "", Range::between(0.85, 1),
+                   KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
+                   "0.85",
+                   "Z_NT and Y_NT at 10¹⁰ cycles; more than 0.85 only of the best making and "
+                   "lubrication"),
+       factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
               "from `[rating.mounting]`", "face load factor of the flank, given"),
-       factor("face_load_factor_root", "K_Fβ", in<&RatingInput::face_load_factor_root>(),
-              "K_Hβ^N_F", "face load factor of the root, given"),
-       factor("dynamic_factor", "K_v", in<&RatingInput::dynamic_factor>(), "by formula",
+       factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
+              "face load factor of the root, given"),
+       factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "by formula",
               "dynamic factor, given"),
-       factor("transverse_load_factor", "K_Hα", in<&RatingInput::transverse_load_factor>(),
-              "by formula", "transverse load factor of the flank, given"),
-       factor("transverse_load_factor_root", "K_Fα",
-              in<&RatingInput::transverse_load_factor_root>(), "by formula",
-              "transverse load factor of the root, given"),
-       {.key = "safety_flank_min",
-        .symbol = "S_Hmin",
-        .range = Range::positive(),
-        .place = &R::safety_flank_min,
-        .fallback = "none: 1 counts",
-        .meaning = "wanted safety of the flanks",
-        .also = {"sh_min", "safety_flank"}},
-       {.key = "safety_root_min",
-        .symbol = "S_Fmin",
-        .range = Range::positive(),
-        .place = &R::safety_root_min,
-        .fallback = "none: 1 counts",
-        .meaning = "wanted safety of the roots",
-        .also = {"sf_min", "safety_root"}},
-       {.key = "tooth_contact",
-        .kind = KeyKind::boolean,
-        .place = &R::tooth_contact,
-        .fallback = "false",
-        .meaning = "beside the standard the Hertz pressure and root stress of the teeth under T_1 "
-                   "K_A K_γ K_v, as `load` has them with the positions, slices and accuracy of "
-                   "`[load]`: some seconds",
-        .also = {"loaded_contact", "compare_load"}},
+       factor("transverse_load_factor", "K_Hα", &RatingInput::transverse_load_factor, "by formula",
+              "transverse load factor of the flank, given"),
+       factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
+              "by formula", "transverse load factor of the root, given"),
+       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none: 1 counts",
+                     "wanted safety of the flanks")
+           .with_also({"sh_min", "safety_flank"}),
+       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none: 1 counts",
+                     "wanted safety of the roots")
+           .with_also({"sf_min", "safety_root"}),
+       Key::flag("tooth_contact", &R::tooth_contact, "false",
+                 "beside the standard the Hertz pressure and root stress of the teeth under T_1 "
+                 "K_A K_γ K_v, as `load` has them with the positions, slices and accuracy of "
+                 "`[load]`: some seconds")
+           .with_also({"loaded_contact", "compare_load"}),
        {.key = "spectrum",
         .kind = KeyKind::table,
-        .list = KeyList{1, kMaxLoadBins},
+        .list = KeyList{.most = kMaxLoadBins,
+                        .must = "must be a list of 1 to {} tables, one for each step, "
+                                "[[rating.spectrum]]"},
+        .place = &R::spectrum,
         .tables = {load_bin_keys},
         .fallback = "one load for the whole life",
         .meaning = "steps of the load with their hours, each a table; the safeties by Miner's rule "
                    "with K_A = 1"},
-       {.key = "material",
-        .kind = KeyKind::table,
-        .tables = {material_keys},
-        .in_documents = false,
-        .meaning = "what the teeth of a gear without `material` are made of"},
-       {.key = "mounting",
-        .kind = KeyKind::table,
-        .tables = {rating_mounting_keys},
-        .in_documents = false,
-        .meaning = "where the pinion sits between its bearings, for K_Hβ"},
-       {.key = "plastic",
-        .kind = KeyKind::table,
-        .tables = {rating_plastic_keys},
-        .in_documents = false,
-        .meaning = "how warm plastic teeth run, for VDI 2736"}}};
+       Key::part("material", material_keys, &R::material,
+                 "what the teeth of a gear without `material` are made of"),
+       Key::part("mounting", rating_mounting_keys, {&R::input, &RatingInput::mounting},
+                 "where the pinion sits between its bearings, for K_Hβ"),
+       Key::part("plastic", rating_plastic_keys, {&R::input, &RatingInput::plastic},
+                 "how warm plastic teeth run, for VDI 2736")},
+      complete_rating};
   return table;
 }
 
 const KeyTable& rating_plastic_keys() {
   using P = PlasticInput;
-  constexpr const char* kTwo = "one number, or a list of two: gear 1, gear 2";
   static const KeyTable table{
       "rating_plastic",
       "How warm plastic teeth run, for VDI 2736",
-      {{.key = "flank_temperature_C",
-        .symbol = "ϑ_Fla",
-        .range = Range::between(-100, 400),
-        .list = kBoth,
-        .form = kTwo,
-        .fallback = "from the friction",
-        .meaning = "temperature of the flanks",
-        .fields = {"flank_temperature"}},
-       {.key = "root_temperature_C",
-        .symbol = "ϑ_Fu",
-        .range = Range::between(-100, 400),
-        .list = kBoth,
-        .form = kTwo,
-        .fallback = "from the friction",
-        .meaning = "temperature of the roots",
-        .fields = {"root_temperature"}},
-       {.key = "ambient_temperature_C",
-        .symbol = "ϑ_0",
-        .range = Range::between(-100, 400),
-        .place = &P::ambient_temperature,
-        .meaning = "temperature of the air, or oil, around the gears",
-        .fields = {"ambient_temperature"},
-        .also = {"ambient"}},
-       {.key = "friction_coefficient",
-        .symbol = "μ",
-        .range = Range::between(0, 1),
-        .place = &P::friction,
-        .meaning = "coefficient of friction of the flanks",
-        .fields = {"friction"},
-        .also = {"friction", "mu"}},
-       {.key = "housing_resistance_m2K_per_W",
-        .symbol = "R_λG",
-        .range = Range::not_negative(),
-        .place = &P::housing_resistance,
-        .needs = {"housing_area_m2"},
-        .fallback = "0: open; about 0.015 to 0.045 partly open, 0.06 closed",
-        .meaning = "resistance of the housing to heat",
-        .fields = {"housing_resistance"}},
-       {.key = "housing_area_m2",
-        .symbol = "A_G",
-        .range = Range::positive(),
-        .place = &P::housing_area,
-        .meaning = "surface of the housing that gives off heat",
-        .fields = {"housing_area"}},
-       {.key = "duty",
-        .symbol = "ED",
-        .range = Range::between(0, 1),
-        .place = &P::duty,
-        .fallback = "1",
-        .meaning = "share of ten minutes in which the gears run"},
-       {.key = "heat_transfer_flank",
-        .symbol = "k_ϑ,Fla",
-        .range = Range::not_negative(),
-        .place = &P::flank_heat_transfer,
-        .fallback = "9000 of two plastics, 6300 beside metal",
-        .meaning = "heat transfer of the flanks, K (m/s)^0.75 mm^1.75/W",
-        .fields = {"flank_heat_transfer"}},
-       {.key = "heat_transfer_root",
-        .symbol = "k_ϑ,Fu",
-        .range = Range::not_negative(),
-        .place = &P::root_heat_transfer,
-        .fallback = "2148 of two plastics, 895 beside metal",
-        .meaning = "heat transfer of the roots, the same",
-        .fields = {"root_heat_transfer"}}}};
+      {of_both("flank_temperature_C", "ϑ_Fla", Range::between(-100, 400), &P::flank_temperature,
+               "from the friction", "temperature of the flanks"),
+       of_both("root_temperature_C", "ϑ_Fu", Range::between(-100, 400), &P::root_temperature,
+               "from the friction", "temperature of the roots"),
+       Key::number("ambient_temperature_C", "ϑ_0", Range::between(-100, 400),
+                   &P::ambient_temperature, "", "temperature of the air, or oil, around the gears")
+           .with_also({"ambient"}),
+       Key::number("friction_coefficient", "μ", Range::between(0, 1), &P::friction, "",
+                   "coefficient of friction of the flanks")
+           .with_fields({"friction"})
+           .with_also({"friction", "mu"}),
+       Key::not_negative("housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
+                         "0: open; about 0.015 to 0.045 partly open, 0.06 closed",
+                         "resistance of the housing to heat")
+           .with_needs({"housing_area_m2"}),
+       Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
+                     "surface of the housing that gives off heat"),
+       Key::number("duty", "ED", Range::between(0, 1), &P::duty, "1",
+                   "share of ten minutes in which the gears run"),
+       Key::not_negative("heat_transfer_flank", "k_ϑ,Fla", &P::flank_heat_transfer,
+                         "9000 of two plastics, 6300 beside metal",
+                         "heat transfer of the flanks, K (m/s)^0.75 mm^1.75/W")
+           .with_fields({"flank_heat_transfer"}),
+       Key::not_negative("heat_transfer_root", "k_ϑ,Fu", &P::root_heat_transfer,
+                         "2148 of two plastics, 895 beside metal",
+                         "heat transfer of the roots, the same")
+           .with_fields({"root_heat_transfer"})}};
   return table;
 }
 
 const KeyTable& load_bin_keys() {
-  static const KeyTable table{"rating_spectrum",
-                              "One step of the load",
-                              {{.key = "torque_Nm",
-                                .symbol = "T_1",
-                                .range = Range::positive(),
-                                .place = &LoadBin::torque,
-                                .required = true,
-                                .meaning = "torque on gear 1"},
-                               {.key = "speed_rpm",
-                                .symbol = "n_1",
-                                .range = Range::positive(),
-                                .place = &LoadBin::speed,
-                                .required = true,
-                                .meaning = "speed of gear 1"},
-                               {.key = "duration_h",
-                                .range = Range::positive(),
-                                .place = &LoadBin::hours,
-                                .required = true,
-                                .meaning = "how long",
-                                .fields = {"hours"}}}};
+  static const KeyTable table{
+      "rating_spectrum",
+      "One step of the load",
+      {Key::positive("torque_Nm", "T_1", &LoadBin::torque, kRequired, "torque on gear 1"),
+       Key::positive("speed_rpm", "n_1", &LoadBin::speed, kRequired, "speed of gear 1"),
+       Key::positive("duration_h", "", &LoadBin::hours, kRequired, "how long")
+           .with_fields({"hours"})}};
   return table;
 }
 
@@ -313,43 +263,21 @@ const KeyTable& rating_mounting_keys() {
   static const KeyTable table{
       "rating_mounting",
       "Where the pinion sits between its bearings, for K_Hβ without helix modification",
-      {{.key = "bearing_span_mm",
-        .symbol = "l",
-        .range = Range::positive(),
-        .place = &P::bearing_span,
-        .required = true,
-        .meaning = "distance of the pinion's bearings"},
-       {.key = "pinion_offset_mm",
-        .symbol = "s",
-        .range = Range::not_negative(),
-        .place = &P::offset,
-        .fallback = "0",
-        .meaning = "from the middle of the bearings to the middle of the pinion's face"},
-       {.key = "shaft_diameter_mm",
-        .symbol = "d_sh",
-        .range = Range::positive(),
-        .place = &P::shaft_diameter,
-        .required = true,
-        .meaning = "outside diameter of the pinion's shaft"},
-       {.key = "arrangement",
-        .kind = KeyKind::word,
-        .words = {"a", "b", "c", "d", "e"},
-        .place = &P::arrangement,
-        .fallback = "\"a\"",
-        .meaning = "of the standard's figure of K': a, b torque from the near or the far side, c "
-                   "overhung, d and e with a second pinion"},
-       {.key = "stiffening",
-        .kind = KeyKind::boolean,
-        .place = &P::stiffening,
-        .fallback = "true",
-        .meaning = "the pinion is of one piece with its shaft or shrunk on it"},
-       {.key = "misalignment_um",
-        .symbol = "f_ma",
-        .range = Range::not_negative(),
-        .place = &P::manufacture,
-        .fallback = "√(f_Hβ1² + f_Hβ2²)",
-        .meaning = "mesh misalignment from manufacture",
-        .fields = {"manufacture"}}}};
+      {Key::positive("bearing_span_mm", "l", &P::bearing_span, kRequired,
+                     "distance of the pinion's bearings"),
+       Key::not_negative("pinion_offset_mm", "s", &P::offset, "0",
+                         "from the middle of the bearings to the middle of the pinion's face"),
+       Key::positive("shaft_diameter_mm", "d_sh", &P::shaft_diameter, kRequired,
+                     "outside diameter of the pinion's shaft"),
+       Key::word("arrangement", {"a", "b", "c", "d", "e"}, &P::arrangement, "\"a\"",
+                 "of the standard's figure of K': a, b torque from the near or the far side, c "
+                 "overhung, d and e with a second pinion"),
+       Key::flag("stiffening", &P::stiffening, "true",
+                 "the pinion is of one piece with its shaft or shrunk on it"),
+       Key::not_negative("misalignment_um", "f_ma", &P::manufacture, "√(f_Hβ1² + f_Hβ2²)",
+                         "mesh misalignment from manufacture")
+           .with_fields({"manufacture"})},
+      check_mounting};
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gearwright/design/search_space.hpp"
 
@@ -14,7 +15,10 @@ using P = SearchProblem;
 
 constexpr std::size_t kMaxValues = 100'000;  // of one list
 constexpr double kMinShiftStep = 0.0025;     // half a million points of a wide region
-constexpr KeyList kBand{1, 2, true};
+constexpr ListOrder kBandOrder{.sentence =
+                                   "is an empty band: nothing lies between {} and {}; the "
+                                   "least value comes first"};
+constexpr KeyList kBand{.most = 2, .single = true, .order = kBandOrder};
 constexpr KeyList kNumbers{1, kMaxValues, true};
 
 constexpr const char* kBandForm = ", or a band [least, greatest]";
@@ -39,30 +43,48 @@ constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
                                           {"slip", "sliding"},
                                           {"specific_sliding", "sliding"}}};
 
-// A number among the limits.
-template <class F>
-KeyPlace limit(F reach) {
-  return KeyPlace::within<P>([reach](auto& p) -> auto& { return reach(p.limits); });
+// The objective that a word means, "mass" of "weight"; empty: none.
+std::string_view objective_called(std::string_view word) {
+  const auto row =
+      std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
+  return row == kCalled.end() ? std::string_view() : row->objective;
+}
+
+// A number among the limits: a least or a greatest one, or a margin.
+template <class V>
+Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLimits::*member,
+          std::string_view fallback, std::string_view meaning) {
+  const bool end = key.ends_with("_min") || key.ends_with("_max");
+  const std::string field = "limits." + std::string(key.substr(0, key.size() - (end ? 4 : 0)));
+  return Key::number(key, symbol, std::move(range), {&P::limits, member}, fallback, meaning)
+      .with_fields({field});
+}
+
+std::string set_shaft_angle(SearchProblem& problem, double sigma_deg) {
+  if (sigma_deg == 0.0) return "";
+  if (!(std::abs(sigma_deg) >= 0.1))
+    return "must be 0 (parallel axes) or lie between 0.1 and 178, of either sign";
+  problem.shaft_angle = Angle::degrees(sigma_deg);
+  return "";
+}
+
+void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
+  problem.limits.min_shift = band[0];
+  problem.limits.max_shift = band[1];
 }
 
 std::vector<Key> trial_keys() {
   return {
-      {.key = "ratio",
-       .symbol = "u",
-       .list = kBand,
-       .form = std::string("z2/z1, one number") + kBandForm,
-       .required = true,
-       .meaning = "the band of z2/z1, [1.9, 2.1]; z2 ≥ z1; negative for internal pairs, "
-                  "[-5, -4]"},
-      {.key = "pinion_teeth",
-       .symbol = "z1",
-       .kind = KeyKind::whole,
-       .range = Range::between(3, kMaxSearchTeeth),
-       .list = kBand,
-       .form = std::string("z1, a whole number") + kBandForm,
-       .required = true,
-       .meaning = "the band of z1, [12, 40]; wheels have at most 20 000 teeth",
-       .also = {"teeth", "z"}},
+      Key::number("ratio", "u", {}, &P::ratio, kRequired,
+                  "the band of z2/z1, [1.9, 2.1]; z2 ≥ z1; negative for internal pairs, "
+                  "[-5, -4]")
+          .with_list(kBand)
+          .with_form(std::string("z2/z1, one number") + kBandForm),
+      Key::number("pinion_teeth", "z1", Range::between(3, kMaxSearchTeeth), &P::pinion_teeth,
+                  kRequired, "the band of z1, [12, 40]; wheels have at most 20 000 teeth")
+          .with_list(kBand)
+          .with_form(std::string("z1, a whole number") + kBandForm)
+          .with_also({"teeth", "z"}),
       {.key = "modules_mm",
        .symbol = "m_n",
        .words = {"ISO54-I", "ISO54-I+II", "ISO54-II"},
@@ -72,207 +94,120 @@ std::vector<Key> trial_keys() {
        .required = true,
        .meaning = "normal modules",
        .fields = {"modules"}},
-      {.key = "center_distance_mm",
-       .symbol = "a",
-       .range = Range::positive(),
-       .list = kBand,
-       .form = std::string("a distance in mm") + kBandForm,
-       .fallback = "free",
-       .meaning = "centre distance; one number: exactly that"},
-      {.key = "helix_angle_deg",
-       .symbol = "β",
-       .range = Range::inside(-89, 89),
-       .list = kBand,
-       .form = std::string("an angle") + kBandForm,
-       .fallback = "that of `[gear1]`, else 0; crossed: half the shaft angle",
-       .meaning = "helix angle of gear 1; a band's end belongs to it",
-       .fields = {"helix"}},
-      {.key = "helix_step_deg",
-       .range = Range::positive(),
-       .needs = {"helix_angle_deg"},
-       .fallback = "1",
-       .meaning = "step of a band of helix angles",
-       .fields = {"helix"}},
-      {.key = "helix_angles_deg",
-       .range = Range::inside(-89, 89),
-       .list = kNumbers,
-       .form = "a list of angles",
-       .excludes = {"helix_angle_deg"},
-       .meaning = "a list of helix angles instead",
-       .fields = {"helix"}},
-      {.key = "shaft_angle_deg",
-       .symbol = "Σ",
-       .range = Range::inside(-178, 178),
-       .fallback = "0",
-       .meaning = "shaft angle of crossed axes, 0.1 to 178 of either sign, or 0: parallel axes; "
-                  "gear 2 has β2 = Σ − β1"},
-      {.key = "racks",
-       .kind = KeyKind::word,
-       .words = {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"},
-       .list = KeyList{1, 4},
-       .form = "a list of names, [\"ISO53-A\", \"ISO53-C\"]",
-       .fallback = "those of `[gear1]`, `[gear2]`; else α_n 20°, h_aP* 1, h_fP* 1.25",
-       .meaning = "racks to try, each for both gears"}};
+      Key::positive("center_distance_mm", "a", &P::center_distance, "free",
+                    "centre distance; one number: exactly that")
+          .with_list(kBand)
+          .with_form(std::string("a distance in mm") + kBandForm),
+      Key::number("helix_angle_deg", "β", Range::inside(-89, 89), {},
+                  "that of `[gear1]`, else 0; crossed: half the shaft angle",
+                  "helix angle of gear 1; a band's end belongs to it")
+          .with_list(kBand)
+          .with_form(std::string("an angle") + kBandForm)
+          .with_fields({"helix"}),
+      Key::positive("helix_step_deg", "", {}, "1", "step of a band of helix angles")
+          .with_needs({"helix_angle_deg"})
+          .with_fields({"helix"}),
+      Key::number("helix_angles_deg", "", Range::inside(-89, 89), {}, "",
+                  "a list of helix angles instead")
+          .with_list(kNumbers)
+          .with_form("a list of angles")
+          .with_excludes({"helix_angle_deg"})
+          .with_fields({"helix"}),
+      Key::number("shaft_angle_deg", "Σ", Range::inside(-178, 178),
+                  KeyPlace::by<P, double>(set_shaft_angle), "0",
+                  "shaft angle of crossed axes, 0.1 to 178 of either sign, or 0: parallel axes; "
+                  "gear 2 has β2 = Σ − β1"),
+      Key::word("racks", {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}, {},
+                "those of `[gear1]`, `[gear2]`; else α_n 20°, h_aP* 1, h_fP* 1.25",
+                "racks to try, each for both gears")
+          .with_list(KeyList{1, 4})
+          .with_form("a list of names, [\"ISO53-A\", \"ISO53-C\"]")};
 }
 
 std::vector<Key> limit_keys() {
   return {
-      {.key = "profile_shift",
-       .symbol = "x",
-       .list = KeyList{1, 2},
-       .form = std::string("floor and ceiling of x") + kBandForm,
-       .fallback = "those two alone",
-       .meaning = "floor and ceiling of x1 and x2, beside undercut and tip thickness",
-       .fields = {"limits.min_shift", "limits.max_shift"}},
-      {.key = "undercut_depth",
-       .symbol = "h_F",
-       .range = Range::between(0, 3),
-       .fallback = "of the rack if one is given, h_fP* − ρ_fP*(1 − sin α_n), else 1",
-       .meaning = "depth of the rack's straight edge in modules: 1 for a rounded tip, 1.25 for a "
-                  "sharp one",
-       .fields = {"racks.undercut_depth"}},
-      {.key = "undercut_margin",
-       .range = Range::between(-5, 5),
-       .place = limit([](auto& l) -> auto& { return l.undercut_margin; }),
-       .fallback = "0",
-       .meaning = "x ≥ the undercut limit plus this",
-       .fields = {"limits.undercut_margin"}},
-      {.key = "tip_thickness_min",
-       .symbol = "s_an",
-       .range = Range::between(0, 1.5),
-       .place = limit([](auto& l) -> auto& { return l.tip_thickness; }),
-       .fallback = "0.2",
-       .meaning = "least normal tip thickness, in modules",
-       .fields = {"limits.tip_thickness"}},
-      {.key = "contact_ratio_min",
-       .symbol = "ε_α",
-       .range = Range::between(0, 10),
-       .place = limit([](auto& l) -> auto& { return l.contact_ratio; }),
-       .fallback = "1.2",
-       .meaning = "least transverse contact ratio, of Eq. 10 and of the path clipped to the "
-                  "usable flanks; crossed: of AE",
-       .fields = {"limits.contact_ratio"}},
-      {.key = "overlap_ratio_min",
-       .symbol = "ε_β",
-       .range = Range::between(0, 1000),
-       .place = limit([](auto& l) -> auto& { return l.overlap_ratio; }),
-       .fallback = "none",
-       .meaning = "least overlap ratio, with the face width",
-       .fields = {"limits.overlap_ratio"}},
-      {.key = "sliding_max",
-       .symbol = "|ζ|",
-       .range = Range::between(0, 1000),
-       .place = limit([](auto& l) -> auto& { return l.sliding; }),
-       .fallback = "none",
-       .meaning = "greatest specific sliding at A and E, parallel axes",
-       .fields = {"limits.sliding"}},
-      {.key = "tip_clearance_min",
-       .symbol = "c",
-       .range = Range::between(-1, 1),
-       .place = limit([](auto& l) -> auto& { return l.tip_clearance; }),
-       .fallback = "0.02; none with `interference = \"flag\"`",
-       .meaning = "least tip clearance, in modules",
-       .fields = {"limits.tip_clearance"}},
-      {.key = "form_clearance_min",
-       .symbol = "c_F",
-       .range = Range::between(0, 1),
-       .place = limit([](auto& l) -> auto& { return l.form_clearance; }),
-       .fallback = "0.02; 0 with `interference = \"flag\"`",
-       .meaning =
-           "how far a tip stays from the start of the mating gear's flank, along the line of "
-           "action, in modules [T9.9]",
-       .fields = {"limits.form_clearance"}},
-      {.key = "interference",
-       .kind = KeyKind::word,
-       .words = {"exclude", "flag"},
-       .fallback = "\"exclude\"",
-       .meaning =
-           "`\"exclude\"`: a tip may not pass the start of the mating gear's flank [T9.9]; "
-           "shifts with a tip inside its own reference circle are then left out; `\"flag\"`: "
-           "designs that interfere are listed too, and each says so",
-       .fields = {"limits.avoid_interference"}},
-      {.key = "avoid_interference",
-       .kind = KeyKind::boolean,
-       .fallback = "that of `interference`",
-       .meaning = "the same as a switch: true is `\"exclude\"`, false `\"flag\"`",
-       .fields = {"limits.avoid_interference"}},
-      {.key = "safety_flank_min",
-       .symbol = "S_Hmin",
-       .range = Range::positive(),
-       .place = limit([](auto& l) -> auto& { return l.safety_flank; }),
-       .fallback = "of `[rating]`, where designs are rated; else none",
-       .meaning = "least safety against pitting of both gears, by `[rating]` and "
-                  "`[gearN.material]` as `rate` has it, at the shifts of the design",
-       .fields = {"limits.safety_flank"},
-       .also = {"sh_min", "safety_flank"}},
-      {.key = "safety_root_min",
-       .symbol = "S_Fmin",
-       .range = Range::positive(),
-       .place = limit([](auto& l) -> auto& { return l.safety_root; }),
-       .fallback = "of `[rating]`, where designs are rated; else none",
-       .meaning = "least safety against root breakage, the same",
-       .fields = {"limits.safety_root"},
-       .also = {"sf_min", "safety_root"}},
-      {.key = "coprime",
-       .kind = KeyKind::boolean,
-       .place = &P::coprime,
-       .fallback = "false",
-       .meaning = "hunting teeth: only z1, z2 without a common factor; others are not counted"}};
+      Key::number("profile_shift", "x", {}, KeyPlace::by<P, std::array<double, 2>>(set_shifts),
+                  "those two alone",
+                  "floor and ceiling of x1 and x2, beside undercut and tip thickness")
+          .with_list({.most = 2,
+                      .order = kBandOrder,
+                      .must = "must be a band [floor, ceiling]; a search finds the shifts"})
+          .with_form(std::string("floor and ceiling of x") + kBandForm)
+          .with_fields({"limits.min_shift", "limits.max_shift"}),
+      Key::number("undercut_depth", "h_F", Range::between(0, 3), {},
+                  "of the rack if one is given, h_fP* − ρ_fP*(1 − sin α_n), else 1",
+                  "depth of the rack's straight edge in modules: 1 for a rounded tip, 1.25 for a "
+                  "sharp one")
+          .with_fields({"racks.undercut_depth"}),
+      limit("undercut_margin", "", Range::between(-5, 5), &SearchLimits::undercut_margin, "0",
+            "x ≥ the undercut limit plus this"),
+      limit("tip_thickness_min", "s_an", Range::between(0, 1.5), &SearchLimits::tip_thickness,
+            "0.2", "least normal tip thickness, in modules"),
+      limit("contact_ratio_min", "ε_α", Range::between(0, 10), &SearchLimits::contact_ratio, "1.2",
+            "least transverse contact ratio, of Eq. 10 and of the path clipped to the "
+            "usable flanks; crossed: of AE"),
+      limit("overlap_ratio_min", "ε_β", Range::between(0, 1000), &SearchLimits::overlap_ratio,
+            "none", "least overlap ratio, with the face width"),
+      limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding, "none",
+            "greatest specific sliding at A and E, parallel axes"),
+      limit("tip_clearance_min", "c", Range::between(-1, 1), &SearchLimits::tip_clearance,
+            "0.02; none with `interference = \"flag\"`", "least tip clearance, in modules"),
+      limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
+            "0.02; 0 with `interference = \"flag\"`",
+            "how far a tip stays from the start of the mating gear's flank, along the line of "
+            "action, in modules [T9.9]"),
+      Key::word("interference", {"exclude", "flag"}, {}, "\"exclude\"",
+                "`\"exclude\"`: a tip may not pass the start of the mating gear's flank [T9.9]; "
+                "shifts with a tip inside its own reference circle are then left out; `\"flag\"`: "
+                "designs that interfere are listed too, and each says so")
+          .with_fields({"limits.avoid_interference"}),
+      Key::flag("avoid_interference", {}, "that of `interference`",
+                "the same as a switch: true is `\"exclude\"`, false `\"flag\"`")
+          .with_fields({"limits.avoid_interference"}),
+      limit("safety_flank_min", "S_Hmin", Range::positive(), &SearchLimits::safety_flank,
+            "of `[rating]`, where designs are rated; else none",
+            "least safety against pitting of both gears, by `[rating]` and "
+            "`[gearN.material]` as `rate` has it, at the shifts of the design")
+          .with_also({"sh_min", "safety_flank"}),
+      limit("safety_root_min", "S_Fmin", Range::positive(), &SearchLimits::safety_root,
+            "of `[rating]`, where designs are rated; else none",
+            "least safety against root breakage, the same")
+          .with_also({"sf_min", "safety_root"}),
+      Key::flag("coprime", &P::coprime, "false",
+                "hunting teeth: only z1, z2 without a common factor; others are not counted")};
 }
 
 std::vector<Key> design_keys() {
-  return {{.key = "mounting",
-           .kind = KeyKind::word,
-           .words = {"extended", "tight"},
-           .fallback = "\"extended\"; of internal pairs \"tight\"",
-           .meaning = "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"},
-          {.key = "shorten_tips",
-           .kind = KeyKind::boolean,
-           .place = &P::shorten_tips,
-           .fallback = "false",
-           .meaning = "tips cut back by what tight centres take from the clearance"},
-          {.key = "face_width_mm",
-           .symbol = "b",
-           .range = Range::positive(),
-           .place = &P::face_width,
-           .fallback = "of `[gear1]`, else 10 m_n",
-           .meaning = "face width of both gears"},
-          {.key = "face_width_modules",
-           .symbol = "b/m_n",
-           .range = Range::between(0.1, 1000),
-           .place = &P::face_modules,
-           .excludes = {"face_width_mm"},
-           .fallback = "10",
-           .meaning = "face width of both gears in modules, where it is not given in mm",
-           .fields = {"face_modules"}},
-          {.key = "lambda",
-           .symbol = "λ",
-           .range = Range::between(-10, 10),
-           .place = &P::lambda,
-           .fallback = "0.625",
-           .meaning = "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; a "
-                      "internal gear's pinion takes all"},
-          {.key = "objective",
-           .kind = KeyKind::word,
-           .words = objective_words(),
-           .list = KeyList{1, kObjectiveNames.size(), true},
-           .fallback = "\"contact_ratio\"",
-           .meaning = "what is better: `contact_ratio` (greatest effective), `ratio` (nearest to "
-                      "`target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
-                      "(largest region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest "
-                      "by Eq. 10), `mass` (least), `safety` (the greatest least of S_H and S_F, "
-                      "over those wanted; needs `[rating]`); or a list of them: a Pareto front",
-           .fields = {"objectives"}},
-          {.key = "target_ratio",
-           .place = &P::target_ratio,
-           .fallback = "the middle of the band",
-           .meaning = "target of the objective `ratio`"},
-          {.key = "shift_step",
-           .range = Range::between(kMinShiftStep, 1),
-           .place = &P::shift_step,
-           .fallback = "none",
-           .meaning = "step of a grid of shifts whose feasible points are wanted too, in "
-                      "`points.parquet`"}};
+  return {
+      Key::word("mounting", {"extended", "tight"}, {}, "\"extended\"; of internal pairs \"tight\"",
+                "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"),
+      Key::flag("shorten_tips", &P::shorten_tips, "false",
+                "tips cut back by what tight centres take from the clearance"),
+      Key::positive("face_width_mm", "b", &P::face_width, "of `[gear1]`, else 10 m_n",
+                    "face width of both gears"),
+      Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules, "10",
+                  "face width of both gears in modules, where it is not given in mm")
+          .with_excludes({"face_width_mm"})
+          .with_fields({"face_modules"}),
+      Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
+                  "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; a "
+                  "internal gear's pinion takes all"),
+      Key::word("objective", objective_words(), &P::objectives, "\"contact_ratio\"",
+                "what is better: `contact_ratio` (greatest effective), `ratio` (nearest to "
+                "`target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
+                "(largest region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest "
+                "by Eq. 10), `mass` (least), `safety` (the greatest least of S_H and S_F, "
+                "over those wanted; needs `[rating]`); or a list of them: a Pareto front")
+          .with_list({.most = kObjectiveNames.size(),
+                      .single = true,
+                      .noun = "objective",
+                      .meant = objective_called})
+          .with_fields({"objectives"}),
+      Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band",
+                  "target of the objective `ratio`"),
+      Key::number("shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
+                  "step of a grid of shifts whose feasible points are wanted too, in "
+                  "`points.parquet`")};
 }
 
 }  // namespace
@@ -285,12 +220,6 @@ const KeyTable& search_keys() {
     return t;
   }();
   return table;
-}
-
-std::string_view objective_called(std::string_view word) {
-  const auto row =
-      std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
-  return row == kCalled.end() ? std::string_view() : row->objective;
 }
 
 }  // namespace gearwright

@@ -8,7 +8,4 @@ namespace gearwright {
 
 const KeyTable& search_keys();
 
-/// The objective that a word means, "mass" of "weight"; empty: none.
-std::string_view objective_called(std::string_view word);
-
 }  // namespace gearwright

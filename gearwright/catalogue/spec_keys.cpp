@@ -2,23 +2,17 @@
 
 #include <algorithm>
 
-#include "gearwright/catalogue/compensate_keys.hpp"
-#include "gearwright/catalogue/contact_keys.hpp"
-#include "gearwright/catalogue/drawing_keys.hpp"
-#include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/catalogue/fit_keys.hpp"
-#include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/load_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
 namespace gearwright {
 
 namespace {
 
-Key table_key(std::string_view key, const KeyTable& (*table)(), std::string_view meaning) {
-  return {.key = key, .kind = KeyKind::table, .tables = {table}, .meaning = meaning};
+Key table_key(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
+              std::string_view meaning) {
+  Key k = Key::part(key, table, std::move(place), meaning);
+  k.in_documents = true;
+  return k;
 }
 
 }  // namespace
@@ -28,19 +22,26 @@ const KeyTable& spec_keys() {
       "spec",
       "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, said "
       "in the key",
-      {{.key = "title", .kind = KeyKind::text, .meaning = "heading of listings and of the report"},
-       table_key("drawing", drawing_keys, "the title block of the report and of drawings"),
-       table_key("gear1", gear_keys, "the first gear, the pinion of an internal pair"),
-       table_key("gear2", gear_keys, "the second gear"),
-       table_key("pair", pair_keys, "how the two gears are mounted"),
-       table_key("errors", error_keys, "what is wrong with the mounting and the teeth"),
-       table_key("contact", contact_keys, "how the contact of the pair is looked at"),
-       table_key("compensate", compensate_keys, "which corrections the verb compensate may make"),
-       table_key("load", load_keys, "what the verb load is asked: torque on the teeth"),
-       table_key("rating", rating_keys,
+      {Key::text("title", &SpecTables::title, "", "heading of listings and of the report"),
+       table_key("drawing", drawing_keys, &SpecTables::drawing,
+                 "the title block of the report and of drawings"),
+       table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair"),
+       table_key("gear2", gear_keys, {}, "the second gear"),
+       table_key("pair", pair_keys,
+                 KeyPlace::within<SpecTables>([](auto& tables) -> auto& { return tables.pair; }),
+                 "how the two gears are mounted"),
+       table_key("errors", error_keys, &SpecTables::errors,
+                 "what is wrong with the mounting and the teeth"),
+       table_key("contact", contact_keys, &SpecTables::contact,
+                 "how the contact of the pair is looked at"),
+       table_key("compensate", compensate_keys, &SpecTables::compensate,
+                 "which corrections the verb compensate may make"),
+       table_key("load", load_keys, &SpecTables::load,
+                 "what the verb load is asked: torque on the teeth"),
+       table_key("rating", rating_keys, &SpecTables::rating,
                  "what the verb rate is asked: load, life, making, mounting"),
-       table_key("fit", fit_keys, "what the verb fit is asked"),
-       table_key("search", search_keys, "what a design search is asked")}};
+       table_key("fit", fit_keys, &SpecTables::fit, "what the verb fit is asked"),
+       table_key("search", search_keys, {}, "what a design search is asked")}};
   return table;
 }
 

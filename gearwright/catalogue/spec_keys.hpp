@@ -1,9 +1,31 @@
-// The tables of a spec file.
+// The tables of a spec file, and what stands in them but for gears and searches.
 #pragma once
 
-#include "gearwright/catalogue/key.hpp"
+#include <string>
+
+#include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/fit_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 
 namespace gearwright {
+
+/// The tables that spec_keys() fills by itself; the gears have a reader of their own.
+struct SpecTables : GivenPair {
+  std::string title;
+  DrawingInput drawing;
+  FitInput fit;
+  ErrorsInput errors;
+  ContactInput contact;
+  CompensateInput compensate;
+  LoadInput load;
+  RatingTable rating;
+};
 
 /// What stands in the file itself: title, [gear1], [gear2], [pair] and so on.
 const KeyTable& spec_keys();

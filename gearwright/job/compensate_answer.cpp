@@ -29,7 +29,8 @@ bool gear2_drives(const JobSpec& spec) {
 }
 
 std::optional<Error> check_corrections(const ContactSetup& setup, const CompensateInput& input) {
-  for (const WorkshopCorrection& c : input.corrections) {
+  for (const std::size_t place : input.corrections) {
+    const WorkshopCorrection& c = kCorrections[place].correction;
     if (can_take(setup, c)) continue;
     return Error{"compensate.corrections", std::string(entry_of(c).key),
                  c.what == CorrectionOf::tool_setting
@@ -204,7 +205,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   const CompensateInput& input = job.spec.compensate;
   if (auto error = check_corrections(setup, input)) return *error;
   CompensateAnswer answer;
-  answer.corrections = input.corrections.empty() ? usual_corrections(setup) : input.corrections;
+  for (const std::size_t place : input.corrections)
+    answer.corrections.push_back(kCorrections[place].correction);
+  if (input.corrections.empty()) answer.corrections = usual_corrections(setup);
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
   // Before a search: nothing that a workshop corrects makes teeth longer.
   if (std::isnan(

@@ -2,32 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
 namespace {
 
-using Keys = std::initializer_list<const char*>;
+using Keys = std::vector<std::string>;
 
-constexpr Keys kModules{"normal_module_mm", "normal_diametral_pitch_per_in",
-                        "transverse_module_mm"};
-constexpr Keys kPressureAngles{"normal_pressure_angle_deg", "transverse_pressure_angle_deg"};
-constexpr Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
-
-bool has_any(const Json& table, Keys keys) {
-  return std::any_of(keys.begin(), keys.end(),
-                     [&](const char* key) { return table.contains(key); });
-}
+const Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
 
 // A new member where the alphabet has it, as the TOML reader orders a table: a spec that is written
 // out and read again is the same tree.
-void put(Json& table, const char* key, const Json& value) {
+void put(Json& table, const std::string& key, const Json& value) {
   Json::object_t& members = table.get_ref<Json::object_t&>();
   Json::object_t sorted;
   bool there = false;
@@ -40,7 +34,7 @@ void put(Json& table, const char* key, const Json& value) {
   table = std::move(sorted);
 }
 
-std::optional<double> number(const Json& table, const char* key) {
+std::optional<double> number(const Json& table, const std::string& key) {
   const auto it = table.find(key);
   if (it == table.end() || !it->is_number()) return std::nullopt;
   return it->get<double>();
@@ -77,18 +71,19 @@ bool hand_on_helix(const Json& from, Json& to) {
   return true;
 }
 
-// A number of the normal section, of whatever section gear 1 says it; the helix of gear 2 may be
-// another one.
-void hand_on(const Json& from, Json& to, Keys keys, const char* transverse,
-             double (*normal_of)(double transverse, double cos_beta)) {
-  if (has_any(to, keys)) return;
-  for (const char* key : keys) {
-    if (!from.contains(key)) continue;
-    const auto value = number(from, key);
-    if (key == std::string_view(transverse) && value) {
-      put(to, *keys.begin(), normal_of(*value, std::cos(Angle::degrees(helix_of(from)).rad())));
+// A number of the normal section, by whatever key gear 1 gives it; the helix of gear 2 may be another
+// one.
+void hand_on(const Json& from, Json& to, const std::string& key) {
+  const Keys ways = gear_keys().ways(key);
+  if (has_any(to, ways)) return;
+  for (const std::string& way : ways) {
+    if (!from.contains(way)) continue;
+    const KeyAlias& alias = gear_keys().find(way)->alias;
+    const auto value = number(from, way);
+    if (alias.transverse && value) {
+      put(to, key, alias.value(*value, std::cos(Angle::degrees(helix_of(from)).rad())));
     } else {
-      put(to, key, from[key]);
+      put(to, way, from[way]);
     }
     return;
   }
@@ -148,13 +143,8 @@ Inherited inherit(const Json& tree) {
   }
   if (has_any(*to, {"cut_by", "basic"})) return made;
   if (parallel(tree) && !from->contains("basic")) made.helix_angle = hand_on_helix(*from, *to);
-  hand_on(*from, *to, kModules, "transverse_module_mm",
-          [](double m_t, double cos_beta) { return m_t * cos_beta; });
-  hand_on(
-      *from, *to, kPressureAngles, "transverse_pressure_angle_deg",
-      [](double alpha_t, double cos_beta) {
-        return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
-      });
+  hand_on(*from, *to, "normal_module_mm");
+  hand_on(*from, *to, "normal_pressure_angle_deg");
   if (from->contains("rack") && !to->contains("rack") && cuts_both((*from)["rack"]))
     put(*to, "rack", (*from)["rack"]);
   return made;

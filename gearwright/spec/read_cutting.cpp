@@ -1,6 +1,5 @@
 #include "gearwright/spec/read_cutting.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/spec/read_gear.hpp"
@@ -11,33 +10,21 @@ namespace {
 
 // Numbers that a gear, its cutter and its mating gear share: a cutter's table may leave them out.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
-  static const std::vector<std::vector<const char*>> kShared{
-      {"normal_module_mm", "normal_diametral_pitch_per_in", "transverse_module_mm"},
-      {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}};
   Json whole = cutter;
-  for (const auto& keys : kShared) {
-    const auto in = [&](const Json& table) {
-      return std::any_of(keys.begin(), keys.end(),
-                         [&](const char* key) { return table.contains(key); });
-    };
-    if (in(cutter)) continue;
-    const bool own = in(gear);
-    for (const char* key : keys) {
-      if (own && gear.contains(key)) whole[key] = gear[key];
-      if (!own && mate && mate->contains(key)) whole[key] = (*mate)[key];
-    }
+  for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
+    const std::vector<std::string> keys = gear_keys().ways(key_of_both);
+    if (has_any(cutter, keys)) continue;
+    const Json* from = has_any(gear, keys) ? &gear : mate;
+    for (const std::string& key : keys)
+      if (from && from->contains(key)) whole[key] = (*from)[key];
   }
-  static const std::vector<const char*> kHelix{"helix_angle_deg", "lead_angle_deg", "hand"};
-  const auto has_helix = [](const Json& table) {
-    return std::any_of(kHelix.begin(), kHelix.end(),
-                       [&](const char* key) { return table.contains(key); });
-  };
-  if (has_helix(cutter)) return whole;
+  static const std::vector<std::string> kHelix{"helix_angle_deg", "lead_angle_deg", "hand"};
+  if (has_any(cutter, kHelix)) return whole;
   if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
     const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
     whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
-  } else if (!has_helix(gear) && mate) {  // the cutter stands where the mating gear will
-    for (const char* key : kHelix) {
+  } else if (!has_any(gear, kHelix) && mate) {  // the cutter stands where the mating gear will
+    for (const std::string& key : kHelix) {
       if (mate->contains(key)) whole[key] = (*mate)[key];
     }
   }
@@ -48,30 +35,6 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
 constexpr double kCutterAddendum = 1.25;
 
 }  // namespace
-
-void read_fillets(TableReader& gear, GearInput& g) {
-  if (const Json* node = gear.table("root_fillet")) {
-    TableReader t(root_fillet_keys(), *node, gear.name("root_fillet"));
-    t.word("kind");
-    RootFilletSpec fillet;
-    t.read(fillet);
-    t.finish();
-    g.cylindrical.root_fillet = fillet;
-  }
-  if (const Json* node = gear.table("tip_fillet")) {
-    TableReader t(tip_fillet_keys(), *node, gear.name("tip_fillet"));
-    t.word("kind");
-    TipFilletInput in;
-    t.read(in);
-    t.finish();
-    g.tip_clearance = in.clearance;
-    if (in.radius) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, *in.radius};
-    if (in.l) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, *in.l};
-    if (in.corner_radius)
-      g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::corner, *in.corner_radius};
-    g.tip_clearance_by_rule = !in.radius && !in.l && !in.clearance && !in.corner_radius;
-  }
-}
 
 void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
   const auto total = gear.number("profile_shift_pair");

@@ -7,53 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "gearwright/catalogue/rack_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic_root.hpp"
-#include "gearwright/spec/once.hpp"
-#include "gearwright/spec/read_arc_rack.hpp"
 #include "gearwright/spec/read_cutting.hpp"
 #include "gearwright/spec/read_modifications.hpp"
-#include "gearwright/spec/read_rating.hpp"
+#include "gearwright/spec/read_rack.hpp"
 
 namespace gearwright {
 
-StraightRack read_rack(TableReader& gear) {
-  const Json* node = gear.any("rack");
-  if (!node) return *iso53_rack("ISO53-A");
-  if (node->is_string()) {
-    const auto rack = iso53_rack(node->get<std::string>());
-    if (!rack) {
-      gear.fail("rack", fmt::format("must be \"{}\" or a table, [{}]",
-                                    fmt::join(gear.keys().find("rack")->words, "\", \""),
-                                    gear.name("rack")));
-    }
-    return *rack;
-  }
-  if (!node->is_object()) gear.fail("rack", "must be a name in quotes or a table");
-  TableReader t(straight_rack_keys(), *node, gear.name("rack"));
-  t.any("kind");  // the other kinds are racks of arcs
-  StraightRack rack;
-  t.read(rack);
-  t.finish();
-  return rack;
-}
-
 namespace {
-
-std::optional<Bore> read_bore(TableReader& gear) {
-  const Json* node = gear.table("bore");
-  if (!node) return std::nullopt;
-  TableReader t(bore_keys(), *node, gear.name("bore"));
-  Bore bore{};
-  t.read(bore);
-  t.finish();
-  if (bore.keyway_width >= bore.diameter) {
-    t.fail("keyway_width_mm", fmt::format("must be less than the bore's diameter {} mm",
-                                          format_number(bore.diameter)));
-  }
-  return bore;
-}
 
 std::optional<double> read_helix(TableReader& t) {
   const auto beta = t.number("helix_angle_deg");
@@ -62,56 +24,28 @@ std::optional<double> read_helix(TableReader& t) {
   if (lead && !hand && *lead < 90.0) {
     t.fail("lead_angle_deg", "needs hand = \"right\" or \"left\" beside it");
   }
-  Once once(t, "helix angle");
-  once.offer("helix_angle_deg", beta);
-  if (lead) once.offer("lead_angle_deg", (90.0 - *lead) * (hand && *hand == "left" ? -1.0 : 1.0));
-  const auto value = once.value();
+  const double sign = hand && *hand == "left" ? -1.0 : 1.0;
+  const auto of_lead = lead ? std::optional((90.0 - *lead) * sign) : std::nullopt;
+  if (beta && of_lead && std::abs(*of_lead - *beta) > kSameInput * std::abs(*beta)) {
+    t.fail("lead_angle_deg",
+           "contradicts helix_angle_deg: both say the helix angle, leave one out");
+  }
+  const auto value = beta ? beta : of_lead;
   if (hand && value && *value != 0.0 && (*value > 0.0) != (*hand == "right")) {
     t.fail("hand", "contradicts the sign of helix_angle_deg (> 0 is a right hand)");
   }
   return value;
 }
 
-void read_measure(TableReader& gear, GearInput& g) {
-  const Json* node = gear.table("measure");
-  if (!node) return;
-  TableReader t(measure_keys(), *node, gear.name("measure"));
-  t.read(g.measure);
-  t.finish();
-}
-
-// Two numbers in order, lower first.
-Ends ends_of(const TableReader& t, const std::string& key, const std::vector<double>& values) {
-  for (const double v : values)
-    if (std::abs(v) > kMaxInput)
-      t.fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
-  if (!(values[0] <= values[1])) t.fail(key, "must be two numbers, the lower one first");
-  return {values[0], values[1]};
-}
-
-void read_allowance(TableReader& t, GearInput& g) {
-  const auto values = t.numbers("thickness_allowance_mm");
-  if (!values) return;
-  const Ends ends = ends_of(t, "thickness_allowance_mm", {values->front(), values->back()});
-  g.cylindrical.thickness_allowance = values->size() == 1 ? ends[0] : (ends[0] + ends[1]) / 2;
-  if (values->size() == 2) g.allowance_ends = ends;
-}
-
-void read_tolerance(TableReader& gear, GearInput& g) {
+// What the tolerances repeat of the gear's own keys.
+void check_tolerance(TableReader& gear, const GearInput& g) {
   const Json* node = gear.table("tolerance");
   if (!node) return;
-  TableReader t(tolerance_keys(), *node, gear.name("tolerance"));
-  const auto beside = g.tolerance.quality;
-  t.read(g.tolerance);
-  if (beside && g.tolerance.quality != beside)
+  const TableReader t(tolerance_keys(), *node, gear.name("tolerance"));
+  const auto beside = gear.number("quality");
+  if (beside && *g.tolerance.quality != *beside)
     t.fail("quality", fmt::format("contradicts {} = {}; leave one of them out",
                                   gear.name("quality"), *beside));
-  if (const auto values = t.numbers("span_mm")) g.tolerance.span = ends_of(t, "span_mm", *values);
-  if (const auto values = t.numbers("over_balls_mm"))
-    g.tolerance.over_balls = ends_of(t, "over_balls_mm", *values);
-  if (const auto values = t.numbers("tip_diameter_deviations_mm"))
-    g.tolerance.tip_deviations = ends_of(t, "tip_diameter_deviations_mm", *values);
-  t.finish();
   const char* const given = g.tolerance.series       ? "thickness_series"
                             : g.tolerance.span       ? "span_mm"
                             : g.tolerance.over_balls ? "over_balls_mm"
@@ -122,19 +56,12 @@ void read_tolerance(TableReader& gear, GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// α_n of the transverse angle α_t, both in degrees:  tan α_n = tan α_t cos β.
-double normal_of_transverse(double alpha_t, double cos_beta) {
-  return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
-}
-
 // The gear as itself takes the place of module, helix and shift, which follow for one rack.
-void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once& alpha) {
+void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
+                std::optional<double> alpha) {
   const Json* node = gear.table("basic");
   if (!node) return;
-  TableReader t(basic_keys(), *node, gear.name("basic"));
-  BasicInput in;
-  t.read(in);
-  t.finish();
+  const auto in = read_table<BasicInput>(basic_keys(), *node, gear.name("basic"));
   for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
     if (gear.has(key))
       gear.fail(key, "has no place beside [" + gear.name("basic") +
@@ -149,30 +76,30 @@ void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once&
   const BaseGear<double> base{g.cylindrical.teeth, in.base_diameter / 2, in.base_tooth_thickness,
                               in.base_helix_angle.rad()};
   const double m_cos_alpha = normal_base_pitch(base) / std::numbers::pi;
-  double alpha_n = Angle::degrees(alpha.value().value_or(20.0)).rad();
-  if (module.value()) {
-    if (!(*module.value() > m_cos_alpha)) {
+  double alpha_n = Angle::degrees(alpha.value_or(20.0)).rad();
+  if (module) {
+    if (!(*module > m_cos_alpha)) {
       gear.fail("normal_module_mm",
                 fmt::format("is too small for this base pitch; m_n cos α_n is {} mm",
-                            format_number(m_cos_alpha, *module.value())));
+                            format_number(m_cos_alpha, *module)));
     }
-    const double of_module = std::acos(m_cos_alpha / *module.value());
-    if (alpha.value() && std::abs(of_module - alpha_n) > kSameInput) {
+    const double of_module = std::acos(m_cos_alpha / *module);
+    if (alpha && std::abs(of_module - alpha_n) > kSameInput) {
       gear.fail("normal_module_mm",
                 fmt::format("contradicts normal_pressure_angle_deg on this base cylinder: at {}° "
                             "the module is {} mm",
-                            format_number(*alpha.value()),
-                            format_number(m_cos_alpha / std::cos(alpha_n), *module.value())));
+                            format_number(*alpha),
+                            format_number(m_cos_alpha / std::cos(alpha_n), *module)));
     }
     alpha_n = of_module;
   }
   if (!has_rack(base, alpha_n)) {
-    const double asked = Angle::radians(alpha_n).deg();
+    const double alpha_deg = Angle::radians(alpha_n).deg();
     const double limit = 90.0 - std::abs(in.base_helix_angle.deg());
     gear.fail("normal_pressure_angle_deg",
               fmt::format("{}° has no rack with the base helix angle {}°; it must be less than {}°",
-                          format_number(asked, limit), format_number(in.base_helix_angle.deg()),
-                          format_number(limit, asked)));
+                          format_number(alpha_deg, limit), format_number(in.base_helix_angle.deg()),
+                          format_number(limit, alpha_deg)));
   }
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
@@ -194,7 +121,7 @@ void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once&
   if (!in.root_diameter) return;
   c.profile_shift = rack.profile_shift;
   auto leaving = rack_leaving_root(c, *in.root_diameter, in.root_form_diameter);
-  if (!leaving) throw SpecError{spelled(within(t.name(), leaving.error()))};
+  if (!leaving) throw SpecError{spelled(within(gear.name("basic"), leaving.error()))};
   c.rack = *leaving;
 }
 
@@ -212,50 +139,31 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   g.transverse_given = t.has("transverse_module_mm") || t.has("transverse_pressure_angle_deg");
   c.helix_angle = Angle::degrees(helix.value_or(0.0));
   const double cos_beta = std::cos(c.helix_angle.rad());
-  Once module(t, "module");
-  module.offer("normal_module_mm", t.number("normal_module_mm"));
-  const auto pitch = t.number("normal_diametral_pitch_per_in");
-  module.offer("normal_diametral_pitch_per_in",
-               pitch ? std::optional(25.4 / *pitch) : std::nullopt);
-  const auto m_t = t.number("transverse_module_mm");
-  module.offer("transverse_module_mm", m_t ? std::optional(*m_t * cos_beta) : std::nullopt);
-  Once alpha(t, "pressure angle");
-  alpha.offer("normal_pressure_angle_deg", t.number("normal_pressure_angle_deg"));
-  const auto alpha_t = t.number("transverse_pressure_angle_deg");
-  alpha.offer("transverse_pressure_angle_deg",
-              alpha_t ? std::optional(normal_of_transverse(*alpha_t, cos_beta)) : std::nullopt);
-  c.normal_pressure_angle = Angle::degrees(alpha.value().value_or(20.0));
-  const auto face = t.number("face_width_mm");
-  const auto arcs = read_arc_rack(t, module);
-  c.rack = arcs ? *arcs : Rack(read_rack(t));
-  read_fillets(t, g);
+  const auto module = t.one_of("normal_module_mm", "module", cos_beta);
+  const auto alpha = t.one_of("normal_pressure_angle_deg", "pressure angle", cos_beta);
+  c.normal_pressure_angle = Angle::degrees(alpha.value_or(20.0));
+  c.rack = read_rack(t, module);
   if (keys.find("cut_by")) {
     read_cut_by(t, node, mate, g);
     g.modifications = read_modifications(t, folder);
-    if (const Json* node = t.table("material"))
-      g.material = read_material(*node, t.name("material"));
   }
-  g.bore = read_bore(t);
-  read_measure(t, g);
-  read_allowance(t, g);
-  read_tolerance(t, g);
+  check_tolerance(t, g);
   t.table("measured");  // spec/read_measured.cpp
   if (t.has("teeth")) {
     read_basic(t, g, module, alpha);
   } else {
     t.table("basic");
   }
-  if (!g.cut_by && !t.has("basic")) module.require();
+  if (!module && !g.cut_by && !t.has("basic")) t.lacks_one_of("normal_module_mm", "module");
   t.finish();
   if (g.cut_by) {
-    g.cut_by->module = module.value();
-    if (alpha.value()) g.cut_by->pressure_angle = Angle::degrees(*alpha.value());
-    c.normal_module = module.value().value_or(0.0);
+    g.cut_by->module = module;
+    if (alpha) g.cut_by->pressure_angle = Angle::degrees(*alpha);
+    c.normal_module = module.value_or(0.0);
   } else if (!g.basic) {
-    c.normal_module = *module.value();
+    c.normal_module = *module;
   }
-  g.face_width_given = face.has_value();
-  c.face_width = face.value_or(10 * c.normal_module);
+  if (!g.face_width_given) c.face_width = 10 * c.normal_module;
   return g;
 }
 

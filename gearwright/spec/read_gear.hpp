@@ -11,9 +11,6 @@
 
 namespace gearwright {
 
-/// [gearN] rack: a name of ISO 53 or a table; absent: ISO53-A.
-StraightRack read_rack(TableReader& gear);
-
 /// `keys` are gear_keys() or cutter_keys(); `path` is the table's name, "gear1"; `mate` the other
 /// gear's table, from which a cutter of the gear's own takes the module and angles that it leaves
 /// out. File names start at `folder`.

@@ -12,9 +12,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr const char* kWhatIsKnown[] = {"normal_module_mm", "normal_diametral_pitch_per_in",
-                                        "transverse_module_mm", "basic", "cut_by"};
-
 void read_spans(TableReader& t, IdentifyProblem& p) {
   const Json* node = t.any("span_mm");
   if (!node) return;
@@ -35,29 +32,13 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
             [](const SpanReading& a, const SpanReading& b) { return a.teeth < b.teeth; });
 }
 
-void read_balls(TableReader& t, IdentifyProblem& p) {
-  const Json* node = t.any("over_balls_mm");
-  if (!node) return;
-  if (!node->is_array() || node->empty() || node->size() > kMostBallReadings)
-    t.fail("over_balls_mm",
-           "must be a list of tables: [{ ball_diameter_mm = 5, dimension_mm = "
-           "69.426 }], 1 to 20 of them");
-  for (const Json& item : *node) {
-    if (!item.is_object()) t.fail("over_balls_mm", shown(item) + " is no table");
-    TableReader one(measured_ball_keys(), item, t.name("over_balls_mm"));
-    DiameterReading reading;
-    one.read(reading);
-    one.finish();
-    p.balls.push_back(reading);
-  }
-}
-
 }  // namespace
 
 bool is_unknown_gear(const Json& gear) {
   if (!gear.is_object() || !gear.contains("measured")) return false;
-  return std::none_of(std::begin(kWhatIsKnown), std::end(kWhatIsKnown),
-                      [&](const char* key) { return gear.contains(key); });
+  std::vector<std::string> known = gear_keys().ways("normal_module_mm");
+  known.insert(known.end(), {"basic", "cut_by"});
+  return !has_any(gear, known);
 }
 
 std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std::string& path) {
@@ -80,15 +61,12 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std
   if (const auto alpha = outside.number("normal_pressure_angle_deg"))
     p.normal_pressure_angle = Angle::degrees(*alpha);
   if (const auto beta = outside.number("helix_angle_deg")) p.helix_angle = Angle::degrees(*beta);
-  for (const char* key : {"face_width_mm", "normal_module_mm", "normal_diametral_pitch_per_in"})
-    outside.number(key);
+  for (const char* key : {"normal_module_mm", "normal_diametral_pitch_per_in"}) outside.number(key);
   outside.table("measured");
   outside.finish();
   TableReader t(measured_keys(), node, path + ".measured");
-  t.read(p);
   read_spans(t, p);
-  read_balls(t, p);
-  t.finish();
+  t.read_whole(p);
   return std::make_shared<const IdentifyProblem>(std::move(p));
 }
 

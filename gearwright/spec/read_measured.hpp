@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// A table of a gear with readings and without a module: nobody knows it yet.
+/// A table of a gear with readings and without a module: identify is to find it.
 bool is_unknown_gear(const Json& gear);
 
 /// The readings of that table of a gear; none: it is not there, or has none.

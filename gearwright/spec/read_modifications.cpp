@@ -22,78 +22,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMaxNumber = 1e9;  // of any number of a spec, in its unit
 // Two lines of a grid nearer to each other than this, over the range, are one line measured twice:
 // the spline between them would make a slope of what is noise.
 constexpr double kMinStep = 1e-4;
 
-// A key's values: for both flanks (0), for the right one (1) and for the left one (2).
-template <class T>
-struct Sided {
-  std::string key;
-  std::array<std::optional<T>, 3> given;
+constexpr std::array<std::size_t, 2> kFlanks{0, 1};  // right, left
 
-  std::string name(std::size_t which) const {
-    return which == 0 ? key : std::string(kFlankSides[which - 1]) + key;
-  }
-  /// Which of the three counts for a flank (0 right, 1 left).
-  std::size_t which(std::size_t flank) const { return given[flank + 1] ? flank + 1 : 0; }
-  const std::optional<T>& of(std::size_t flank) const { return given[which(flank)]; }
-};
-
-template <class Read>
-auto read_sided(TableReader& t, const std::string& key, const Read& read) {
-  using T = typename decltype(read(key))::value_type;
-  Sided<T> s{key, {}};
-  for (std::size_t i = 0; i < 3; ++i) s.given[i] = read(s.name(i));
-  if (s.given[0] && s.given[1] && s.given[2]) {
-    t.fail(key, fmt::format("has no effect beside {} and {}; leave it out", s.name(1), s.name(2)));
-  }
-  return s;
+// The key that counts for a flank: its own, or the one of both.
+std::string key_of(const TableReader& t, std::size_t flank, const std::string& key) {
+  const std::string own = std::string(kFlankSides[flank]) + key;
+  return t.given(own) ? own : key;
 }
 
-Sided<double> read_number(TableReader& t, const std::string& key) {
-  return read_sided(t, key, [&](const std::string& k) { return t.number(k); });
-}
-
-struct ReliefInput {
-  Sided<double> amount, reach;
-  Sided<std::string> shape;
-};
-
-ReliefInput read_relief(TableReader& t, const ModificationEntry& m) {
-  const std::string name(m.name);
-  return {read_number(t, name + "_um"), read_number(t, name + std::string(m.reach)),
-          read_sided(t, name + "_shape", [&](const std::string& k) { return t.word(k); })};
-}
-
-// A start or a shape of a relief that neither of its flanks has would be lost without a word.
-template <class T>
-void check_used(const TableReader& t, const Sided<T>& s, const Sided<double>& amount) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!s.given[i]) continue;
-    bool used = false;
-    for (std::size_t flank = 0; flank < 2; ++flank)
-      used = used || (s.which(flank) == i && amount.of(flank));
-    if (!used) t.fail(s.name(i), "belongs to " + amount.key + ", which is not given here");
+// A key that counts for no flank would be lost without a word. `amount`: the key of the relief that
+// it belongs to; empty: none.
+void check_used(TableReader& t, const std::string& key, const std::string& amount = "") {
+  const std::string right = std::string(kFlankSides[0]) + key;
+  const std::string left = std::string(kFlankSides[1]) + key;
+  if (t.has(right) && t.has(left) && t.has(key))
+    t.fail(key, fmt::format("has no effect beside {} and {}; leave it out", right, left));
+  for (const std::string& one : {key, right, left}) {
+    if (!t.has(one) || amount.empty()) continue;
+    const bool used = std::any_of(kFlanks.begin(), kFlanks.end(), [&](std::size_t flank) {
+      return key_of(t, flank, key) == one && t.given(key_of(t, flank, amount));
+    });
+    if (!used) t.fail(one, "belongs to " + amount + ", which is not given here");
   }
 }
 
-void take_relief(const TableReader& t, const ReliefInput& in, Relief FlankModifications::*relief,
-                 std::array<FlankModifications, 2>& flanks) {
-  check_used(t, in.reach, in.amount);
-  check_used(t, in.shape, in.amount);
-  for (std::size_t flank = 0; flank < 2; ++flank) {
-    const auto& amount = in.amount.of(flank);
+void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
+  for (const ModificationEntry& m : modification_entries()) {
+    const std::string name(m.name);
+    const std::string key = key_of(t, flank, name + "_um");
+    const auto amount = t.number(key);
+    if (m.amount) to.*(m.amount) = amount.value_or(0.0) / kUmPerMm;
+    if (!m.relief) continue;
+    const std::string reach_key = name + std::string(m.reach);
+    const auto reach = t.number(key_of(t, flank, reach_key));
+    const auto shape = t.word(key_of(t, flank, name + "_shape"));
     if (!amount) continue;
-    if (*amount > 0.0 && !in.reach.of(flank)) {
-      t.fail(in.reach.key,
-             "is missing: " + in.amount.name(in.amount.which(flank)) + " needs it beside it");
-    }
-    const auto& shape = in.shape.of(flank);
-    flanks[flank].*
-        relief = {*amount / kUmPerMm, in.reach.of(flank),
-                  shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
+    if (*amount > 0.0 && !reach) t.fail(reach_key, "is missing: " + key + " needs it beside it");
+    to.*(m.relief) = {
+        *amount / kUmPerMm, reach,
+        shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
   }
 }
 
@@ -164,8 +135,8 @@ Result<std::vector<Row>> rows_of(std::string_view csv) {
     }
     if (!(x[0] > 0.0)) return at_line(line, "the diameter must be greater than 0");
     for (const double v : x) {
-      if (!(std::abs(v) <= kMaxNumber))
-        return at_line(line, fmt::format("numbers must lie between -{0} and {0}", kMaxNumber));
+      if (!(std::abs(v) <= kMaxInput))
+        return at_line(line, fmt::format("numbers must lie between -{0} and {0}", kMaxInput));
     }
     rows.push_back({x[0], x[1], x[2], line});
   }
@@ -259,31 +230,27 @@ std::array<FlankModifications, 2> read_modifications(TableReader& gear, const fs
   const Json* node = gear.table("modifications");
   if (!node) return flanks;
   TableReader t(modification_keys(), *node, gear.name("modifications"));
-  std::vector<std::pair<const ModificationEntry*, ReliefInput>> reliefs;
-  std::vector<std::pair<const ModificationEntry*, Sided<double>>> plain;
+  check_used(t, "topography");
   for (const ModificationEntry& m : modification_entries()) {
-    if (m.relief) {
-      reliefs.emplace_back(&m, read_relief(t, m));
-    } else {
-      plain.emplace_back(&m, read_number(t, std::string(m.name) + "_um"));
-    }
+    const std::string name(m.name);
+    check_used(t, name + "_um");
+    if (!m.relief) continue;
+    check_used(t, name + std::string(m.reach), name + "_um");
+    check_used(t, name + "_shape", name + "_um");
   }
-  const auto file = read_sided(t, "topography", [&](const std::string& k) { return t.text(k); });
   t.finish();
-  for (const auto& [m, input] : reliefs) take_relief(t, input, m->relief, flanks);
-  for (const auto& [m, input] : plain) {
-    for (std::size_t flank = 0; flank < 2; ++flank)
-      flanks[flank].*(m->amount) = input.of(flank).value_or(0.0) / kUmPerMm;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!file.given[i]) continue;
-    const std::string key = file.name(i);
-    auto grid = topography_from_csv(read_whole(t, key, folder / *file.given[i]));
-    if (!grid) t.fail(key, grid.error().rule);
-    const auto shared = std::make_shared<const Topography>(std::move(grid).take());
-    for (std::size_t flank = 0; flank < 2; ++flank) {
-      if (file.which(flank) == i) flanks[flank].topography = shared;
+  for (const std::size_t flank : kFlanks) read_flank(t, flank, flanks[flank]);
+  for (const std::size_t flank : kFlanks) {
+    const std::string key = key_of(t, flank, "topography");
+    const auto file = t.text(key);
+    if (!file) continue;
+    if (flank == 1 && key == key_of(t, 0, "topography")) {
+      flanks[1].topography = flanks[0].topography;
+      continue;
     }
+    auto grid = topography_from_csv(read_whole(t, key, folder / *file));
+    if (!grid) t.fail(key, grid.error().rule);
+    flanks[flank].topography = std::make_shared<const Topography>(std::move(grid).take());
   }
   return flanks;
 }

@@ -11,7 +11,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_space.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/spec/read_gear.hpp"
+#include "gearwright/spec/read_rack.hpp"
 
 namespace gearwright {
 
@@ -27,20 +27,7 @@ namespace {
 
 constexpr std::size_t kMaxAngles = 100'000;  // of a band with a step
 
-std::optional<std::array<double, 2>> band(TableReader& t, const std::string& key) {
-  const auto values = t.numbers(key);
-  if (!values) return std::nullopt;
-  const std::array<double, 2> b{values->front(), values->back()};
-  if (b[0] > b[1]) {
-    t.fail(key, fmt::format("is an empty band: nothing lies between {} and {}; the least value "
-                            "comes first",
-                            b[0], b[1]));
-  }
-  return b;
-}
-
 std::vector<double> read_modules(TableReader& t) {
-  t.require("modules_mm");
   const Json& node = *t.any("modules_mm");
   std::vector<double> modules;
   if (node.is_string()) {
@@ -51,7 +38,7 @@ std::vector<double> read_modules(TableReader& t) {
     }
     if (modules.empty()) t.fail("modules_mm", "must be " + form_of(*t.keys().find("modules_mm")));
   } else {
-    modules = *t.numbers("modules_mm");
+    modules = *t.raw_numbers("modules_mm");
   }
   std::sort(modules.begin(), modules.end());
   if (!(modules.front() > 0.0))
@@ -64,23 +51,14 @@ std::vector<double> read_modules(TableReader& t) {
   return modules;
 }
 
-void read_teeth(TableReader& t, SearchProblem& p) {
-  t.require("ratio");
-  p.ratio = *band(t, "ratio");
+void check_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
     t.fail("ratio", "must not pass 0: positive for external pairs, negative for internal ones");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio", "must reach 1: the ratio is z2/z1, and gear 2 is the one with more teeth");
   if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
     t.fail("ratio", "must pass -1: an internal gear has more teeth than its pinion");
-  t.require("pinion_teeth");
-  const auto z1 = *band(t, "pinion_teeth");
-  for (const double z : z1) {
-    if (z != std::floor(z)) t.fail("pinion_teeth", "must be whole numbers");
-    t.check("pinion_teeth", z);
-  }
-  p.pinion_teeth = {static_cast<int>(z1[0]), static_cast<int>(z1[1])};
-  const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * z1[1];
+  const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * p.pinion_teeth[1];
   if (!(most <= kMaxSearchTeeth)) {
     t.fail("ratio",
            fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth; at most "
@@ -92,7 +70,7 @@ void read_teeth(TableReader& t, SearchProblem& p) {
 
 // One angle, a band with a step, or a list.
 void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
-  const auto b = band(t, "helix_angle_deg");
+  const auto b = t.numbers("helix_angle_deg");
   const auto step = t.number("helix_step_deg");
   const auto list = t.numbers("helix_angles_deg");
   if (b && list) t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave one out");
@@ -101,13 +79,13 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   if (b) {
     degrees.clear();
     const double h = step.value_or(1.0);
-    const double count = std::floor(((*b)[1] - (*b)[0]) / h + 1e-9);
+    const double count = std::floor((b->back() - b->front()) / h + 1e-9);
     if (!(count < kMaxAngles))
       t.fail("helix_step_deg",
              fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMaxAngles));
-    for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back((*b)[0] + i * h);
+    for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back(b->front() + i * h);
     // The band's own end, unless a step has just reached it.
-    if (degrees.back() < (*b)[1] - 1e-9 * h) degrees.push_back((*b)[1]);
+    if (degrees.back() < b->back() - 1e-9 * h) degrees.push_back(b->back());
   } else if (step) {
     t.fail("helix_step_deg", "belongs to a band, helix_angle_deg = [least, greatest]");
   }
@@ -130,12 +108,6 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
 
 void read_limits(TableReader& t, SearchProblem& p) {
   SearchLimits& l = p.limits;
-  if (t.any("profile_shift") && t.any("profile_shift")->is_number())
-    t.fail("profile_shift", "must be a band [floor, ceiling]; a search finds the shifts");
-  if (const auto shifts = band(t, "profile_shift")) {
-    l.min_shift = (*shifts)[0];
-    l.max_shift = (*shifts)[1];
-  }
   // A search finds pairs that run, unless it is asked for the others too.
   const auto word = t.word("interference");
   const auto avoid = t.boolean("avoid_interference");
@@ -153,34 +125,13 @@ void read_limits(TableReader& t, SearchProblem& p) {
     t.fail("sliding_max", "is not known on crossed axes, where teeth slide along each other too");
 }
 
-void read_objectives(TableReader& t, SearchProblem& p) {
-  const Json* node = t.any("objective");
-  if (!node) return;
-  std::vector<Json> names;
-  if (node->is_array()) {
-    names.assign(node->begin(), node->end());
-  } else {
-    names.push_back(*node);
-  }
-  if (names.empty()) t.fail("objective", "is an empty list");
-  p.objectives.clear();
-  const std::vector<std::string> known(kObjectiveNames.begin(), kObjectiveNames.end());
-  for (const Json& item : names) {
-    const std::string word = item.is_string() ? item.get<std::string>() : shown(item);
-    const auto at = std::find(known.begin(), known.end(), word);
-    if (at == known.end()) {
-      t.fail("objective", fmt::format("unknown objective{}; {}",
-                                      node->is_array() ? " " + printable(word, 60) : "",
-                                      word_hint(word, known, objective_called(word))));
-    }
-    const auto objective = static_cast<Objective>(at - known.begin());
-    if (std::find(p.objectives.begin(), p.objectives.end(), objective) != p.objectives.end())
-      t.fail("objective", fmt::format("names {} twice", word));
-    if (objective == Objective::sliding && p.crossed())
+void check_objectives(const TableReader& t, const SearchProblem& p) {
+  if (!p.crossed()) return;
+  for (const Objective objective : p.objectives) {
+    if (objective == Objective::sliding)
       t.fail("objective", "sliding is not known on crossed axes");
-    if (objective == Objective::safety && p.crossed())
+    if (objective == Objective::safety)
       t.fail("objective", "safety is not known on crossed axes: ISO 6336 rates parallel ones");
-    p.objectives.push_back(objective);
   }
 }
 
@@ -213,7 +164,7 @@ Blank read_blank(const Json* node, const std::string& path) {
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind", "must be \"straight\" (or absent): a search is about involute gears");
   }
-  if (t.has("rack")) b.rack = read_rack(t);
+  if (t.has("rack")) b.rack = read_straight_rack(t);
   if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
                  b.rack->semi_topping_angle)) {
     t.fail("rack",
@@ -289,23 +240,13 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
          fmt::format("both gears of a search have one pressure angle, gear1 has {}", alpha)}};
   }
   p.normal_pressure_angle = Angle::degrees(alpha);
-  read_teeth(t, p);
-  if (const auto distance = band(t, "center_distance_mm")) {
-    t.check("center_distance_mm", (*distance)[0]);
-    p.center_distance = distance;
-  }
+  t.require_all();
+  check_teeth(t, p);
   p.modules = read_modules(t);
-  if (const auto sigma = t.number("shaft_angle_deg"); sigma && *sigma != 0.0) {
-    if (!(std::abs(*sigma) >= 0.1)) {
-      t.fail("shaft_angle_deg",
-             "must be 0 (parallel axes) or lie between 0.1 and 178, of either sign");
-    }
-    if (p.internal())
-      t.fail("shaft_angle_deg",
-             "has no place in an internal pair: its axes are "
-             "parallel");
-    p.shaft_angle = Angle::degrees(*sigma);
-  }
+  if (p.shaft_angle && p.internal())
+    t.fail("shaft_angle_deg",
+           "has no place in an internal pair: its axes are "
+           "parallel");
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
@@ -320,7 +261,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
            "clearance is whole");
   }
   read_limits(t, p);
-  read_objectives(t, p);
+  check_objectives(t, p);
   t.finish();
   return p;
 }

@@ -6,7 +6,6 @@
 #include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/spec/missing_for.hpp"
-#include "gearwright/spec/read_rating.hpp"
 
 namespace gearwright {
 
@@ -21,13 +20,15 @@ std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable&
     if (rating.material) materials[i] = *rating.material;
     if (before) materials[i] = materials[0];
     before = tree.contains(gear) && tree[gear].contains("material");
-    if (before) materials[i] = read_material(tree[gear]["material"], gear + ".material");
+    if (before)
+      materials[i] =
+          read_table<MaterialInput>(material_keys(), tree[gear]["material"], gear + ".material");
   }
   return materials;
 }
 
-// The key of [search] that asks for a rating, as far as it can be seen in a table that lacks keys.
-std::string asking_key(const Json& search) {
+// The key of [search] that needs a rating, as far as it can be seen in a table that lacks keys.
+std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;
   const Json& objective = search.contains("objective") ? search["objective"] : search;
@@ -60,11 +61,10 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
     if (!missing.empty()) throw SpecError{all_missing(missing), missing};
   };
   if (!spec.search) {
-    const std::string asked = asking_key(tree["search"]);
-    if (asked.empty()) return;
+    const std::string by = rating_key(tree["search"]);
+    if (by.empty()) return;
     if (rating.given) check(read_materials(tree, rating));
-    const Error table{"rating", "",
-                      std::string("is missing; search.") + asked + " " + kNeedsRating};
+    const Error table{"rating", "", std::string("is missing; search.") + by + " " + kNeedsRating};
     if (!rating.given) throw SpecError{table, {table}};
     return;
   }
@@ -80,19 +80,19 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   if (!wants_rating(problem, rating)) return;
 
   const TableReader t(search_keys(), tree["search"], "search");
-  const char* asked = problem.limits.safety_flank  ? "safety_flank_min"
-                      : problem.limits.safety_root ? "safety_root_min"
-                                                   : "objective";
+  const char* by = problem.limits.safety_flank  ? "safety_flank_min"
+                   : problem.limits.safety_root ? "safety_root_min"
+                                                : "objective";
   if (problem.crossed())
-    t.fail(asked, "has no place beside shaft_angle_deg: ISO 6336 rates gears on parallel axes");
-  if (!rating.given) t.fail(asked, kNeedsRating);
+    t.fail(by, "has no place beside shaft_angle_deg: ISO 6336 rates gears on parallel axes");
+  if (!rating.given) t.fail(by, kNeedsRating);
   if (!rating.spectrum.empty()) {
-    t.fail(asked,
+    t.fail(by,
            "has no place beside [[rating.spectrum]], which a search does not go through: give one "
            "load that stands for it, torque_Nm with life_h");
   }
   if (problem.shift_step)
-    t.fail(asked, "has no place beside shift_step, whose points are not rated; leave one out");
+    t.fail(by, "has no place beside shift_step, whose points are not rated; leave one out");
   SearchRating wanted;
   wanted.input = rating.input;
   wanted.power_kW = rating.power;

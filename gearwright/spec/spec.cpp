@@ -10,11 +10,8 @@
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/read_contact.hpp"
 #include "gearwright/spec/read_gear.hpp"
-#include "gearwright/spec/read_load.hpp"
 #include "gearwright/spec/read_measured.hpp"
-#include "gearwright/spec/read_rating.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
@@ -22,47 +19,6 @@
 namespace gearwright {
 
 namespace {
-
-PairInput read_pair(const Json& node) {
-  TableReader t(pair_keys(), node, "pair");
-  PairInput p;
-  t.read(p);
-  const auto growing = [&](const char* key, const std::vector<double>& values) {
-    if (!(values.front() <= values.back())) t.fail(key, "must be two numbers, the lower one first");
-    return Ends{values.front(), values.back()};
-  };
-  if (const auto values = t.numbers("backlash_mm")) {
-    for (const double v : *values) t.check("backlash_mm", v);
-    const Ends ends = growing("backlash_mm", *values);
-    p.backlash = values->size() == 1 ? ends[0] : (ends[0] + ends[1]) / 2;
-    if (values->size() == 2) p.backlash_ends = ends;
-  }
-  if (const auto values = t.numbers("center_distance_deviations_mm"))
-    p.distance_deviations = growing("center_distance_deviations_mm", *values);
-  t.finish();
-  return p;
-}
-
-DrawingInput read_drawing(const Json& node) {
-  TableReader t(drawing_keys(), node, "drawing");
-  DrawingInput d;
-  t.read(d);
-  t.finish();
-  return d;
-}
-
-FitInput read_fit(const Json& node) {
-  TableReader t(fit_keys(), node, "fit");
-  FitInput f;
-  t.read(f);
-  for (const Key& key : fit_keys().keys) {
-    const std::string name(key.key);
-    if (!f.few_teeth && !key.needs.empty() && t.has(name))
-      t.fail(name, "belongs to few_teeth = true");
-  }
-  t.finish();
-  return f;
-}
 
 void note_keys(const Json& table, const std::string& path, GivenKeys& keys) {
   for (const auto& [key, value] : table.items()) {
@@ -97,7 +53,7 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
   }
 }
 
-// What the tables of a spec lack, each by itself, told together.
+// What the tables of a spec lack, each by itself, as one error.
 class Lacks {
  public:
   /// Reads a table; what is missing in it waits for the others.
@@ -122,7 +78,7 @@ class Lacks {
       }
     }
   }
-  /// Who gives the first gives the second, too.
+  /// A spec that lacks the first lacks the second only because of it.
   void shared(const std::string& first, const std::string& second) {
     if (!has(all_, first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -166,7 +122,6 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   spec.tree = json_text(tree);
   note_keys(given, "", spec.given);
   spec.inherited = made.noted;
-  spec.title = t.text("title").value_or("");
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
@@ -189,14 +144,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   if (search) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
-  if (const Json* node = t.table("drawing")) spec.drawing = read_drawing(*node);
-  if (const Json* node = t.table("pair")) lacks.of([&] { spec.pair = read_pair(*node); });
-  if (const Json* node = t.table("fit")) lacks.of([&] { spec.fit = read_fit(*node); });
-  if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);
-  if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
-  if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
-  if (const Json* node = t.table("load")) lacks.of([&] { spec.load = read_load(*node); });
-  if (const Json* node = t.table("rating")) lacks.of([&] { read_rating(*node, spec.rating); });
+  for (const Key& key : spec_keys().keys)
+    if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   share_with_rating(tree, spec);
   if (search) lacks.of([&] { read_search_rating(tree, spec); });
   t.finish();

@@ -13,15 +13,7 @@
 #include <vector>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/catalogue/compensate_keys.hpp"
-#include "gearwright/catalogue/contact_keys.hpp"
-#include "gearwright/catalogue/drawing_keys.hpp"
-#include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/catalogue/fit_keys.hpp"
-#include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/load_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/catalogue/rating_keys.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_problem.hpp"
 #include "gearwright/spec/missing_for.hpp"
@@ -31,18 +23,10 @@ namespace gearwright {
 
 struct IdentifyProblem;  // inspection/identify.hpp
 
-struct JobSpec : GivenPair {
+struct JobSpec : SpecTables {
   std::string text;  ///< the spec as read, for the report; of a tree its JSON
   std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
   GivenKeys given;   ///< the paths of the keys in the text
-  std::string title;
-  DrawingInput drawing;
-  FitInput fit;
-  ErrorsInput errors;
-  ContactInput contact;
-  CompensateInput compensate;
-  LoadInput load;
-  RatingTable rating;
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
@@ -21,6 +22,11 @@ std::string missing(const Key& key) {
 }
 
 }  // namespace
+
+bool has_any(const Json& table, const std::vector<std::string>& keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const std::string& key) { return table.contains(key); });
+}
 
 std::string shown(const Json& value) {
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
@@ -58,7 +64,7 @@ const Key& TableReader::entry(const std::string& key) const {
 }
 
 const Json* TableReader::find(const std::string& key) {
-  asked_.insert(std::string(entry(key).key));
+  used_.insert(std::string(entry(key).key));
   const auto it = node_.find(key);
   return it == node_.end() ? nullptr : &*it;
 }
@@ -95,7 +101,7 @@ std::optional<int> TableReader::whole(const std::string& key) {
   return static_cast<int>(x);
 }
 
-std::optional<std::vector<double>> TableReader::numbers(const std::string& key) {
+std::optional<std::vector<double>> TableReader::raw_numbers(const std::string& key) {
   const Key& known = entry(key);
   GW_EXPECTS(known.list.has_value());
   const Json* node = find(key);
@@ -108,13 +114,35 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key) 
   };
   if (!node->is_array()) {
     take(*node);
-    if (!known.list->single) fail(key, "must be " + form_of(known));
+    const std::string_view must = known.list->must;
+    if (!known.list->single)
+      fail(key, must.empty() ? "must be " + form_of(known) : std::string(must));
     return values;
   }
   if (node->empty()) fail(key, "is an empty list; it must be " + form_of(known));
   if (node->size() < known.list->least || node->size() > known.list->most)
     fail(key, fmt::format("has {} values; it must be {}", node->size(), form_of(known)));
   for (const Json& item : *node) take(item);
+  return values;
+}
+
+std::optional<std::vector<double>> TableReader::numbers(const std::string& key) {
+  const auto values = raw_numbers(key);
+  if (!values) return std::nullopt;
+  const Key& known = entry(key);
+  const ListOrder& order = known.list->order;
+  const bool out_of_order = order.strict
+                                ? std::adjacent_find(values->begin(), values->end(),
+                                                     std::greater_equal<>()) != values->end()
+                                : !std::is_sorted(values->begin(), values->end());
+  if (out_of_order && !order.sentence.empty())
+    fail(key, fmt::format(fmt::runtime(order.sentence), values->front(), values->back()));
+  const bool whole = known.kind == KeyKind::whole;
+  for (const double v : *values) {
+    if (whole && v != std::floor(v)) fail(key, "must be whole numbers");
+    check(key, v);
+    if (std::abs(v) > kMaxInput) fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
+  }
   return values;
 }
 
@@ -140,11 +168,38 @@ std::optional<std::string> TableReader::word(const std::string& key) {
   return word;
 }
 
-std::optional<KeyValue> TableReader::plain(const Key& key) {
+std::optional<std::vector<int>> TableReader::words(const Key& key) {
+  const std::string name(key.key);
+  const Json* node = find(name);
+  if (!node) return std::nullopt;
+  const bool list = node->is_array();
+  if (!list && !key.list->single) fail(name, "must be " + form_of(key));
+  if (list && node->empty())
+    fail(name, key.form.empty() ? "is an empty list" : "must be " + form_of(key));
+  const std::vector<std::string> known(key.words.begin(), key.words.end());
+  std::vector<int> words;
+  for (const Json& item : list ? *node : Json::array({*node})) {
+    const std::string word = item.is_string() ? item.get<std::string>() : shown(item);
+    const auto it = std::find(known.begin(), known.end(), word);
+    if (it == known.end()) {
+      const std::string_view meant = key.list->meant ? key.list->meant(word) : "";
+      fail(name, fmt::format("unknown {}{}; {}", key.list->noun,
+                             list ? " " + printable(word, 60) : "", word_hint(word, known, meant)));
+    }
+    const int index = static_cast<int>(it - known.begin());
+    if (std::find(words.begin(), words.end(), index) != words.end())
+      fail(name, fmt::format("names {} twice", word));
+    words.push_back(index);
+  }
+  return words;
+}
+
+std::optional<KeyValue> TableReader::value(const Key& key) {
   const std::string name(key.key);
   const auto value = [](const auto& read) {
     return read ? std::optional<KeyValue>(*read) : std::nullopt;
   };
+  if (key.list) return key.kind == KeyKind::word ? value(words(key)) : value(numbers(name));
   switch (key.kind) {
     case KeyKind::number: return value(number(name));
     case KeyKind::whole: return value(whole(name));
@@ -158,8 +213,77 @@ std::optional<KeyValue> TableReader::plain(const Key& key) {
     }
     default: break;
   }
-  GW_EXPECTS(false);  // a table has no place
+  GW_EXPECTS(false);  // a table has no value
   return std::nullopt;
+}
+
+void TableReader::lacks_one_of(const std::string& key, const std::string& what) {
+  lacking_.push_back({name(key), "",
+                      fmt::format("is missing; the {} is needed, {} = 2 for example, by one of: {}",
+                                  what, key, fmt::join(keys_.ways(key), ", "))});
+}
+
+void TableReader::read(KeyTarget input) {
+  for (const bool tables : {false, true}) {
+    for (const Key& key : keys_.keys)
+      if (key.place && (key.kind == KeyKind::table) == tables) read(key, input);
+  }
+}
+
+void TableReader::read(const Key& key, KeyTarget input) {
+  if (key.kind == KeyKind::table) return read_tables(key, input);
+  const auto given = value(key);
+  if (!given) return;
+  const std::string why = key.place.put(input, *given);
+  if (!why.empty()) fail(std::string(key.key), why);
+}
+
+void TableReader::read_tables(const Key& key, KeyTarget input) {
+  const std::string name(key.key);
+  const KeyTable& inner = key.tables.front()();
+  if (!key.list) {
+    if (const Json* node = table(name))
+      TableReader(inner, *node, this->name(name)).read_whole(key.place.part(input));
+    return;
+  }
+  const Json* list = find(name);
+  if (!list) return;
+  if (!list->is_array() || list->empty() || list->size() > key.list->most)
+    fail(name, fmt::format(fmt::runtime(key.list->must), key.list->most));
+  int number = key.list->first;
+  for (const Json& item : *list) {
+    const std::string path = fmt::format("{}[{}]", this->name(name), number++);
+    if (!item.is_object()) {
+      throw SpecError{
+          {path, "", fmt::format("must be a table with {}", fmt::join(inner.names(), ", "))}};
+    }
+    TableReader(inner, item, path).read_whole(key.place.part(input));
+  }
+}
+
+void TableReader::read_whole(KeyTarget input) {
+  read(input);
+  finish();
+  const auto fault = keys_.rule.fault(input, [this](std::string_view key) { return given(key); });
+  if (fault) fail(std::string(fault->key), fault->why);
+}
+
+std::optional<double> TableReader::one_of(const std::string& key, const std::string& what,
+                                          double cos_beta) {
+  std::optional<double> value;
+  std::string first;
+  for (const std::string& way : keys_.ways(key)) {
+    const auto given = number(way);
+    if (!given) continue;
+    const KeyAlias& alias = entry(way).alias;
+    const double here = alias.value ? alias.value(*given, cos_beta) : *given;
+    if (value && std::abs(here - *value) > kSameInput * std::abs(*value))
+      fail(way, fmt::format("contradicts {}: both say the {}, leave one out", first, what));
+    if (value) continue;
+    value = here;
+    first = way;
+  }
+  return value;
 }
 
 const Json* TableReader::table(const std::string& key) {
@@ -196,11 +320,12 @@ void TableReader::fail_missing() const {
   throw SpecError{all_missing(all), all};
 }
 
-void TableReader::require(const std::string& key) {
-  if (find(key)) return;
-  refuse_unknown();
-  if (!entry(key).required) lacks(key, missing(entry(key)));
-  fail_missing();
+void TableReader::require_all() const {
+  for (const Key& key : keys_.keys) {
+    if (!key.required || given(key.key)) continue;
+    refuse_unknown();
+    fail_missing();
+  }
 }
 
 void TableReader::finish() const {
@@ -226,7 +351,7 @@ void TableReader::finish() const {
     }
   }
   if (!lacking_.empty()) fail_missing();
-  for (const Key& key : keys_.keys) GW_ENSURES(asked_.count(key.key) == 1);
+  for (const Key& key : keys_.keys) GW_ENSURES(used_.count(key.key) == 1);
 }
 
 }  // namespace gearwright

@@ -24,6 +24,8 @@ LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 RAW = re.compile(r'R"\(.*?\)"', re.S)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
 UNIT = re.compile(r"_(?:mm|deg|um|per_in|arcsec|rpm)$")
+# The other units that members leave out: kStrengthUnits of catalogue/key.cpp.
+STRENGTH_UNIT = re.compile(r"_(?:kW|Nm|C|MPa|HV|m2|m2K_per_W|kg_per_m3)$")
 TABLE = re.compile(r"\[(?:gear\d?|pair|fit|search|errors|contact|compensate)\b|\btwo tables\b|\bthe table\b|\ba table\b|"
                    r"\bspec file\b|\bTOML\b|\bthe key\b|\bkeys\b")
 GEAR = re.compile(r"\bgear[12]\.")
@@ -41,10 +43,12 @@ def schema_keys():
 
 def members(keys, catalogue):
     """What the catalogue can spell: keys without their unit, and the members that its entries name."""
-    names = {UNIT.sub("", key) for key in keys}
+    names = {STRENGTH_UNIT.sub("", UNIT.sub("", key)) for key in keys}
     for text in catalogue:
-        for fields in re.findall(r"\.fields = \{([^{}]*)\}", text):
-            names |= {part for field in re.findall(r'"([^"]*)"', fields) for part in field.split(".")}
+        for fields in re.findall(r"\.fields = \{([^{}]*)\}|\.with_fields\(\{([^{}]*)\}\)", text):
+            names |= {part for field in re.findall(r'"([^"]*)"', "".join(fields)) for part in field.split(".")}
+        # A limit of a search is the member of its key without the end.
+        names |= {re.sub(r"_(?:min|max)$", "", key) for key in re.findall(r'\blimit\(\s*"(\w+)"', text)}
     # Put together in modification_keys.cpp and error_keys.cpp: of a relief, of an error.
     return names | {"amount", "reach", "shape", "helix_twist", "cutter_lead"}
 

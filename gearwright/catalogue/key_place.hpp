@@ -1,0 +1,263 @@
+// Where the value of a key goes: a member of an input struct, found without the struct's type.
+//
+//   KeyTarget   an input struct, its type checked at every use
+//   KeyPlace    how a value gets into it
+//   KeyRule     what the struct's members must be to each other
+//
+// The type of a member decides the kind of its key: degrees become an Angle, the place of a word in
+// its list the enumerator, a list a vector or an array of two, a sub-table a struct.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+/// A value as it stands in a file: a number, a whole number or the place of a word in its list, a
+/// switch, a text, a list of numbers, a list of words.
+using KeyValue =
+    std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
+
+enum class KeyKind {
+  number,
+  whole,
+  boolean,
+  text,
+  word,   ///< one of `words`
+  table,  ///< one of `tables`
+  any     ///< whatever stands there
+};
+
+/// An input struct.
+class KeyTarget {
+ public:
+  template <class T>
+  requires(!std::is_same_v<T, KeyTarget>)
+      KeyTarget(T& input)  // NOLINT(google-explicit-constructor): a reference of any type
+      : input_(&input), type_(&kType<T>) {}
+
+  /// Domain  an input of this type (contract)
+  template <class T>
+  T& as() const {
+    GW_EXPECTS(type_ == &kType<T>);
+    return *static_cast<T*>(input_);
+  }
+
+ private:
+  template <class T>
+  static constexpr char kType = 0;  // its address stands for the type
+
+  void* input_;
+  const char* type_;
+};
+
+class KeyPlace {
+ public:
+  KeyPlace() = default;  ///< the reader has code for this key
+  template <class T, class V>
+  KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor): an entry names the member
+      : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
+  /// A member's member.
+  template <class T, class M, class V>
+  KeyPlace(M T::*outer, V M::*inner)
+      : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
+  /// within<T>([](T& t) -> auto& { return t.life[0]; })
+  template <class T, class F>
+  static KeyPlace within(F reach);
+  /// Members that follow from a value of type V: set(T&, const V&), which may give a sentence why
+  /// the value cannot be.
+  template <class T, class V, class F>
+  static KeyPlace by(F set);
+  /// One number, or two with their mean: mean(T&) is a double, ends(T&) an optional array of two.
+  template <class T, class M, class E>
+  static KeyPlace mean_and_ends(M mean, E ends);
+  /// The value is checked and not kept.
+  static KeyPlace unused();
+
+  explicit operator bool() const { return put_ || part_; }
+  KeyKind kind() const { return kind_; }
+  bool is_angle() const { return angle_; }
+  bool is_member() const { return same_ != nullptr; }
+  /// Gives a sentence if the value cannot be.
+  std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
+  /// The struct of a sub-table, or one more of a list of them, default-constructed unless it is a
+  /// plain member; its member `given` is true from now on.
+  KeyTarget part(KeyTarget input) const { return part_(input); }
+  /// Domain  is_member() (contract)
+  template <class T>
+  bool same(T a, T b) const {
+    GW_EXPECTS(is_member());
+    return same_(a, b);
+  }
+
+ private:
+  template <class V>
+  struct Bare {
+    using type = V;
+  };
+  template <class V>
+  struct Bare<std::optional<V>> : Bare<V> {};
+  template <class V>
+  struct Bare<std::vector<V>> : Bare<V> {};
+  template <class V>
+  struct Bare<std::array<V, 2>> : Bare<V> {};
+
+  template <class V>
+  static constexpr KeyKind kind_of() {
+    using B = typename Bare<V>::type;
+    if (std::is_enum_v<B> || std::is_same_v<B, std::size_t>) return KeyKind::word;
+    if (std::is_same_v<B, bool>) return KeyKind::boolean;
+    if (std::is_same_v<B, int>) return KeyKind::whole;
+    if (std::is_same_v<B, std::string>) return KeyKind::text;
+    if (std::is_same_v<B, double> || std::is_same_v<B, Angle>) return KeyKind::number;
+    return KeyKind::table;
+  }
+
+  template <class V>
+  static V of_number(double x) {
+    if constexpr (std::is_same_v<V, Angle>) {
+      return Angle::degrees(x);
+    } else {
+      return static_cast<V>(x);
+    }
+  }
+  static void store(Angle& to, const KeyValue& v) { to = Angle::degrees(std::get<double>(v)); }
+  template <class V>
+  static void store(V& to, const KeyValue& v) {
+    if constexpr (kind_of<V>() == KeyKind::word) {
+      to = static_cast<V>(std::get<int>(v));
+    } else {
+      to = std::get<V>(v);
+    }
+  }
+  template <class V>
+  static void store(std::optional<V>& to, const KeyValue& v) {
+    store(to.emplace(), v);
+  }
+  template <class V>
+  static void store(std::array<V, 2>& to, const KeyValue& v) {
+    const auto& list = std::get<std::vector<double>>(v);
+    to = {of_number<V>(list.front()), of_number<V>(list.back())};
+  }
+  template <class V>
+  static void store(std::vector<V>& to, const KeyValue& v) {
+    to.clear();
+    if constexpr (kind_of<V>() == KeyKind::word) {
+      for (const int word : std::get<std::vector<int>>(v)) to.push_back(static_cast<V>(word));
+    } else {
+      for (const double x : std::get<std::vector<double>>(v)) to.push_back(of_number<V>(x));
+    }
+  }
+
+  template <class V>
+  static KeyTarget open(V& table) {
+    if constexpr (requires { table.given = true; }) table.given = true;
+    return table;
+  }
+  template <class V>
+  static KeyTarget open(std::optional<V>& table) {
+    return open(table.emplace());
+  }
+  template <class V>
+  static KeyTarget open(std::vector<V>& list) {
+    return open(list.emplace_back());
+  }
+
+  KeyKind kind_ = KeyKind::any;
+  bool angle_ = false;
+  std::function<std::string(KeyTarget, const KeyValue&)> put_;
+  std::function<KeyTarget(KeyTarget)> part_;
+  std::function<bool(KeyTarget, KeyTarget)> same_;
+};
+
+/// A key that cannot stand as it does, and why.
+struct KeyFault {
+  std::string_view key;
+  std::string why;
+};
+
+/// Whether the table that was read has a key.
+using KeyGiven = std::function<bool(std::string_view)>;
+
+/// What the keys of a table must be to each other, and members that follow from several: a function
+/// of the input struct once all keys are read.
+class KeyRule {
+ public:
+  KeyRule() = default;
+  template <class T>
+  KeyRule(std::optional<KeyFault> (*rule)(T&, const KeyGiven&))  // NOLINT: a table names it
+      : rule_([rule](KeyTarget input, const KeyGiven& given) {
+          return rule(input.as<T>(), given);
+        }) {}
+  std::optional<KeyFault> fault(KeyTarget input, const KeyGiven& given) const {
+    return rule_ ? rule_(input, given) : std::nullopt;
+  }
+
+ private:
+  std::function<std::optional<KeyFault>(KeyTarget, const KeyGiven&)> rule_;
+};
+
+template <class T, class F>
+KeyPlace KeyPlace::within(F reach) {
+  using V = std::remove_reference_t<decltype(reach(std::declval<T&>()))>;
+  KeyPlace place;
+  place.kind_ = kind_of<V>();
+  place.angle_ = std::is_same_v<typename Bare<V>::type, Angle>;
+  if constexpr (kind_of<V>() == KeyKind::table) {
+    place.part_ = [reach](KeyTarget input) { return open(reach(input.as<T>())); };
+  } else {
+    place.put_ = [reach](KeyTarget input, const KeyValue& v) {
+      store(reach(input.as<T>()), v);
+      return std::string();
+    };
+    place.same_ = [reach](KeyTarget a, KeyTarget b) {
+      return reach(a.as<T>()) == reach(b.as<T>());
+    };
+  }
+  return place;
+}
+
+template <class T, class V, class F>
+KeyPlace KeyPlace::by(F set) {
+  KeyPlace place;
+  place.kind_ = kind_of<V>();
+  place.angle_ = std::is_same_v<typename Bare<V>::type, Angle>;
+  place.put_ = [set](KeyTarget input, const KeyValue& given) -> std::string {
+    V value{};
+    store(value, given);
+    if constexpr (std::is_void_v<std::invoke_result_t<F, T&, const V&>>) {
+      set(input.as<T>(), value);
+      return {};
+    } else {
+      return set(input.as<T>(), value);
+    }
+  };
+  return place;
+}
+
+template <class T, class M, class E>
+KeyPlace KeyPlace::mean_and_ends(M mean, E ends) {
+  using Numbers = std::vector<double>;
+  return by<T, Numbers>([mean, ends](T& input, const Numbers& given) {
+    mean(input) = (given.front() + given.back()) / 2;
+    if (given.size() == 2) ends(input) = {given[0], given[1]};
+  });
+}
+
+inline KeyPlace KeyPlace::unused() {
+  KeyPlace place;
+  place.put_ = [](KeyTarget, const KeyValue&) { return std::string(); };
+  return place;
+}
+
+}  // namespace gearwright
