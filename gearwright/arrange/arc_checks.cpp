@@ -25,9 +25,9 @@ bool has_arcs(const GivenPair& given) {
 
 std::optional<Error> check_arcs(const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput* const gear = given.find(which);
     if (!gear || !gear->cut_by) continue;
-    const auto& cutter = given.gears[static_cast<std::size_t>(2 - which)];
+    const GearInput* const cutter = given.find(3 - which);
     const bool by_mate = gear->cut_by->gear != 0 && cutter && of_arcs(*cutter);
     if (!by_mate && !cuts_with_arcs(*gear)) continue;
     return Error{
@@ -50,7 +50,7 @@ std::optional<Error> check_arcs(const GivenPair& given) {
 
 std::optional<Error> refuse_arcs(const GivenPair& given, const std::string& verb) {
   for (const int which : {1, 2}) {
-    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput* const gear = given.find(which);
     if (!gear || !(of_arcs(*gear) || cuts_with_arcs(*gear))) continue;
     return Error{
         gear_field(which, "rack"), "",

@@ -15,10 +15,10 @@ namespace {
 // Who cuts whom must be possible at all.
 std::optional<Error> check_cutters(const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput* const gear = given.find(which);
     if (!gear || !gear->cut_by || gear->cut_by->gear == 0) continue;
     const int by = gear->cut_by->gear;
-    const auto& cutter = given.gears[static_cast<std::size_t>(by - 1)];
+    const GearInput* const cutter = given.find(by);
     const auto fail = [&](const std::string& why) {
       return Error{gear_field(which, "cut_by"), gear_field(by), why};
     };
@@ -66,7 +66,7 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
 // A gear with a cutter of its own that names neither shift nor e meets its mating gear at the
 // pair's distance without backlash.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
-  const auto& mate = given.gears[static_cast<std::size_t>(2 - which)];
+  const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
   if (!mate || !given.pair.center_distance || gear.cut_by->gear != 0) return std::nullopt;
   if (mate->cut_by) return std::nullopt;
@@ -148,7 +148,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
 std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
   if (auto error = check_cutters(given)) return error;
   const auto is_cut = [&](int which) {
-    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput* const gear = given.find(which);
     return gear && gear->cut_by.has_value();
   };
   if (!is_cut(1) && !is_cut(2)) return std::nullopt;
@@ -169,7 +169,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;
   const std::array<int, 2> order = second_first ? std::array{2, 1} : std::array{1, 2};
   for (const int which : order) {
-    if (!given.gears[static_cast<std::size_t>(which - 1)]) continue;
+    if (!given.has(which)) continue;
     if (is_cut(which)) {
       if (auto error = make_cut_gear(given, which, made)) return error;
       continue;
@@ -188,9 +188,9 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
 std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
                                       std::optional<double> center_distance) {
   for (const int which : {1, 2}) {
-    auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    GearInput* const gear = given.find(which);
     if (!gear || !(gear->tip_clearance || gear->tip_clearance_by_rule)) continue;
-    const auto& mate = given.gears[static_cast<std::size_t>(2 - which)];
+    const GearInput* const mate = given.find(3 - which);
     if (!mate || !center_distance) {
       return Error{
           gear_field(which, "tip_fillet.clearance"), "",

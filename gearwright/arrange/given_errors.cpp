@@ -29,7 +29,7 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
 
 Error of_basic(const Error& error, const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput* const gear = given.find(which);
     if (!gear || !gear->basic) continue;
     const BaseGear<double>& base = *gear->basic;
     for (const auto& [of_rack, own, value] :

@@ -1,6 +1,9 @@
 #include "gearwright/arrange/given_material.hpp"
 
+#include <fmt/format.h>
+
 #include "gearwright/base/error.hpp"
+#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
@@ -34,14 +37,15 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
   const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
   if (!flank || !root) {
-    return Error{
-        flank        ? owner + ".sigma_Flim"
-        : given.name ? owner + ".sigma_Hlim"
-                     : owner,
-        "",
-        "is missing; a rating needs the material's strength: name = \"16MnCr5\" for example, "
-        "of the shipped table, or `material.kind`, `material.sigma_Hlim` and "
-        "`material.sigma_Flim`. Without a material of gear 2 that of gear 1 holds for both"};
+    return Error{flank        ? owner + ".sigma_Flim"
+                 : given.name ? owner + ".sigma_Hlim"
+                              : owner,
+                 "",
+                 fmt::format("is missing; a rating needs the material's strength: name = "
+                             "\"16MnCr5\" for example, of "
+                             "the shipped table, or `material.kind`, `material.sigma_Hlim` and "
+                             "`material.sigma_Flim`. Without `{}` that of gear 1 holds for both",
+                             gear_field(2, "material"))};
   }
   const bool plastic = m.kind == MaterialKind::plastic;
   const bool by_temperature =

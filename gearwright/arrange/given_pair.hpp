@@ -41,11 +41,17 @@ struct GivenPair {
   bool shaft_angle_found = false;  ///< it was not given: it followed from the centre distance
   std::vector<Warning> notes;      ///< on the input itself; they go on into the answer's warnings
 
-  bool has(int which) const { return gears[static_cast<std::size_t>(which - 1)].has_value(); }
+  /// Gear 1 or 2; null: there is none.
+  GearInput* find(int which) {
+    auto& gear = gears[static_cast<std::size_t>(which - 1)];
+    return gear ? &*gear : nullptr;
+  }
+  const GearInput* find(int which) const { return const_cast<GivenPair&>(*this).find(which); }
+  bool has(int which) const { return find(which) != nullptr; }
   /// Gear 1 or 2.   Domain  has(which) (contract)
   GearInput& gear(int which) {
     GW_EXPECTS(has(which));
-    return *gears[static_cast<std::size_t>(which - 1)];
+    return *find(which);
   }
   const GearInput& gear(int which) const { return const_cast<GivenPair&>(*this).gear(which); }
 };

@@ -90,7 +90,7 @@ double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
 
 std::optional<Error> check_tips(const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput* const gear = given.find(which);
     if (!gear || !gear->tolerance.tip_deviations) continue;
     if (gear->cylindrical.tip_fillet || gear->tip_clearance || gear->tip_clearance_by_rule)
       return Error{gear_field(which, "tolerance.tip_deviations"), "",
@@ -138,7 +138,7 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
   GivenPair given = as_given;
   std::optional<Arranged> nominal;
   for (const int which : {1, 2}) {
-    auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    GearInput* const gear = given.find(which);
     if (!gear || !gear->tolerance.says_thickness()) continue;
     const auto no = [&](const char* key, const char* why) {
       return Error{gear_field(which, std::string("tolerance.") + key), "", why};

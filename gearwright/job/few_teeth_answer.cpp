@@ -22,7 +22,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     return Error{field, "", why};
   };
   for (const int which : {1, 2}) {
-    const GearInput& g = *spec.gears[static_cast<std::size_t>(which - 1)];
+    const GearInput& g = spec.gear(which);
     if (g.cut_by || g.basic || g.cylindrical.tip_fillet || g.tip_clearance)
       return fail(gear_field(which, g.cut_by  ? "cut_by"
                                     : g.basic ? "basic"

@@ -50,7 +50,7 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
     const auto body = make_body(job, which, false);
     if (!body) return body.error();
     GearSheetInput input{*body,
-                         job.gears[static_cast<std::size_t>(which - 1)].reference_diameter,
+                         job.gear(which).reference_diameter,
                          job.gear(which).bore.has_value(),
                          drawing_data(job, which),
                          words,
