@@ -56,11 +56,13 @@ std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
                  "is missing: no pinion cutter that the program would choose leaves this internal "
-                 "gear's whole flank"};
+                 "gear's whole flank",
+                 FailureKind::not_under_load};
   if (gear.internal() && !gear.involute())
-    return refused(gear_field(which, "teeth"), gear.spec.teeth,
-                   "is an internal gear of circular arcs; teeth under load are looked at in "
-                   "internal pairs of involutes");
+    return Error{gear_field(which, "teeth"), std::to_string(gear.spec.teeth),
+                 "is an internal gear of circular arcs; teeth under load are looked at in "
+                 "internal pairs of involutes",
+                 FailureKind::not_under_load};
   return std::nullopt;
 }
 
@@ -294,12 +296,6 @@ Warning edge_carries_at(double torque) {
           fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound.",
                       format_number(torque / kMmPerM)),
           0};
-}
-
-bool not_made_for_load(const Error& error) {
-  const std::array<std::string, 3> kOfTheKind{gear_field(1, "teeth"), gear_field(2, "teeth"),
-                                              gear_field(2, "cut_by")};
-  return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,

@@ -40,9 +40,6 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr);
 
-/// Whether the kind of gears is not supported, rather than a value invalid.
-bool not_made_for_load(const Error& error);
-
 /// The same under this one torque on gear 1, N m, with the other numbers of `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,

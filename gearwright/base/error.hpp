@@ -15,10 +15,20 @@
 
 namespace gearwright {
 
+/// What went wrong, where code goes on differently. The rule is for people only.
+enum class FailureKind {
+  value,            ///< the value, or the input as a whole, breaks the rule
+  no_flank,         ///< a gear has no usable flank to touch with
+  nothing_touches,  ///< at no position do teeth of the two gears touch
+  not_under_load,   ///< teeth of this kind are not computed under load
+  not_in_build,     ///< this build has no part that computes it
+};
+
 struct Error {
   std::string field;  ///< empty: of no member
   std::string value;  ///< empty: none, or none that a sentence could show
   std::string rule;
+  FailureKind kind = FailureKind::value;
 
   /// "rack.dedendum = 9: the cutter's tooth is pointed before it gets that deep; …"
   std::string message() const;

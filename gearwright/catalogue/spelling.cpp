@@ -117,7 +117,7 @@ Error spelled(const Error& error, const GivenKeys& given) {
   const std::size_t dot = error.field.rfind('.');
   const std::string_view owner =
       dot == std::string::npos ? std::string_view() : std::string_view(error.field).substr(0, dot);
-  Error worded{error.field, error.value, spelled(error.rule, given, owner)};
+  Error worded{error.field, error.value, spelled(error.rule, given, owner), error.kind};
   const auto s = spelling_of(error.field, given);
   if (!s) return worded;
   worded.field = s->path;
@@ -130,7 +130,7 @@ Error spelled(const Error& error, const GivenKeys& given) {
   if (!own) return worded;
   Error made = worded;
   made.field = own->path.substr(own->path.rfind('.') + 1);
-  return {s->path, "", "with it " + made.message()};
+  return {s->path, "", "with it " + made.message(), error.kind};
 }
 
 }  // namespace gearwright

@@ -193,7 +193,8 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
     if (p.arc.name == ArcName::flank) mesh.flank_end = n;
   }
   mesh.arc_begin.push_back(n);
-  if (mesh.flank_begin < 0) return Error{"teeth", "", "has no flank to load"};
+  if (mesh.flank_begin < 0)
+    return Error{"teeth", "", "has no flank to load", FailureKind::not_under_load};
   if (mesh.fillet_begin < 0) mesh.fillet_begin = mesh.flank_begin;
   measure(mesh);
 
@@ -317,7 +318,8 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
     return Error{
         "teeth", std::to_string(outline.teeth),
         "has an outline that a section mesh cannot follow: its elements fold. Undercut and "
-        "pointed teeth do that; a greater profile shift or a lower tip helps"};
+        "pointed teeth do that; a greater profile shift or a lower tip helps",
+        FailureKind::not_under_load};
   }
   return mesh;
 }

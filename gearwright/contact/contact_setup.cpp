@@ -38,7 +38,8 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
 }  // namespace
 
 Error nothing_touches(const ContactSetup& setup) {
-  return {"errors", "", "nothing touches; " + why_nothing_touches(setup, setup.place().errors)};
+  return {"errors", "", "nothing touches; " + why_nothing_touches(setup, setup.place().errors),
+          FailureKind::nothing_touches};
 }
 
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
@@ -48,6 +49,10 @@ Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
 
 bool any_modification(const std::array<FlankModifications, 2>& flanks) {
   return any_modification(flanks[0]) || any_modification(flanks[1]);
+}
+
+bool without_contact(const Error& error) {
+  return error.kind == FailureKind::nothing_touches || error.kind == FailureKind::no_flank;
 }
 
 const RemovalField* ContactSetup::removal(int gear, bool left) const {
@@ -152,7 +157,8 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
     const Gear& gear = setup.gear(i + 1);
     if (!gear.root_form_radius())
       return Error{gear_field(i + 1), "",
-                   "has no usable flank to touch with; see its warnings (gearwright gear)"};
+                   "has no usable flank to touch with; see its warnings (gearwright gear)",
+                   FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
     if (!fields[i] && !any_modification(modifications[i])) continue;
     for (int side = 0; side < 2; ++side) {

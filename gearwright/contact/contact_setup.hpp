@@ -91,5 +91,7 @@ FlankExtent flank_extent(const Gear& gear);
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
+/// The error is why this pair has no contact at all, and not a number that is wrong.
+bool without_contact(const Error& error);
 
 }  // namespace gearwright

@@ -196,7 +196,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!can_minimise()) {
     return Error{"compensate", "",
                  "this build cannot look for corrections, it has no minimiser (NLopt); the program "
-                 "that is installed has one"};
+                 "that is installed has one",
+                 FailureKind::not_in_build};
   }
   if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
   auto made = setup_of(job);

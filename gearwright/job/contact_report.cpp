@@ -189,10 +189,10 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   auto made = answer_contact(job, progress);
   if (!made) {
     // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
-    const std::string& field = made.error().field;
-    if (field != "errors" && field != "gear1" && field != "gear2") return made.error();
+    if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
-    const std::string reason = field == "errors" ? why.rule : why.message();
+    const bool whole_pair = made.error().kind == FailureKind::nothing_touches;
+    const std::string reason = whole_pair ? why.rule : why.message();
     job.warnings.push_back({WarningCode::no_contact, "No contact analysis: " + reason + ".", 0});
     return std::optional<ContactPart>();
   }

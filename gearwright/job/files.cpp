@@ -100,15 +100,15 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
   if (answer) return std::optional(compensate_view(*answer));
-  const std::string& field = answer.error().field;
+  const FailureKind kind = answer.error().kind;
   const auto none = [&](const std::string& why) {
     job.warnings.push_back({WarningCode::no_corrections, "No corrections: " + why + ".", 0});
     return std::optional<CompensateView>();
   };
-  if (field == "compensate") return none(answer.error().rule);  // of the whole table: of this build
-  if (under_load(job.spec.compensate.aim) && not_made_for_load(answer.error()))
+  if (kind == FailureKind::not_in_build) return none(answer.error().rule);
+  if (kind == FailureKind::not_under_load)
     return none(spelled(answer.error(), job.spec.given).message());
-  if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
+  if (!without_contact(answer.error())) return answer.error();
   const auto is_said = [](const Warning& w) { return w.code == WarningCode::no_contact; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
     const Error why = spelled(answer.error(), job.spec.given);

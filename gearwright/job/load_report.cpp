@@ -8,11 +8,6 @@ namespace gearwright {
 
 namespace {
 
-// As contact_part has them.
-bool nothing_touched(const Error& error) {
-  return error.field == "errors" || error.field == "gear1" || error.field == "gear2";
-}
-
 // The answer's positions, or a pitch of its own where the spec has other rotations.
 Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                    Progress* progress) {
@@ -35,9 +30,10 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   if (input.torques.empty() && input.probes.empty()) return std::optional<LoadPart>();
   auto made = answer_load(job, progress);
   if (!made) {
-    const bool alone = !job.pair && made.error().field == "gear2";
-    const bool apart = job.pair && nothing_touched(made.error());
-    if (!alone && !apart && !not_made_for_load(made.error())) return made.error();
+    const bool alone = !job.spec.has(2) && !input.torques.empty();
+    const bool apart = without_contact(made.error());
+    const bool unsupported = made.error().kind == FailureKind::not_under_load;
+    if (!alone && !apart && !unsupported) return made.error();
     const WarningCode code = apart ? WarningCode::no_contact : WarningCode::no_load;
     const auto is_said = [&](const Warning& w) { return w.code == code; };
     if (std::any_of(job.warnings.begin(), job.warnings.end(), is_said))
