@@ -164,7 +164,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::pressure_angle, "pressure_angle", kCaution,
      "circular arcs: the pair touches at another angle than its rack has",
      "a pressure angle that does not fit",
-     "Leave it out, or write the angle at which the flanks touch."},
+     "Leave it out, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
      "circular arcs: the gears are not of one lead, contacts are left out", "unequal leads",
      "The verb contact computes where the teeth touch."},
