@@ -67,7 +67,9 @@ def page(path, text, headers=()):
 
 
 def page_line(path, line, headers):
-    """Links, equations and symbols outside `code`; a picture by its name, as IMAGE_PATH wants it."""
+    """Links, equations and symbols outside `code`. Pictures are given by their file name, as IMAGE_PATH needs."""
+    line = re.sub(r'<img src="(?:[^"/]*/)*([^"/]+)" width="(\d+)" alt="([^"]*)">',
+                  r'@image{inline} html \1 "\3" width=\2px', line)
     pieces = re.split(r"(`[^`]+`|!?\[[^\]]*\]\([^)]+\)|\[T\d+\.[^\]]*\])", line)
     for i, piece in enumerate(pieces):
         link = re.fullmatch(r"(!?)\[([^\]]*)\]\(([^)]+)\)", piece)
