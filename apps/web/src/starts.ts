@@ -1,4 +1,4 @@
-// Where a design begins: "I have …" with what a person holds in hand, or a picture of an example.
+// The first screen: a design starts from a few known numbers, or from an example with its picture.
 //
 // A start is a spec and nothing more: numbers that are to be found are left to the engine's search
 // and fit.
@@ -188,14 +188,19 @@ export class Starts {
     const cards = kExamples.map((one) => this.card(one));
     fill(
       this.element,
-      h("h2", {}, "I have"),
+      h(
+        "p",
+        { class: "soft" },
+        "Design, check and export cylindrical gears: exact geometry, tooth contact, load, strength.",
+      ),
+      h("h2", {}, "Start from …"),
       h("div", { class: "haves" }, ...kHave.map((one) => this.have(one))),
-      h("h2", {}, "Or begin with an example"),
+      h("h2", {}, "Or start from an example"),
       h("div", { class: "cards" }, ...cards),
       h(
         "p",
         { class: "soft" },
-        "A spec or a link can also be dropped here. Everything is computed on this machine; nothing is sent anywhere.",
+        "You can also drop a spec file or a link here. Everything is computed on your machine, and no data is sent.",
       ),
     );
   }
@@ -244,7 +249,7 @@ export class Starts {
       h("h3", {}, have.words),
       ...inputs,
       wrong,
-      h("button", { type: "submit" }, "Begin"),
+      h("button", { type: "submit" }, "Design it"),
     );
     return form;
   }

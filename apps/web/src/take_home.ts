@@ -39,7 +39,7 @@ export function fileName(): string {
 export class TakeHome {
   private readonly sheet = h("div", { class: "menu", role: "dialog", "aria-label": "files to take home" });
   private readonly state = h("p", { class: "soft", role: "status" });
-  private readonly opener = button("Take home", () => undefined, { "aria-haspopup": "true", class: "main" });
+  private readonly opener = button("Download", () => undefined, { "aria-haspopup": "true", class: "main" });
   readonly element = foldOut("menu-holder", this.opener, this.sheet, () => this.show());
 
   constructor(private readonly save: () => void) {}

@@ -1,6 +1,5 @@
-// The verdict, always in sight: its level, the worst thing in one sentence, what is still to be judged,
-// and on request every finding with what would help. The words are the engine's, the same as on the
-// report.
+// The verdict in the head of the page: its level, the worst finding in one sentence, the parts that are still being
+// judged and, when opened, every finding with its remedy. The sentences come from the engine, as in the report.
 
 import { fill, foldOut, h } from "./elements";
 import type { Finding, Notice } from "./engine_worker";
@@ -9,10 +8,12 @@ import { bench } from "./workbench";
 
 /** The headline of a spec that leaves something to be found, by the verb that finds it. */
 const kFinders = {
-  search: "This spec asks for gears: the search finds them.",
-  fit: "This spec leaves numbers to be found: the fit finds them.",
-  identify: "This spec has the readings of an unknown gear: the search says which gears have them.",
+  search: "This spec describes a search. Open the tab “search” to run it.",
+  fit: "Some values of this spec are open. The tab “search” computes them.",
+  identify: "This spec contains measurements of an unknown gear. The tab “search” lists the gears that fit them.",
 };
+/** The words of the badge. */
+const kBadges: Record<string, string> = { green: "Runs", amber: "Check", red: "Does not run" };
 
 export class VerdictLine {
   private readonly level = h("b", { class: "level" }, "…");
@@ -42,7 +43,7 @@ export class VerdictLine {
     this.opener.title = headline;
   }
 
-  /** Another design was opened: the verdict on the last one goes. */
+  /** Clears the verdict when another design is opened. */
   private wait(): void {
     this.head("none", "…", "");
     fill(this.scope);
@@ -58,7 +59,7 @@ export class VerdictLine {
       findings = [];
       if (bench.finder) this.head("none", bench.finder, kFinders[bench.finder]);
       else this.head("fault", "not yet", solved.fault.message);
-    } else if (verdict) this.head(verdict.level, verdict.level, verdict.headline);
+    } else if (verdict) this.head(verdict.level, kBadges[verdict.level] ?? verdict.level, verdict.headline);
     else {
       const warnings = (solved.result?.["warnings"] ?? []) as unknown as Notice[];
       findings = warnings.map((one) => ({ ...one, level: "amber", remedy: null }));
@@ -93,7 +94,7 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** What an answer has to be read with: findings, and the warnings that are none of them. */
+/** The notices of an answer: its findings, and the warnings that are not among them. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

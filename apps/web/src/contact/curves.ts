@@ -45,7 +45,7 @@ export class SpectrumPlot extends Plot {
       },
       axes: [
         {
-          ...axis("waves per pitch"),
+          ...axis("order of mesh frequency"),
           splits: (_, __, ___, max) => [1, 2, 5, 10, 15, 20].filter((n) => n <= max),
         },
         upright("amplitude, ″"),

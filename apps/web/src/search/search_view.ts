@@ -263,7 +263,7 @@ export class SearchView implements Tab {
       this.status.textContent = found.length
         ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click makes it the design.` +
           hint("contradiction", " The reading ", " contradicts the others.") +
-          hint("next_measurement", " What would decide: measure ", ".")
+          hint("next_measurement", " To decide, measure ", ".")
         : String(reason ?? "Nothing fits.");
       const table = verb === "fit" ? "fit.branches" : "identify.candidate";
       fill(this.branches, ...found.slice(0, 12).map((one, i) => this.branch(one, i, table)));
