@@ -10,6 +10,7 @@ One line for each output: its sha256, the exit status, its name. The outputs are
 CSV, on every example and every spec of the fuzz corpus, all files of `run` on the examples, and all help texts. SPECS is
 a list that tests/cli writes when GW_SPECS names it: every spec that a test runs, with its verb.
 """
+import argparse
 import concurrent.futures
 import hashlib
 import json
@@ -17,7 +18,6 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
@@ -70,7 +70,12 @@ def help_texts(binary):
 
 
 def main():
-    binary, out = os.path.abspath(sys.argv[1]), sys.argv[2]
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("binary", help="the program whose answers are hashed")
+    arguments.add_argument("out", help="the list of hashes that is written")
+    arguments.add_argument("specs", nargs="?", help="specs of tests, as tests/cli writes them with GW_SPECS")
+    given = arguments.parse_args()
+    binary, out = os.path.abspath(given.binary), given.out
     jobs = [(help_texts, binary)]
     for example in sorted((SOURCE / "examples").glob("*.toml")):
         jobs.append((files, binary, example))
@@ -80,8 +85,8 @@ def main():
     for spec in sorted((SOURCE / "tests/fuzz/corpus/spec").glob("*.toml")):
         for verb in VERBS:
             jobs.append((answers, binary, "fuzz/" + spec.stem, spec.read_bytes(), verb, ["json"]))
-    if len(sys.argv) > 3:
-        kept = {(k["verb"], k["text"]) for k in map(json.loads, open(sys.argv[3]))}
+    if given.specs:
+        kept = {(k["verb"], k["text"]) for k in map(json.loads, open(given.specs))}
         for verb, text in sorted(kept):
             name = hashlib.sha256(text.encode()).hexdigest()[:12]
             if verb in VERBS:

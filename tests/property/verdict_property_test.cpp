@@ -6,6 +6,7 @@
 //     plain numbers; and no combination of ends has a worse level than the verdict.
 // (3) `pair` and `contact` judge the gears alike; where nothing is left to be judged, the level too.
 // (4) Ordinary pairs are green.
+// (5) An amber headline about one gear names this gear. (A red one joins the reasons of several.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,8 +87,20 @@ Json random_job(Random& random) {
 }
 
 struct RemedyCount {
-  int judged = 0, findings = 0, remedies = 0;
+  int judged = 0, findings = 0, remedies = 0, of_a_gear = 0;
 };
+
+// (5): the first finding is that of the headline.
+bool names_its_gear(const Json& verdict, RemedyCount& count) {
+  const Json& first = verdict["findings"][0];
+  if (verdict["level"] != "amber" || !first["gear"].is_number() || !first["at"].is_null())
+    return true;
+  ++count.of_a_gear;
+  const std::string headline = verdict["headline"];
+  const std::string number = std::to_string(first["gear"].get<int>());
+  return headline.find("ear " + number) != std::string::npos ||
+         headline.find("gear" + number) != std::string::npos;
+}
 
 RemedyCount remedies_hold(std::uint64_t seed, int wanted) {
   Random random(seed);
@@ -97,6 +110,7 @@ RemedyCount remedies_hold(std::uint64_t seed, int wanted) {
     const Json before = verdict_of("pair", spec);
     if (before.is_null() || before["level"] == "green") continue;
     ++count.judged;
+    EXPECT_TRUE(names_its_gear(before, count)) << spec.dump() << "\n" << before.dump();
     const auto had = levels_of(before);
     for (const Json& f : before["findings"]) {
       if (f["level"] == "green") continue;
@@ -126,6 +140,7 @@ RemedyCount remedies_hold(std::uint64_t seed, int wanted) {
 TEST(VerdictLaws, what_a_remedy_states_helps) {
   const RemedyCount count = remedies_hold(30, 120);
   EXPECT_GT(2 * count.remedies, count.findings);  // most findings have one
+  EXPECT_GT(count.of_a_gear, 10);                 // (5) was put to the test
 }
 
 TEST(LongVerdictLaws, what_a_remedy_states_helps) {
