@@ -140,7 +140,7 @@ int export_verb(const Options& o) {
   if (!job) return door.fail(job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
-    return door.fail({"gear2", "", "is missing from the spec, --gear 2 asks for its files"});
+    return door.fail(absent_input("gear2", " from the spec, --gear 2 asks for its files"));
   }
   std::vector<ToothedBody> bodies;
   std::vector<int> drawn;

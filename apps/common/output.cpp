@@ -42,8 +42,8 @@ int fail(const Error& error, bool json, const SpecText* text) {
   // Of an option no line of a file can tell.
   if (text && !error.field.starts_with("--")) {
     where = printable(text->name) + ":";
-    if (const auto place = place_of(error, *text))
-      where += fmt::format("{}:{}:", place->line, place->column);
+    const auto place = error.field.empty() ? std::nullopt : place_of(error, *text);
+    if (place) where += fmt::format("{}:{}:", place->line, place->column);
     where += " ";
   }
   std::fprintf(stderr, "gearwright: %s%s\n", where.c_str(), error.message().c_str());

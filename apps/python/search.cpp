@@ -18,6 +18,7 @@
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_tables.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::python {
 
@@ -125,9 +126,9 @@ void to_parquet(const Found& found, const py::object& given_path) {
   const fs::path path = path_of(given_path, "path");
   const py::gil_scoped_release free;
   write_file_by(path, [&](const fs::path& part) {
-    ParquetTable<DesignView> table(
-        part, design_columns(found.search->problem()),
-        {{"program", fmt::format("gearwright {}", kVersion)}, {"spec", found.spec.tree}});
+    ParquetTable<DesignView> table(part, design_columns(found.search->problem()),
+                                   {{"program", fmt::format("gearwright {}", kVersion)},
+                                    {"spec", json_text(found.spec.tree->tables)}});
     for (const DesignRow& row : found.run.answer.designs)
       table.add({&found.search->problem(), &row});
     table.close();

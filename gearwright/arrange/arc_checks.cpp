@@ -1,7 +1,5 @@
 #include "gearwright/arrange/arc_checks.hpp"
 
-#include <fmt/format.h>
-
 #include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
@@ -16,10 +14,11 @@ bool cuts_with_arcs(const GearInput& gear) {
 
 }  // namespace
 
+bool has_arcs(const GearInput& gear) { return of_arcs(gear) || cuts_with_arcs(gear); }
+
 bool has_arcs(const GivenPair& given) {
-  for (const auto& gear : given.gears) {
-    if (gear && (of_arcs(*gear) || cuts_with_arcs(*gear))) return true;
-  }
+  for (const auto& gear : given.gears)
+    if (gear && has_arcs(*gear)) return true;
   return false;
 }
 
@@ -44,17 +43,6 @@ std::optional<Error> check_arcs(const GivenPair& given) {
     return Error{"pair.shorten_tips", "true",
                  "circular-arc gears have no profile shifts that would ask for it; give "
                  "`gear1.tip_diameter` and `gear2.tip_diameter`"};
-  }
-  return std::nullopt;
-}
-
-std::optional<Error> refuse_arcs(const GivenPair& given, const std::string& verb) {
-  for (const int which : {1, 2}) {
-    const GearInput* const gear = given.find(which);
-    if (!gear || !(of_arcs(*gear) || cuts_with_arcs(*gear))) continue;
-    return Error{
-        gear_field(which, "rack"), "",
-        fmt::format("the verb {} is about involute gears; these teeth are circular arcs", verb)};
   }
   return std::nullopt;
 }

@@ -61,6 +61,7 @@ Result<bool> begin_gears(GivenPair& given) {
     if (!given.has(which)) continue;
     GearInput& gear = given.gear(which);
     gear.cylindrical.profile_shift = gear.profile_shift.value_or(0.0);
+    if (!gear.cut_by) gear.complete_face_width();
     clear_tips = clear_tips || gear.tip_clearance || gear.tip_clearance_by_rule;
     if (auto error = check_limits(gear.cylindrical)) return of_given_gear(*error, given, which);
   }
@@ -84,8 +85,9 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
   Arranged arranged{as_given};
   GivenPair& given = arranged.completed;
   const bool two = given.has(2);
+  const auto unplaced = [&](const Error& error) { return not_placed(of_basic(error, given)); };
   if (scope == Scope::pair && !two)
-    return Error{"gear2", "", "is missing; a pair needs a second gear, `gear2`"};
+    return absent_input("gear2", "; a pair needs a second gear, `gear2`");
   const bool want_pair = two && scope != Scope::gears;
   const bool arcs = has_arcs(given);
   if (arcs) {
@@ -101,14 +103,14 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
       (want_pair || shift_wanted || *clear_tips || given.pair.shorten_tips ||
        given.pair.wants_backlash())) {
     auto completed = complete_pair(given, shift_wanted);
-    if (!completed) return of_basic(completed.error(), given);
+    if (!completed) return unplaced(completed.error());
     if (shift_wanted)
       if (auto error = forbidden_shifts(given)) return *error;
     place = *completed;
   }
   if (two && given.pair.wants_backlash()) {
     auto thinned = thin_for_backlash(given, place, arranged.warnings);
-    if (thinned) return of_basic(of_distance(*thinned, given), given);
+    if (thinned) return unplaced(of_distance(*thinned, given));
   }
   if (*clear_tips) {
     const bool parallel = place && place->shaft_angle.value_or(Angle()).rad() == 0.0;
@@ -127,7 +129,7 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
                       place ? place->shaft_angle : std::nullopt, given.pair.friction_coefficient,
                       given.pair.speed_rpm};
     auto pair = mount(arranged.gears[0], arranged.gears[1], at);
-    if (!pair) return arcs ? pair.error() : of_basic(of_distance(pair.error(), given), given);
+    if (!pair) return arcs ? pair.error() : unplaced(of_distance(pair.error(), given));
     arranged.pair = std::move(pair).take();
     if (arcs && given.pair.friction_coefficient)
       given.notes.push_back(not_read("pair.friction_coefficient of circular-arc gears"));

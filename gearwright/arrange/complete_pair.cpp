@@ -77,8 +77,8 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
       "needs two gears of the same module and pressure angle; of different racks give both "
       "shifts and the centre distance";
   if (shift_wanted) {
-    return Error{gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"), "",
-                 "is missing, and to find it from the centre distance " + why};
+    return absent_input(gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
+                        ", and to find it from the centre distance " + why);
   }
   if (given.pair.mounting == Mounting::extended) return Error{"pair.mounting", "extended", why};
   if (given.pair.shorten_tips) return Error{"pair.shorten_tips", "true", why};

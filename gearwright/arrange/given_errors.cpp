@@ -60,9 +60,14 @@ Error of_distance(const Error& error, const GivenPair& given) {
     if (error.field != gear_field(which, "profile_shift") || !given.pair.center_distance ||
         given.gear(which).profile_shift)
       continue;
-    return following_from("pair.center_distance", format_number(*given.pair.center_distance),
-                          "it asks for", error);
+    return not_placed(following_from(
+        "pair.center_distance", format_number(*given.pair.center_distance), "it asks for", error));
   }
+  return error;
+}
+
+Error not_placed(Error error) {
+  if (error.kind == FailureKind::value) error.kind = FailureKind::placement;
   return error;
 }
 

@@ -19,4 +19,7 @@ Error of_clearance(const Error& error, const GivenPair& given, int which);
 /// An absent shift cannot be wrong: it followed from the centre distance.
 Error of_distance(const Error& error, const GivenPair& given);
 
+/// An error of placing the gears, with that kind if it has no other.
+Error not_placed(Error error);
+
 }  // namespace gearwright

@@ -71,7 +71,6 @@ struct GearInput {
   std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the gear is made at their mean
   MeasureInput measure;
   ToleranceInput tolerance;
-  std::vector<std::string> not_read;  ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
   MaterialInput material;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
@@ -81,8 +80,14 @@ struct GearInput {
     GearInput gear;
     gear.cylindrical = spec;
     gear.profile_shift = spec.profile_shift;
-    gear.helix_given = gear.face_width_given = true;
+    gear.helix_given = true;
+    gear.face_width_given = spec.face_width > 0;
     return gear;
+  }
+
+  /// A face width that is not given is 10 m_n.
+  void complete_face_width() {
+    if (!face_width_given) cylindrical.face_width = 10 * cylindrical.normal_module;
   }
 };
 

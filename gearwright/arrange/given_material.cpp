@@ -37,15 +37,15 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
   const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
   if (!flank || !root) {
-    return Error{flank        ? owner + ".sigma_Flim"
-                 : given.name ? owner + ".sigma_Hlim"
-                              : owner,
-                 "",
-                 fmt::format("is missing; a rating needs the material's strength: name = "
-                             "\"16MnCr5\" for example, of "
-                             "the shipped table, or `material.kind`, `material.sigma_Hlim` and "
-                             "`material.sigma_Flim`. Without `{}` that of gear 1 holds for both",
-                             gear_field(2, "material"))};
+    return absent_input(
+        flank        ? owner + ".sigma_Flim"
+        : given.name ? owner + ".sigma_Hlim"
+                     : owner,
+        fmt::format("; a rating needs the material's strength: name = "
+                    "\"16MnCr5\" for example, of "
+                    "the shipped table, or `material.kind`, `material.sigma_Hlim` and "
+                    "`material.sigma_Flim`. Without `{}` that of gear 1 holds for both",
+                    gear_field(2, "material")));
   }
   const bool plastic = m.kind == MaterialKind::plastic;
   const bool by_temperature =
@@ -58,8 +58,8 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
                  "`rating.edition` = \"VDI 2736:2014\""};
   }
   if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
-    return Error{owner + ".youngs_modulus", "",
-                 "is missing; that of steel, which it would be otherwise, is not a plastic's"};
+    return absent_input(owner + ".youngs_modulus",
+                        "; that of steel, which it would be otherwise, is not a plastic's");
   }
   return m;
 }

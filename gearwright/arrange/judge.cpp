@@ -37,10 +37,7 @@ struct RatedAgain {
   Rating rating;
 };
 std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRating& nominal) {
-  std::array<double, 2> bore{};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (arranged.gears[i].bore) bore[i] = arranged.gears[i].bore->diameter;
-  const auto pair = rated_pair(*arranged.pair->involute(), bore);
+  const auto pair = rated_pair(*arranged.pair->involute());
   if (!pair) return std::nullopt;
   auto rating = rate(*pair, *nominal.input);
   if (!rating) return std::nullopt;
@@ -128,8 +125,7 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   JudgedWith of_changed{.errors = with.errors};
   std::optional<ContactResult> contact;
   if (depth == TryDepth::with_contact) {
-    GW_EXPECTS(with.contact_again != nullptr);
-    contact = with.contact_again(changed);
+    if (with.contact_again) contact = with.contact_again(changed);
     if (!contact) return std::nullopt;
     of_changed.contact = &*contact;
   }

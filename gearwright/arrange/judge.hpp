@@ -20,7 +20,7 @@ struct JudgedWith {
   bool errors = false;                     ///< the contact is under errors
   std::optional<JudgedRating> rating{};    ///< none: not computed
   /// The contact of a changed pair under the same errors; it may add warnings. None: there is none.
-  /// Needed where `contact` is given.
+  /// Without this function findings of the contact have no remedy.
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
 };
 

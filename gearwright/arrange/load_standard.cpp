@@ -1,6 +1,7 @@
+#include "gearwright/arrange/load_standard.hpp"
+
 #include <algorithm>
 
-#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/rating/elasticity.hpp"
 #include "gearwright/rating/root.hpp"
 #include "gearwright/rating/stiffness.hpp"
@@ -29,7 +30,7 @@ std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
 
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer) {
   if (answer.contact->regime == LoadRegime::point) return {};
-  const auto rated = rated_pair(*arranged.pair->involute());
+  const auto rated = rated_pair(*arranged.pair->involute(), {});
   if (!rated) return {};
   const auto& [one, two] = answer.compliance->bodies;
   const double elasticity = relative_elasticity(one.youngs_modulus, two.youngs_modulus);

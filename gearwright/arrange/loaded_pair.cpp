@@ -205,7 +205,7 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings) {
   if (input.torques.empty())
-    return Error{"load.torques", "", "is missing: probes alone make no pair under load"};
+    return absent_input("load.torques", ": probes alone make no pair under load");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   return task_of(arranged, errors, input, *bodies);

@@ -71,8 +71,4 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
 /// That an edge of a tooth carries under a torque, N mm.
 Warning edge_carries_at(double torque);
 
-/// The values of ISO 6336 at each torque of an answer with contact, of solid discs; none where it has
-/// none of such pairs.
-std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
-
 }  // namespace gearwright

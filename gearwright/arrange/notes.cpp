@@ -33,12 +33,12 @@ bool shifts_follow(const GivenPair& given) {
 
 std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
-  return Error{
-      gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"), "",
-      fmt::format("is missing, and `pair.choose_profile_shifts` = false keeps the program "
+  return absent_input(
+      gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
+      fmt::format(", and `pair.choose_profile_shifts` = false keeps the program "
                   "from choosing it. At `pair.center_distance` = {} mm it would choose {}; "
                   "give these or others: the backlash follows",
-                  format_number(*given.pair.center_distance), chosen_shifts(given))};
+                  format_number(*given.pair.center_distance), chosen_shifts(given)));
 }
 
 std::optional<Warning> note_shifts(const GivenPair& given) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {

@@ -13,23 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kDigits = 6;       // that a person uses
-constexpr int kAllDigits = 17;   // of a double
 constexpr double kSame = 1e-12;  // relative: a decimal that a double holds as well as it can
-
-// A number of no more digits as it is usually written.
-std::string with_digits(double x, int digits) {
-  const std::string text = fmt::format("{:.{}g}", x, digits);
-  return std::strtod(text.c_str(), nullptr) == x ? fmt::format("{}", x) : text;
-}
-
-// Digits with which x and other read differently; six where nothing tells them apart.
-int digits_between(double x, double other) {
-  if (x == other) return kDigits;
-  for (int d = kDigits; d <= kAllDigits; ++d)
-    if (with_digits(x, d) != with_digits(other, d)) return d;
-  return kDigits;
-}
 
 enum class Side { down, up };
 
@@ -56,10 +40,8 @@ std::string Error::quoted() const {
   return Error{field.empty() ? field : fmt::format("`{}`", field), value, rule}.message();
 }
 
-std::string format_number(double x) { return with_digits(x, kDigits); }
-
-std::string format_number(double x, double other) {
-  return with_digits(x, digits_between(x, other));
+Error absent_input(std::string field, std::string_view rest) {
+  return {std::move(field), "", "is missing" + std::string(rest), FailureKind::missing};
 }
 
 Error refused(std::string field, double value, std::string rule) {
@@ -72,7 +54,7 @@ Error refused(std::string field, int value, std::string rule) {
 
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule) {
-  int digits = kDigits;
+  int digits = kUsualDigits;
   for (const double limit : limits) digits = std::max(digits, digits_between(value, limit));
   fmt::dynamic_format_arg_store<fmt::format_context> texts;
   for (std::size_t i = 0; i < limits.size(); ++i) {

@@ -13,12 +13,16 @@
 #include <string>
 #include <string_view>
 
+#include "gearwright/base/number_text.hpp"
+
 namespace gearwright {
 
 /// What went wrong, where code goes on differently. The rule is for people only.
 enum class FailureKind {
   value,            ///< the value, or the input as a whole, breaks the rule
+  missing,          ///< the input lacks the field
   no_flank,         ///< a gear has no usable flank to touch with
+  placement,        ///< two gears cannot be placed, or have no helix or shift, as the input asks
   nothing_touches,  ///< at no position do teeth of the two gears touch
   not_under_load,   ///< teeth of this kind are not computed under load
   not_in_build,     ///< this build has no part that computes it
@@ -35,6 +39,9 @@ struct Error {
   /// The same as a part of another sentence: "`rack.dedendum` = 9: …".
   std::string quoted() const;
 };
+
+/// The field is missing. `rest` continues the sentence "is missing": "; a pair needs a second gear".
+Error absent_input(std::string field, std::string_view rest = {});
 
 /// {field, value, rule}, the value with six digits.
 Error refused(std::string field, double value, std::string rule);
@@ -53,10 +60,5 @@ Error within(std::string_view whole, Error error);
 /// `gear1.profile_shift` = -3: …".
 Error following_from(std::string field, std::string value, std::string_view how,
                      const Error& error);
-
-/// A number as sentences say it: six digits.
-std::string format_number(double x);
-/// As many digits more as tell it from `other`.
-std::string format_number(double x, double other);
 
 }  // namespace gearwright

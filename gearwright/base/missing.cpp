@@ -11,23 +11,21 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::string_view kMissing = "is missing";
-
-// What a rule says beside that the input is missing.
+// The rule without "is missing", with which absent_input() begins it.
 std::string_view what_is_wanted(const Error& error) {
   std::string_view rule = error.rule;
-  rule.remove_prefix(kMissing.size());
+  rule.remove_prefix(std::string_view("is missing").size());
   const std::size_t words = rule.find_first_not_of(";: ");
   return words == std::string_view::npos ? std::string_view() : rule.substr(words);
 }
 
 }  // namespace
 
-bool is_missing(const Error& error) { return error.rule.starts_with(kMissing); }
-
 Error all_missing(const std::vector<Error>& errors) {
   GW_EXPECTS(!errors.empty());
-  const auto other = std::find_if_not(errors.begin(), errors.end(), is_missing);
+  const auto other = std::find_if(errors.begin(), errors.end(), [](const Error& error) {
+    return error.kind != FailureKind::missing;
+  });
   if (other != errors.end()) return *other;
   Error all = errors.front();
   std::set<std::string> named{all.field};

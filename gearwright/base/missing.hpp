@@ -8,9 +8,6 @@
 
 namespace gearwright {
 
-/// The rule says that the input is missing: it begins with these words.
-bool is_missing(const Error& error);
-
 /// The first, whose rule goes on with the others: "…; also missing: rating.quality (the accuracy
 /// grades …), …". A field counts once, and what is wanted is said once. Where one of them is another
 /// kind of error it is told alone.

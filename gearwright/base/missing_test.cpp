@@ -6,22 +6,21 @@ namespace gearwright {
 namespace {
 
 TEST(Missing, OneErrorNamesAll) {
-  const Error load{"rating.torque", "", "is missing; give it"};
-  const Error speed{"rating.speed", "", "is missing: 1500 for example"};
-  const Error grade{"rating.quality", "", "is missing"};
+  const Error load = absent_input("rating.torque", "; give it");
+  const Error speed = absent_input("rating.speed", ": 1500 for example");
+  const Error grade = absent_input("rating.quality");
   EXPECT_EQ(all_missing({load}).message(), "rating.torque: is missing; give it");
   EXPECT_EQ(all_missing({load, speed, grade, speed, load}).message(),
             "rating.torque: is missing; give it; also missing: rating.speed (1500 for example), "
             "rating.quality");
-  const Error steel{"gear2.material", "", "is missing; give it"};
+  const Error steel = absent_input("gear2.material", "; give it");
   EXPECT_EQ(all_missing({load, steel}).message(),
             "rating.torque: is missing; give it; also missing: gear2.material");
 }
 
 TEST(Missing, AnotherErrorIsToldAlone) {
   const Error wrong{"gear1.material", "x", "is no material"};
-  EXPECT_FALSE(is_missing(wrong));
-  EXPECT_EQ(all_missing({{"rating", "", "is missing"}, wrong}).message(), wrong.message());
+  EXPECT_EQ(all_missing({absent_input("rating"), wrong}).message(), wrong.message());
 }
 
 }  // namespace

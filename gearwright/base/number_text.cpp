@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 namespace gearwright {
 
 std::string fixed_decimals(double x, int decimals) {
@@ -17,6 +19,25 @@ std::string short_decimals(double x, int most) {
     if (text.back() == '.') text.pop_back();
   }
   return text;
+}
+
+std::string with_digits(double x, int digits) {
+  const std::string text = fmt::format("{:.{}g}", x, digits);
+  return std::strtod(text.c_str(), nullptr) == x ? fmt::format("{}", x) : text;
+}
+
+int digits_between(double x, double other) {
+  constexpr int kAllDigits = 17;  // of a double
+  if (x == other) return kUsualDigits;
+  for (int d = kUsualDigits; d <= kAllDigits; ++d)
+    if (with_digits(x, d) != with_digits(other, d)) return d;
+  return kUsualDigits;
+}
+
+std::string format_number(double x) { return with_digits(x, kUsualDigits); }
+
+std::string format_number(double x, double other) {
+  return with_digits(x, digits_between(x, other));
 }
 
 }  // namespace gearwright

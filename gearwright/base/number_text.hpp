@@ -1,5 +1,4 @@
-// Numbers as text for people and files, each function one rule. Numbers of sentences about an input are
-// format_number's (base/error.hpp).
+// Numbers as text for people and files, each function one rule.
 #pragma once
 
 #include <string>
@@ -13,5 +12,19 @@ std::string fixed_decimals(double x, int decimals);
 
 /// The same without the zeros at its end: "1.5", "2".
 std::string short_decimals(double x, int most);
+
+inline constexpr int kUsualDigits = 6;  ///< in sentences
+
+/// So many significant digits, or fewer if the number has no more: 0.1, not 0.100000.
+std::string with_digits(double x, int digits);
+
+/// With how many significant digits x and `other` read differently, six at least; six if nothing
+/// tells them apart.
+int digits_between(double x, double other);
+
+/// A number in a sentence: six digits.
+std::string format_number(double x);
+/// As many more digits as tell it from `other`.
+std::string format_number(double x, double other);
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@ namespace gearwright {
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore) {
   if (!gear.tooth)
-    return Error{"cut_by", "", "is missing; an internal gear's outline is cut by a pinion cutter"};
+    return absent_input("cut_by", "; an internal gear's outline is cut by a pinion cutter");
   if (!gear.exists()) {
     const std::string why =
         gear.warnings.empty() ? "there is no such tooth" : gear.warnings.back().message;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 
 namespace gearwright {
 
@@ -100,11 +101,6 @@ int digits_of(const QuantityInfo& info) {
   return 5;
 }
 
-std::string fixed_text(double value, int digits) {
-  const double half = 0.5 * std::pow(10.0, -digits);
-  return fmt::format("{:.{}f}", std::abs(value) < half ? 0.0 : value, digits);
-}
-
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none) {
   const std::string absent(info.nothing.empty() ? none : std::string_view(info.nothing));
   if (all_nothing(value)) return absent;
@@ -125,7 +121,7 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
   }
   if (const auto* x = std::get_if<double>(&value.variant())) {
     if (!std::isfinite(*x)) return absent;
-    return fixed_text(info.unit == Unit::percent ? 100 * *x : *x, digits_of(info));
+    return fixed_decimals(info.unit == Unit::percent ? 100 * *x : *x, digits_of(info));
   }
   return absent;
 }

@@ -233,9 +233,6 @@ int digits_of(const QuantityInfo& info);
 /// "x, y, z", two ends "lo … hi".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–");
 
-/// A number with so many decimals; what rounds to nothing has no sign.
-std::string fixed_text(double value, int digits);
-
 /// A row for people: one quantity, a text for each column. A pair's common value has one text.
 struct TextRow {
   const QuantityInfo* info;

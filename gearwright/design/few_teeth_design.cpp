@@ -391,8 +391,8 @@ class Search {
 
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem) {
   if (!problem.helix && !problem.center_distance) {
-    return Error{gear_field(1, "helix_angle"), "",
-                 "is missing; few teeth need a helix angle, or `pair.center_distance` to find one"};
+    return absent_input(gear_field(1, "helix_angle"),
+                        "; few teeth need a helix angle, or `pair.center_distance` to find one");
   }
   if (problem.teeth[1] < 0 && -problem.teeth[1] <= problem.teeth[0]) {
     return refused(

@@ -159,9 +159,9 @@ Result<Fit> place_of_gears(const FitProblem& p) {
 // Helices and place are known: the sum of the shifts follows.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
-    return Error{"pair.center_distance", "",
-                 "is missing; an absent profile shift is found from it. (With both profile shifts "
-                 "given, the centre distance follows.)"};
+    return absent_input("pair.center_distance",
+                        "; an absent profile shift is found from it. (With both profile shifts "
+                        "given, the centre distance follows.)");
   }
   if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);
@@ -221,9 +221,9 @@ Result<Fit> fit(const FitProblem& p) {
        {std::pair{p.center_distance.has_value(), "pair.center_distance"},
         std::pair{p.shaft_angle.has_value(), "pair.shaft_angle"}}) {
     if (known) continue;
-    return Error{field, "",
-                 "is missing; to find helix angles both centre distance and shaft angle are "
-                 "needed"};
+    return absent_input(field,
+                        "; to find helix angles both centre distance and shaft angle are "
+                        "needed");
   }
   return min_distance_designs(p);
 }

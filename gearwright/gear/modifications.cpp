@@ -72,7 +72,7 @@ std::optional<Error> check_relief(const std::string& name, const Relief& relief)
                    "`lead_crowning` may be negative (hollow)");
   }
   if (relief.amount > 0.0 && !relief.reach)
-    return Error{reach_of(name), "", fmt::format("is missing beside `{}`", amount_of(name))};
+    return absent_input(reach_of(name), fmt::format(" beside `{}`", amount_of(name)));
   return std::nullopt;
 }
 

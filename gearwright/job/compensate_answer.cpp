@@ -14,6 +14,7 @@
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/math/minimise.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -104,7 +105,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
 // Corrections written into the spec, where its own keys hold them.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<WorkshopCorrection>& which, const std::vector<double>& v) {
-  Json tree = parse_json(job.spec.tree);
+  Json tree = job.spec.tree->tables;
   tree.erase("compensate");
   const auto add = [](Json& table, const std::string& key, double value) {
     // A sum of decimals has none of the digits that binary addition leaves.
@@ -168,9 +169,9 @@ std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask
 }
 
 // What somebody meets who runs the corrected spec; `loads`: what the corrections do under torque.
-Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& job,
+Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
                                 const std::vector<AimedLoad>& loads) {
-  auto read = read_spec(corrected, SpecFormat::json);
+  auto read = read_spec_tree(corrected);
   if (!read) return read.error();
   JobSpec spec = std::move(read).take();
   spec.contact.pattern = false;
@@ -280,8 +281,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));
   }
   if (auto warning = bound_warning(answer)) job.warnings.push_back(std::move(*warning));
-  answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
-  auto verdict = judge_corrected(answer.corrected, job, answer.loads);
+  answer.corrected = std::make_shared<const SpecTree>(
+      SpecTree{corrected_spec(job, setup, answer.corrections, answer.result.value)});
+  auto verdict = judge_corrected(answer.corrected->tables, job, answer.loads);
   if (!verdict) return verdict.error();
   answer.verdict = std::move(verdict).take();
   return answer;

@@ -26,8 +26,8 @@ struct CompensateAnswer {
   std::vector<AimedLoad> loads;  ///< of an aim under load, by torque
   std::optional<SettingAnswer> setting;
   std::optional<LeadAnswer> lead;
-  std::string corrected;  ///< the spec with the corrections in it, JSON
-  Verdict verdict;        ///< of the pair with the corrections, under the spec's errors
+  std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections in it
+  Verdict verdict;  ///< of the pair with the corrections, under the spec's errors
 };
 
 /// Errors    as answer_contact, `errors` when nothing touches as the pair stands;

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -83,7 +84,7 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
     EXPECT_LT(after, 1.02 * least) << aim << " from " << before;
     EXPECT_LT(after, 0.9 * before) << aim;
     // What is told is what the corrected spec does.
-    const auto again = read_spec(answer->corrected, SpecFormat::json);
+    const auto again = read_spec_tree(answer->corrected->tables);
     ASSERT_TRUE(again) << again.error().message();
     auto solved = solve(*again, Scope::pair);
     ASSERT_TRUE(solved);

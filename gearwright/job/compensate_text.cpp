@@ -6,11 +6,13 @@
 
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -32,7 +34,7 @@ CompensateView compensate_view(const CompensateAnswer& a) {
   }
   for (std::size_t i = 0; i < a.scenarios.size(); ++i)
     view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
-  view.spec = to_value(Json::parse(a.corrected));
+  view.spec = to_value(a.corrected->tables);
   view.aim = a.aim;
   view.loads = a.loads;
   return view;
@@ -59,7 +61,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const CorrectionEntry& c = entry_of(a.corrections[i]);
-    row(std::string(c.words), fmt::format("{:>11} {}{}", fixed_text(a.result.value[i], 4),
+    row(std::string(c.words), fmt::format("{:>11} {}{}", fixed_decimals(a.result.value[i], 4),
                                           c.shown_unit(), a.at_bound[i] ? "  (the bound)" : ""));
     if (a.result.value[i] != 0.0) row("  in the spec: " + a.spec_keys[i], "");
   }
@@ -78,7 +80,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
                           {"before", "after"});
   for (std::size_t i = 0; a.scenarios.size() > 1 && i < a.scenarios.size(); ++i) {
     const auto arcsec = [](const ContactScore& s) {
-      return std::isfinite(s.peak_to_peak.rad()) ? fixed_text(s.peak_to_peak.arcsec(), 4) + " ″"
+      return std::isfinite(s.peak_to_peak.rad()) ? fixed_decimals(s.peak_to_peak.arcsec(), 4) + " ″"
                                                  : std::string("no contact");
     };
     out += fmt::format("    {:<43}{:>16}{:>15}\n", a.scenarios[i], arcsec(a.result.each_before[i]),

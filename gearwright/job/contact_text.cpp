@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
@@ -115,13 +116,13 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
       continue;
     }
     const std::string major =
-        p.ellipse && p.ellipse->semi_major ? fixed_text(*p.ellipse->semi_major, 4) : "-";
-    const std::string minor = p.ellipse ? fixed_text(p.ellipse->semi_minor, 4) : "-";
-    out +=
-        fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
-                    fixed_text(p.rotation1.deg(), 4), fixed_text(p.te.arcsec(), 5), p.pair,
-                    to_string(p.kind), fixed_text(p.diameter[0], 4), fixed_text(p.diameter[1], 4),
-                    fixed_text(p.height[0], 4), fixed_text(p.height[1], 4), major, minor);
+        p.ellipse && p.ellipse->semi_major ? fixed_decimals(*p.ellipse->semi_major, 4) : "-";
+    const std::string minor = p.ellipse ? fixed_decimals(p.ellipse->semi_minor, 4) : "-";
+    out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
+                       fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 5),
+                       p.pair, to_string(p.kind), fixed_decimals(p.diameter[0], 4),
+                       fixed_decimals(p.diameter[1], 4), fixed_decimals(p.height[0], 4),
+                       fixed_decimals(p.height[1], 4), major, minor);
   }
   return out + "\n  " + legend_of(r) + "\n";
 }

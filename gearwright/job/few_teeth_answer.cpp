@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -93,7 +94,7 @@ Json pinion_json(const CylindricalSpec& c) {
 
 // Found numbers in place of what was asked; what a user gave beside them (bore, title) stays.
 Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
-  const Json given = parse_json(spec.tree);
+  const Json& given = spec.tree->tables;
   Json tree;
   if (given.contains("title")) tree["title"] = given["title"];
   Json pinion = pinion_json(d.pinion);

@@ -160,10 +160,10 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   const Gear& gear = job.gear(which);
   const std::string name = gear_name(which);
   if (!gear.tooth) {
-    return Error{name + ".cut_by", "",
-                 "is missing; an internal gear's outline is cut by a pinion cutter: give one with "
-                 "its teeth, "
-                 "or name the mating gear, gear1"};
+    return absent_input(name + ".cut_by",
+                        "; an internal gear's outline is cut by a pinion cutter: give one with "
+                        "its teeth, "
+                        "or name the mating gear, gear1");
   }
   if (!gear.exists() && !gear.involute()) {
     return Error{name + ".rack", "", gear.warnings.back().message};

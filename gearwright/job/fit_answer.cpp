@@ -24,7 +24,7 @@ bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
 constexpr const char* kHelixKeys[] = {"helix_angle_deg", "lead_angle_deg", "hand"};
 
 Json spec_of(const JobSpec& spec, const FitBranch& b) {
-  Json tree = parse_json(spec.tree);
+  Json tree = spec.tree->tables;
   tree.erase("fit");
   for (const int i : {0, 1}) {
     const GearInput& given = *spec.gears[i];
@@ -81,9 +81,13 @@ void mark_refused(FitAnswer& answer) {
 }  // namespace
 
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
-  if (!spec.gears[0]) return Error{"gear1", "", "is missing; fit is about two gears"};
-  if (auto error = refuse_arcs(spec, "fit")) return *error;
-  if (!spec.gears[1]) return Error{"gear2", "", "is missing; fit is about two gears"};
+  if (!spec.gears[0]) return absent_input("gear1", "; fit is about two gears");
+  for (const int which : {1, 2}) {
+    if (!spec.has(which) || !has_arcs(spec.gear(which))) continue;
+    return Error{gear_field(which, "rack"), "",
+                 "the verb fit is about involute gears; these teeth are circular arcs"};
+  }
+  if (!spec.gears[1]) return absent_input("gear2", "; fit is about two gears");
   if (spec.fit.few_teeth) {
     auto made = answer_few_teeth(spec, progress);
     if (!made) return made.error();

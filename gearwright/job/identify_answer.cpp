@@ -8,6 +8,7 @@
 #include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -15,7 +16,7 @@ namespace {
 
 // The spec with what was found in the place of the readings.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
-  Json tree = parse_json(spec.tree);
+  Json tree = spec.tree->tables;
   Json& gear = tree[gear_field(which)];
   gear.erase("measured");
   if (found.diametral_pitch) {
@@ -57,10 +58,9 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   const int which = spec.measured[0] || !spec.measured[1] ? 1 : 2;
   const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
   if (!problem)
-    return Error{
-        "gear1.measured", "",
-        "is missing; identify takes the readings of an unknown gear: its teeth in [gear1], "
-        "spans, balls and diameters in [gear1.measured]"};
+    return absent_input("gear1.measured",
+                        "; identify takes the readings of an unknown gear: its teeth in [gear1], "
+                        "spans, balls and diameters in [gear1.measured]");
   auto found = identify(*problem);
   if (!found) return of_gear(which, found.error());
   IdentifyAnswer answer{which, std::move(found).take(), {}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -84,7 +85,7 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
                              const ValueRecord& lower, const ValueRecord& upper) {
   const std::string subject = gear_columns(job.gears.size())[gear];
   const auto allowance = [&](const Arranged& end) {
-    return fixed_text(end.gears[gear].spec.thickness_allowance, 4);
+    return fixed_decimals(end.gears[gear].spec.thickness_allowance, 4);
   };
   return fmt::format("\nBetween the thickness allowances {} and {} mm of {}\n",
                      allowance(job.ends->lower), allowance(job.ends->upper), subject) +

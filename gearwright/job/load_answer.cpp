@@ -1,5 +1,7 @@
 #include "gearwright/job/load_answer.hpp"
 
+#include "gearwright/arrange/load_standard.hpp"
+
 namespace gearwright {
 
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress) {

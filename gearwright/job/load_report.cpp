@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -26,12 +27,13 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
                      unit_text(lines ? Unit::newton_per_mm_um : Unit::newton_per_um), "N/mm²",
                      "N/mm²", "N/mm²");
   for (const LoadedTorque& t : contact.torques)
-    out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n",
-                       format_number(t.torque / kMmPerM), fixed_text(t.peak_to_peak.arcsec(), 4),
-                       fixed_text(t.stiffness.mean, 3), fixed_text(t.max_pressure, 1),
-                       fixed_text(t.max_root_stress[0], 1), fixed_text(t.max_root_stress[1], 1),
-                       lines ? fmt::format("{:>9}", fixed_text(t.face_load_factor, 3)) : "",
-                       &t == quiet ? "  quietest" : "");
+    out += fmt::format(
+        "  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", format_number(t.torque / kMmPerM),
+        fixed_decimals(t.peak_to_peak.arcsec(), 4), fixed_decimals(t.stiffness.mean, 3),
+        fixed_decimals(t.max_pressure, 1), fixed_decimals(t.max_root_stress[0], 1),
+        fixed_decimals(t.max_root_stress[1], 1),
+        lines ? fmt::format("{:>9}", fixed_decimals(t.face_load_factor, 3)) : "",
+        &t == quiet ? "  quietest" : "");
   return out;
 }
 
@@ -73,16 +75,17 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
     for (std::size_t i = 0; i < t.positions.size(); i += step) {
       const LoadedPosition& p = t.positions[i];
       if (!p.solved()) {
-        out += fmt::format("  {:>11}{:>14}\n", fixed_text(p.rotation1.deg(), 4),
+        out += fmt::format("  {:>11}{:>14}\n", fixed_decimals(p.rotation1.deg(), 4),
                            p.unfinished ? "unfinished" : "no contact");
         continue;
       }
       std::string shares;
       for (const LoadedPair& k : p.pairs) shares += fmt::format(" {:.3f}", k.share);
       out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11} {}\n",
-                         fixed_text(p.rotation1.deg(), 4), fixed_text(p.te.arcsec(), 4),
-                         fixed_text(p.approach * kUmPerMm, 4), fixed_text(p.max_pressure, 1),
-                         fixed_text(p.root_stress[0], 1), fixed_text(p.root_stress[1], 1), shares);
+                         fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 4),
+                         fixed_decimals(p.approach * kUmPerMm, 4),
+                         fixed_decimals(p.max_pressure, 1), fixed_decimals(p.root_stress[0], 1),
+                         fixed_decimals(p.root_stress[1], 1), shares);
     }
     out += "\n";
   }

@@ -58,10 +58,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   }
   RatingAnswer answer;
   answer.input = table.input;
-  std::array<double, 2> bore{};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (job.gears[i].bore) bore[i] = job.gears[i].bore->diameter;
-  auto rated = rated_pair(*pair, bore);
+  auto rated = rated_pair(*pair);
   if (!rated) return rated.error();
   answer.pair = *rated;
   for (const int which : {1, 2}) {

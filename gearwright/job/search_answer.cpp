@@ -12,6 +12,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/report/search_report.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -259,7 +260,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
 
 Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) {
   const SearchProblem& p = search.problem();
-  const Json tree = parse_json(spec.tree);
+  const Json& tree = spec.tree->tables;
   Json j;
   j["title"] = fmt::format("{}{}:{}, module {}", spec.title.empty() ? "" : spec.title + ", ",
                            row.trial.z1, row.trial.z2, row.trial.module);

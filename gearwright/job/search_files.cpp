@@ -7,6 +7,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_tables.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -22,7 +23,7 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
     limits += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Limit>(i)));
   const std::vector<std::pair<std::string, std::string>> notes{
       {"program", fmt::format("gearwright {}", kVersion)},
-      {kSpecNote, spec.tree},
+      {kSpecNote, json_text(spec.tree->tables)},
       {"limits", limits},
       {"trials", std::to_string(*search.space().size())}};
   write_file_by(designs, [&](const std::filesystem::path& part) {

@@ -16,6 +16,7 @@
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/spec/json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -85,13 +86,13 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 
 SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;
-  run.pair_not_read = parse_json(spec.tree).contains("pair");
+  run.pair_not_read = spec.tree->tables.contains("pair");
   run.rating_not_read = spec.rating.given && !search.problem().rating;
   return run;
 }
 
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
-  const Json tree = parse_json(spec.tree);
+  const Json& tree = spec.tree->tables;
   std::string lines;
   std::vector<std::string> tables{"search", "gear1", "gear2"};
   if (spec.search && spec.search->rating) tables.emplace_back("rating");

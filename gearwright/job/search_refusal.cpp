@@ -11,9 +11,9 @@
 namespace gearwright {
 
 Error no_search() {
-  return {"search", "",
-          "is missing; a search needs a table [search] with at least ratio, modules_mm and "
-          "pinion_teeth"};
+  return absent_input("search",
+                      "; a search needs a table [search] with at least ratio, modules_mm and "
+                      "pinion_teeth");
 }
 
 Error no_tooth_numbers() {

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/job/finder.hpp"
 
 namespace gearwright {
 
@@ -26,26 +24,14 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
 }
 
-std::vector<Warning> notes_of(const JobSpec& spec) {
-  std::vector<Warning> notes;
-  if (auto note = note_inherited(spec)) notes.push_back(*note);
-  for (const std::string& what : spec.not_read) notes.push_back(not_read(what));
-  for (const auto& gear : spec.gears) {
-    if (!gear) continue;
-    for (const std::string& what : gear->not_read) notes.push_back(not_read(what));
-  }
-  return notes;
-}
-
 }  // namespace
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {
   if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
   if (!spec.has(2)) return "";
   // A fit finds the place, helices and shifts.
-  const bool found_by_fit = error.field.starts_with("pair.") ||
-                            error.field.find(".helix_angle") != std::string::npos ||
-                            error.field.ends_with(".profile_shift");
+  const bool found_by_fit =
+      error.kind == FailureKind::placement || error.kind == FailureKind::missing;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
   const bool fit = spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
   return found_by_fit && fit ? "fit" : "";
@@ -53,17 +39,17 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
-    return Error{"gear1.normal_module", "",
-                 "is missing; the spec has the readings of an unknown gear. gearwright identify "
-                 "finds it, and its --take 1 writes the spec that this verb takes"};
+    return absent_input("gear1.normal_module",
+                        "; the spec has the readings of an unknown gear. gearwright identify "
+                        "finds it, and its --take 1 writes the spec that this verb takes");
   }
   if (!spec.has(1)) {
-    return Error{"gear1.teeth", "",
-                 "is missing; the spec describes a search. gearwright search finds the "
-                 "gears, and its --take 1 writes the pair that this verb takes"};
+    return absent_input("gear1.teeth",
+                        "; the spec describes a search. gearwright search finds the "
+                        "gears, and its --take 1 writes the pair that this verb takes");
   }
   GivenPair given = spec;
-  given.notes = notes_of(spec);
+  if (auto note = note_inherited(spec)) given.notes.push_back(*note);
   auto arranged = arrange(given, scope);
   if (!arranged) {
     Error error = arranged.error();

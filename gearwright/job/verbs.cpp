@@ -20,6 +20,7 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -134,7 +135,7 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
        .json = [](const SolvedJob& job, const CompensateAnswer& a,
                   const Verdict&) { return compensate_json(job, a); },
        .text = compensate_listing,
-       .specs = [](const CompensateAnswer& a) { return std::vector{parse_json(a.corrected)}; }},
+       .specs = [](const CompensateAnswer& a) { return std::vector{a.corrected->tables}; }},
       spec, progress);
 }
 

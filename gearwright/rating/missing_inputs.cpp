@@ -8,26 +8,27 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
   if (in.edition == RatingEdition::vdi_2736) return missing_plastic_inputs(in);
   std::vector<Error> missing;
   if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
-    missing.push_back(
-        {"rating.quality", "",
-         "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are off, for "
-         "K_v and K_Hα: give them, `quality` = 6 for example, or both factors"});
+    missing.push_back(absent_input(
+        "rating.quality",
+        "; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are off, for "
+        "K_v and K_Hα: give them, `quality` = 6 for example, or both factors"));
   } else if (!in.quality && !in.face_load_factor && in.mounting && !in.mounting->manufacture) {
-    missing.push_back({"rating.quality", "",
-                       "is missing; the face load factor takes the helix slopes from it: give the "
-                       "accuracy grades of ISO 1328, `quality` = 6 for example, or the "
-                       "misalignment"});
+    missing.push_back(
+        absent_input("rating.quality",
+                     "; the face load factor takes the helix slopes from it: give the "
+                     "accuracy grades of ISO 1328, `quality` = 6 for example, or the "
+                     "misalignment"));
   }
   if (!in.speed && !in.dynamic_factor) {
     missing.push_back(
-        {"rating.speed", "",
-         "is missing; the dynamic factor needs it: give the speed, `speed` = 1500 for "
-         "example, or the factor itself"});
+        absent_input("rating.speed",
+                     "; the dynamic factor needs it: give the speed, `speed` = 1500 for "
+                     "example, or the factor itself"));
   }
   if (!in.face_load_factor && !in.mounting) {
-    missing.push_back({"rating.face_load_factor", "",
-                       "is missing; give it, `face_load_factor` = 1.2 for example, or how the "
-                       "pinion is mounted, `mounting`"});
+    missing.push_back(absent_input("rating.face_load_factor",
+                                   "; give it, `face_load_factor` = 1.2 for example, or how the "
+                                   "pinion is mounted, `mounting`"));
   }
   return missing;
 }

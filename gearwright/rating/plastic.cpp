@@ -121,17 +121,16 @@ std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
   if (p.flank_temperature && p.root_temperature) return {};
   std::vector<Error> missing;
   if (!p.ambient_temperature || !p.friction) {
-    missing.push_back(
-        {p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
-         "",
-         "is missing; how warm the teeth run decides what a plastic bears: give "
-         "`flank_temperature` and `root_temperature`, or `ambient_temperature` = 23 and "
-         "`friction` = 0.2 for example"});
+    missing.push_back(absent_input(
+        p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
+        "; how warm the teeth run decides what a plastic bears: give "
+        "`flank_temperature` and `root_temperature`, or `ambient_temperature` = 23 and "
+        "`friction` = 0.2 for example"));
   }
   if (!in.speed)
     missing.push_back(
-        {"rating.speed", "",
-         "is missing; the warmth of the teeth comes of it: give it, `speed` = 1500 for example"});
+        absent_input("rating.speed",
+                     "; the warmth of the teeth comes of it: give it, `speed` = 1500 for example"));
   return missing;
 }
 

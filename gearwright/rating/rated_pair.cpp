@@ -76,6 +76,13 @@ double RatedPair::epsilon_alpha_n() const {
   return epsilon_alpha / (c * c);
 }
 
+Result<RatedPair> rated_pair(const InvolutePair& pair) {
+  std::array<double, 2> bore{};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (pair.gears[i].bore) bore[i] = pair.gears[i].bore->diameter;
+  return rated_pair(pair, bore);
+}
+
 Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore) {
   if (pair.crossed())
     return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes, these cross"};

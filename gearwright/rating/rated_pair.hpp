@@ -77,10 +77,13 @@ std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
 /// Formula   ISO 6336-3, 6.2; confirmed to six digits by ISO/TR 6336-30, example 1
 double virtual_teeth(int teeth, double beta, double beta_b);
 
-/// The numbers of a mounted pair, `bore` of gear 1 and gear 2 in mm (0: none).
+/// The numbers of a mounted pair, with the bores of its gears.
 ///
 /// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` where the flanks do not meet,
 ///           `gear1.rack` of gears whose root no straight rack describes
-Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore = {});
+Result<RatedPair> rated_pair(const InvolutePair& pair);
+
+/// The same with the given bores of gear 1 and gear 2, mm (0: a solid disc).
+Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore);
 
 }  // namespace gearwright

@@ -20,9 +20,9 @@ void add(std::vector<Error>& list, std::vector<Error> more) {
 std::vector<Error> missing_for_rating(const JobSpec& spec) {
   std::vector<Error> missing;
   if (!spec.rating.given)
-    missing.push_back({"rating", "",
-                       "is missing; a rating needs this table with the load, the making of the "
-                       "gears and their mounting"});
+    missing.push_back(absent_input("rating",
+                                   "; a rating needs this table with the load, the making of the "
+                                   "gears and their mounting"));
   std::array<MaterialInput, 2> materials;
   std::array<std::string, 2> tables;
   for (const std::size_t i : {0, 1}) {
@@ -61,9 +61,9 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<std::string, 2>& tables) {
   std::vector<Error> missing;
   if (!rating.torque && !rating.power) {
-    missing.push_back({"rating.torque_Nm", "",
-                       "is missing; a rating needs a load: power_kW with speed_rpm, or torque_Nm "
-                       "on gear 1, torque_Nm = 50 for example"});
+    missing.push_back(absent_input("rating.torque_Nm",
+                                   "; a rating needs a load: power_kW with speed_rpm, or torque_Nm "
+                                   "on gear 1, torque_Nm = 50 for example"));
   }
   RatingInput input = rating.input;
   bool known = true;
@@ -98,12 +98,12 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
                      (use == SpecUse::rate || (use == SpecUse::run && spec.rating.given && two));
   if (of_two && !two)
     missing.push_back(
-        {"gear2", "",
-         "is missing; a pair needs a second gear, [gear2] with teeth = 40 for example"});
+        absent_input("gear2", "; a pair needs a second gear, [gear2] with teeth = 40 for example"));
   if (under_torque && !torque)
-    missing.push_back({"load.torque_Nm", "",
-                       "is missing: teeth under load want a torque on gear 1, in N m, torque_Nm = "
-                       "100 for example"});
+    missing.push_back(
+        absent_input("load.torque_Nm",
+                     ": teeth under load want a torque on gear 1, in N m, torque_Nm = "
+                     "100 for example"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

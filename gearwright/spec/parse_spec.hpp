@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
@@ -11,6 +12,11 @@
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
+
+/// The tables of a spec, where a public header must not show them.
+struct SpecTree {
+  Json tables;
+};
 
 /// The tree of a spec, members in their order. Nesting is bounded, and every key of a table stands
 /// there once, in JSON too.

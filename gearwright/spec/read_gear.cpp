@@ -163,7 +163,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   } else if (!g.basic) {
     c.normal_module = *module;
   }
-  if (!g.face_width_given) c.face_width = 10 * c.normal_module;
+  g.complete_face_width();
   return g;
 }
 

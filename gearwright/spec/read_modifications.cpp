@@ -61,7 +61,7 @@ void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
     const auto reach = t.number(key_of(t, flank, reach_key));
     const auto shape = t.word(key_of(t, flank, name + "_shape"));
     if (!amount) continue;
-    if (*amount > 0.0 && !reach) t.fail(reach_key, "is missing: " + key + " needs it beside it");
+    if (*amount > 0.0 && !reach) t.fail_absent(reach_key, ": " + key + " needs it beside it");
     to.*(m.relief) = {
         *amount / kUmPerMm, reach,
         shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};

@@ -64,7 +64,7 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
     const std::string by = rating_key(tree["search"]);
     if (by.empty()) return;
     if (rating.given) check(read_materials(tree, rating));
-    const Error table{"rating", "", std::string("is missing; search.") + by + " " + kNeedsRating};
+    const Error table = absent_input("rating", "; search." + by + " " + kNeedsRating);
     if (!rating.given) throw SpecError{table, {table}};
     return;
   }

@@ -119,7 +119,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   t.refuse_unknown();
   JobSpec spec;
   Lacks lacks;
-  spec.tree = json_text(tree);
+  spec.tree = std::make_shared<const SpecTree>(SpecTree{tree});
   note_keys(given, "", spec.given);
   spec.inherited = made.noted;
   const Json* gear_1 = t.table("gear1");
@@ -132,9 +132,9 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
   const bool unknown = spec.measured[0] || spec.measured[1];
   if (!gear_1 && !search && !unknown) {
-    lacks.add({{"gear1", "",
-                "is missing; a spec describes a gear in a table [gear1] with at least "
-                "teeth and normal_module_mm"}});
+    lacks.add({absent_input("gear1",
+                            "; a spec describes a gear in a table [gear1] with at least "
+                            "teeth and normal_module_mm")});
   }
   if (is_gear(gear_1))
     lacks.of([&] { spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder); });

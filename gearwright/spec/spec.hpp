@@ -22,16 +22,17 @@
 namespace gearwright {
 
 struct IdentifyProblem;  // inspection/identify.hpp
+struct SpecTree;         // spec/parse_spec.hpp
 
 struct JobSpec : SpecTables {
   std::string text;  ///< the spec as read, for the report; of a tree its JSON
-  std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
-  GivenKeys given;   ///< the paths of the keys in the text
+  /// The same as a tree of tables, with what gear 2 has from gear 1; null in a spec that was not read.
+  std::shared_ptr<const SpecTree> tree;
+  GivenKeys given;  ///< the paths of the keys in the text
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
   std::vector<std::string> inherited;  ///< keys of gear 2 that are gear 1's: material, quality
-  std::vector<std::string> not_read;   ///< tables and keys of verbs that are not in this version
 };
 
 /// Reads a spec from text. File names in it start at `folder`; empty: the working directory. What it

@@ -244,13 +244,14 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
 }
 
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key) {
-  if (key.empty()) return std::nullopt;
-  if (text.format == SpecFormat::json) return json_place(text.text, key);
-  if (deep_line(text.text)) return std::nullopt;
+  if (text.format == SpecFormat::json)
+    return key.empty() ? std::nullopt : json_place(text.text, key);
+  if (const auto line = deep_line(text.text)) return TextPlace{*line, 1};
   try {
-    return toml_place(toml::parse(text.text), key);
-  } catch (const toml::parse_error&) {
-    return std::nullopt;
+    const toml::table tables = toml::parse(text.text);
+    return key.empty() ? std::nullopt : toml_place(tables, key);
+  } catch (const toml::parse_error& e) {
+    return place_of(e.source());
   }
 }
 

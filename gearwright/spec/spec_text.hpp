@@ -34,7 +34,8 @@ struct TextPlace {
 };
 
 /// Where a key stands, "gear1.rack.arcs[2].radius"; of one that is absent its table. The text is one
-/// that read_spec parsed. None where not even the table is there.
+/// that read_spec parsed. None if not even the table is there. An empty key is the place of a syntax
+/// error of TOML.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 }  // namespace gearwright

@@ -16,9 +16,9 @@ namespace gearwright {
 
 namespace {
 
-std::string missing(const Key& key) {
+Error absent_key(std::string name, const Key& key) {
   const std::string may_be = key.form.empty() ? "" : "; it may be " + key.form;
-  return "is missing: " + plain_words(key.meaning) + may_be;
+  return absent_input(std::move(name), ": " + plain_words(key.meaning) + may_be);
 }
 
 }  // namespace
@@ -52,9 +52,12 @@ void TableReader::fail(const std::string& key, const std::string& why) const {
   const std::string value = it == node_.end() ? "" : shown(*it);
   const std::string_view instead =
       value.empty() ? std::string_view() : not_supported(name(key), value);
-  Error error{name(key), value, instead.empty() ? why : std::string(instead)};
-  if (is_missing(error)) throw SpecError{error, {error}};
-  throw SpecError{std::move(error)};
+  throw SpecError{Error{name(key), value, instead.empty() ? why : std::string(instead)}};
+}
+
+void TableReader::fail_absent(const std::string& key, std::string_view rest) const {
+  const Error error = absent_input(name(key), rest);
+  throw SpecError{error, {error}};
 }
 
 const Key& TableReader::entry(const std::string& key) const {
@@ -218,9 +221,9 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
 }
 
 void TableReader::lacks_one_of(const std::string& key, const std::string& what) {
-  lacking_.push_back({name(key), "",
-                      fmt::format("is missing; the {} is needed, {} = 2 for example, by one of: {}",
-                                  what, key, fmt::join(keys_.ways(key), ", "))});
+  lacking_.push_back(
+      absent_input(name(key), fmt::format("; the {} is needed, {} = 2 for example, by one of: {}",
+                                          what, key, fmt::join(keys_.ways(key), ", "))));
 }
 
 void TableReader::read(KeyTarget input) {
@@ -314,7 +317,7 @@ void TableReader::fail_missing() const {
   std::vector<Error> all;
   for (const Key& key : keys_.keys) {
     const std::string absent(key.key);
-    if (key.required && !given(absent)) all.push_back({name(absent), "", missing(key)});
+    if (key.required && !given(absent)) all.push_back(absent_key(name(absent), key));
   }
   all.insert(all.end(), lacking_.begin(), lacking_.end());
   throw SpecError{all_missing(all), all};
@@ -342,7 +345,7 @@ void TableReader::finish() const {
       const auto it = node_.find(name);
       throw SpecError{{this->name(name), shown(*it),
                        fmt::format("needs {} beside it: {}", other, plain_words(wanted.meaning))},
-                      {{this->name(std::string(other)), "", missing(wanted)}}};
+                      {absent_key(this->name(std::string(other)), wanted)}};
     }
     for (const std::string_view other : key.excludes) {
       if (!given(other)) continue;

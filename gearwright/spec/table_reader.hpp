@@ -68,6 +68,8 @@ class TableReader {
   const std::string& name() const { return path_; }  ///< of the table
   std::string name(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   [[noreturn]] void fail(const std::string& key, const std::string& why) const;
+  /// The key is missing; `rest` continues that sentence.
+  [[noreturn]] void fail_absent(const std::string& key, std::string_view rest) const;
 
   bool given(std::string_view key) const;
 

@@ -16,8 +16,8 @@
 #include "apps/web/engine/work.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
-#include "gearwright/job/finder.hpp"
 #include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/edit_text.hpp"
 
 namespace gearwright::web {

@@ -96,7 +96,7 @@ std::string kind_name(PairKind kind) {
 }  // namespace
 
 Result<ToothedBody> Session::body(int gear, bool in_place) const {
-  if (gear < 1 || gear > gears()) return Error{"gear2", "", "is missing from the spec"};
+  if (gear < 1 || gear > gears()) return absent_input("gear2", " from the spec");
   auto made = make_body(job_, gear, in_place);
   if (!made) return spelled(made.error(), job_.spec.given);
   return made;
@@ -166,7 +166,7 @@ Result<Json> Session::mesh(int gear, double tolerance) const {
 }
 
 Result<Json> Session::lines() const {
-  if (!job_.pair) return Error{"gear2", "", "is missing: there is no pair"};
+  if (!job_.pair) return absent_input("gear2", ": there is no pair");
   const Pair& pair = *job_.pair;
   Numbers line_of_action, trailing_line, path_of_contact;
   Json points = Json::array();
@@ -202,7 +202,7 @@ Result<Json> Session::lines() const {
 // axis 2. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!job_.pair) {
-    if (gear != 1) return Error{"gear2", "", "is missing: there is no pair"};
+    if (gear != 1) return absent_input("gear2", ": there is no pair");
     const Eigen::Isometry3d x(
         Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
     return pose_row(x);

@@ -37,7 +37,7 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
   std::vector<int> chosen;
   for (int which = 1; which <= gears(); ++which)
     if (gear == 0 || gear == which) chosen.push_back(which);
-  if (chosen.empty()) return Error{"gear2", "", "is missing from the spec"};
+  if (chosen.empty()) return absent_input("gear2", " from the spec");
   if (kind == "drawing") {
     auto made = make_workshop_drawing(job_, chosen, SheetFormat::pdf, SheetSize::a4, "drawing.pdf",
                                       options);

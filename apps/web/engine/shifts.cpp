@@ -12,6 +12,7 @@
 #include "gearwright/design/search.hpp"
 #include "gearwright/design/shift_region.hpp"
 #include "gearwright/report/search_words.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -22,7 +23,7 @@ namespace {
 // A search of one trial: its limits are those of the spec's [search], else those that a search has
 // by itself. `swapped`: gear 2 has fewer teeth, and is the search's gear 1.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
-  const Json tree = parse_json(job.spec.tree);
+  const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
   Json search = tree.contains("search") ? tree["search"] : Json::object();
   for (const char* key :
@@ -84,7 +85,7 @@ struct Nearest {
 }  // namespace
 
 Result<Json> Session::shift_region() const {
-  if (!job_.pair) return Error{"gear2", "", "is missing: the chart is of two profile shifts"};
+  if (!job_.pair) return absent_input("gear2", ": the chart is of two profile shifts");
   if (!job_.pair->involute())
     return Error{"gear1.rack.kind", "",
                  "is of circular arcs: they have no profile shifts to choose"};

@@ -109,16 +109,11 @@ export class TextPane {
 
   private showFault(): void {
     const { fault } = bench;
-    const line = fault?.line ?? lineIn(fault?.message ?? "");
-    this.sentence.textContent = fault ? (fault.line ? `Line ${fault.line}: ` : "") + fault.message : "";
+    const line = fault?.line;
+    // A syntax error has no key, and its sentence has the line.
+    this.sentence.textContent = fault ? (line && fault.key ? `Line ${line}: ` : "") + fault.message : "";
     this.mark.hidden = !line;
     if (line) this.mark.style.top = `${(line - 1) * kLine}px`;
     this.area.setAttribute("aria-invalid", String(fault !== null));
   }
-}
-
-/** The line that a sentence of the reader names: "line 3, column 20". */
-function lineIn(message: string): number | null {
-  const found = /\bline (\d+)/.exec(message);
-  return found ? Number(found[1]) : null;
 }
