@@ -72,9 +72,9 @@ int answering_verb(const Verb& verb, const Options& o) {
   } else if (o.csv) {
     print(answer->csv());
   } else if (o.json) {
-    print_json(answer->json());
+    print_json(answer_json(*answer));
   } else {
-    print(answer->text());
+    print(answer_text(*answer));
   }
   return answer->verdict ? status(o, *answer->verdict) : 0;
 }

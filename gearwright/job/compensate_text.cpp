@@ -41,12 +41,9 @@ CompensateView compensate_view(const CompensateAnswer& a) {
 }
 
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
-  Json j;
-  if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["compensate"] = to_json(compensate_quantities().of(compensate_view(a)));
-  j["warnings"] = warnings_json(job.warnings);
-  j["verdict"] = verdict_json(a.verdict);
-  return j;
+  Json record = titled_record(job.spec);
+  record["compensate"] = to_json(compensate_quantities().of(compensate_view(a)));
+  return record;
 }
 
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) {

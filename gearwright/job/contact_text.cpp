@@ -73,13 +73,10 @@ ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
   return contact_quantities().of(view_of(job, answer));
 }
 
-Json contact_json(const SolvedJob& job, const ContactAnswer& answer, const Verdict& verdict) {
-  Json j;
-  if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["contact"] = to_json(contact_record(job, answer));
-  j["warnings"] = warnings_json(job.warnings);
-  j["verdict"] = verdict_json(verdict);
-  return j;
+Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
+  Json record = titled_record(job.spec);
+  record["contact"] = to_json(contact_record(job, answer));
+  return record;
 }
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {

@@ -1,8 +1,6 @@
 // The answer of `contact` in JSON and as a table for people. Internal to job/ and the program.
 #pragma once
 
-#include "gearwright/verdict/verdict.hpp"
-
 #include <string>
 
 #include "gearwright/catalogue/value.hpp"
@@ -13,7 +11,8 @@ namespace gearwright {
 
 /// What the catalogue says of it.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
-Json contact_json(const SolvedJob& job, const ContactAnswer& answer, const Verdict& verdict);
+/// {"contact"}, under its title.
+Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 
 }  // namespace gearwright

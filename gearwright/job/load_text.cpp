@@ -39,13 +39,10 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
 
 }  // namespace
 
-Json load_json(const SolvedJob& job, const LoadAnalysis& answer, const Verdict& verdict) {
-  Json j;
-  if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["load"] = to_json(load_quantities().of(load_view(job, answer)));
-  j["warnings"] = warnings_json(job.warnings);
-  if (job.pair) j["verdict"] = verdict_json(verdict);
-  return j;
+Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
+  Json record = titled_record(job.spec);
+  record["load"] = to_json(load_quantities().of(load_view(job, answer)));
+  return record;
 }
 
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {

@@ -2,8 +2,6 @@
 // program.
 #pragma once
 
-#include "gearwright/verdict/verdict.hpp"
-
 #include <string>
 
 #include "gearwright/job/load_answer.hpp"
@@ -11,7 +9,8 @@
 
 namespace gearwright {
 
-Json load_json(const SolvedJob& job, const LoadAnalysis& answer, const Verdict& verdict);
+/// {"load"}, under its title.
+Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 }  // namespace gearwright

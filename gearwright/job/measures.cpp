@@ -100,9 +100,8 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
   return records;
 }
 
-Json measures_json(const SolvedJob& job, const std::vector<GearMeasures>& measures,
-                   const Verdict& verdict) {
-  Json j = job_json(job, verdict);
+Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures) {
+  Json j = job_record(job);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));

@@ -27,9 +27,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 /// nothing; empty without tolerances.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// job_json with `measure` in each of `gears`, and the interval that tolerances give it.
-Json measures_json(const SolvedJob& job, const std::vector<GearMeasures>& measures,
-                   const Verdict& verdict);
+/// job_record with `measure` in each of `gears`, and the interval that tolerances give it.
+Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 

@@ -9,13 +9,10 @@
 
 namespace gearwright {
 
-Json rating_json(const SolvedJob& job, const RatingAnswer& answer, const Verdict& verdict) {
-  Json j;
-  if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["rating"] = to_json(rating_quantities().of(answer.view()));
-  j["warnings"] = warnings_json(job.warnings);
-  j["verdict"] = verdict_json(verdict);
-  return j;
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
+  Json record = titled_record(job.spec);
+  record["rating"] = to_json(rating_quantities().of(answer.view()));
+  return record;
 }
 
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {

@@ -5,11 +5,10 @@
 
 #include "gearwright/job/rating_answer.hpp"
 #include "gearwright/spec/json.hpp"
-#include "gearwright/verdict/verdict.hpp"
-
 namespace gearwright {
 
-Json rating_json(const SolvedJob& job, const RatingAnswer& answer, const Verdict& verdict);
+/// {"rating"}, under its title.
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer);
 /// Inputs, factors, safeties: symbol, value, unit, place in the standard, branch.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer);
 

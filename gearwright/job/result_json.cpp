@@ -16,9 +16,14 @@ Json warnings_json(const std::vector<Warning>& warnings) {
   return to_json(warning_quantities().each(warnings));
 }
 
-Json job_json(const SolvedJob& job, const Verdict& verdict) {
-  Json j;
-  if (!job.spec.title.empty()) j["title"] = job.spec.title;
+Json titled_record(const JobSpec& spec) {
+  Json record = Json::object();
+  if (!spec.title.empty()) record["title"] = spec.title;
+  return record;
+}
+
+Json job_record(const SolvedJob& job) {
+  Json j = titled_record(job.spec);
   if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
   j["gears"] = Json::array();
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
@@ -32,6 +37,11 @@ Json job_json(const SolvedJob& job, const Verdict& verdict) {
       j["pair"]["interval"] =
           interval_json(pair_quantities().of(*lower.pair), pair_quantities().of(*upper.pair));
   }
+  return j;
+}
+
+Json job_json(const SolvedJob& job, const Verdict& verdict) {
+  Json j = job_record(job);
   j["warnings"] = warnings_json(job.warnings);
   j["verdict"] = verdict_json(verdict);
   return j;

@@ -9,7 +9,11 @@
 namespace gearwright {
 
 Json warnings_json(const std::vector<Warning>& warnings);
-/// `drawing` (when given), `gears`, `pair` (when there is one), `warnings`, `verdict`.
+/// `title` if the spec has one; a record begins with it.
+Json titled_record(const JobSpec& spec);
+/// `drawing` (if given), `gears`, `pair` (if there is one).
+Json job_record(const SolvedJob& job);
+/// The same with `warnings` and `verdict`.
 Json job_json(const SolvedJob& job, const Verdict& verdict);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);

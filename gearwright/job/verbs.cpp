@@ -33,8 +33,8 @@ struct Solving {
   Scope scope;
   Result<Found> (*find)(SolvedJob&, Progress*);
   Verdict (*judge)(const SolvedJob&, const Found&);
-  Json (*json)(const SolvedJob&, const Found&, const Verdict&);
-  std::string (*text)(const SolvedJob&, const Found&);
+  Json (*record)(const SolvedJob&, const Found&);
+  std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
 };
@@ -44,26 +44,21 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   struct State {
     SolvedJob job;
     Found found;
-    Verdict verdict;
   };
   auto solved = solve(spec, how.scope);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
   auto found = how.find(job, progress);
   if (!found) return found.error();
-  Verdict verdict = how.judge(job, *found);
-  const auto state = std::make_shared<const State>(
-      State{std::move(job), std::move(found).take(), std::move(verdict)});
   Answer answer;
-  answer.json = [state, json = how.json] { return json(state->job, state->found, state->verdict); };
-  answer.text = [state, text = how.text] {
-    return text(state->job, state->found) + warning_listing(state->job.warnings) +
-           verdict_listing(state->verdict);
-  };
+  answer.record = how.record(job, *found);
+  answer.warnings = job.warnings;
+  answer.verdict = how.judge(job, *found);
+  if (how.specs != nullptr) answer.specs = how.specs(*found);
+  const auto state = std::make_shared<const State>(State{std::move(job), std::move(found).take()});
+  answer.listing = [state, form = how.listing] { return form(state->job, state->found); };
   if (how.csv != nullptr)
-    answer.csv = [state, csv = how.csv] { return csv(state->job, state->found); };
-  answer.verdict = state->verdict;
-  if (how.specs != nullptr) answer.specs = how.specs(state->found);
+    answer.csv = [state, form = how.csv] { return form(state->job, state->found); };
   return answer;
 }
 
@@ -74,9 +69,7 @@ Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
 
 Verdict judge_as_solved(const SolvedJob& job, const AsSolved&) { return judge(job); }
 
-Json solved_json(const SolvedJob& job, const AsSolved&, const Verdict& verdict) {
-  return job_json(job, verdict);
-}
+Json solved_record(const SolvedJob& job, const AsSolved&) { return job_record(job); }
 
 std::string solved_csv(const SolvedJob& job, const AsSolved&) { return quantities_csv(job); }
 
@@ -85,8 +78,8 @@ Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::gears,
        .find = nothing_more,
        .judge = judge_as_solved,
-       .json = solved_json,
-       .text = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
+       .record = solved_record,
+       .listing = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
        .csv = solved_csv},
       spec, progress);
 }
@@ -96,9 +89,9 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::pair,
        .find = nothing_more,
        .judge = judge_as_solved,
-       .json = solved_json,
-       .text = [](const SolvedJob& job,
-                  const AsSolved&) { return gear_listing(job) + pair_listing(job); },
+       .record = solved_record,
+       .listing = [](const SolvedJob& job,
+                     const AsSolved&) { return gear_listing(job) + pair_listing(job); },
        .csv = solved_csv},
       spec, progress);
 }
@@ -110,8 +103,8 @@ Result<Answer> run_measure(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::gears,
        .find = [](SolvedJob& job, Progress*) { return measure_gears(job); },
        .judge = [](const SolvedJob& job, const Measures&) { return judge(job); },
-       .json = measures_json,
-       .text = measure_listing},
+       .record = measures_record,
+       .listing = measure_listing},
       spec, progress);
 }
 
@@ -121,8 +114,8 @@ Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
        .find = answer_contact,
        .judge = [](const SolvedJob& job,
                    const ContactAnswer& a) { return judge(job, {.contact = &a.driving}); },
-       .json = contact_json,
-       .text = contact_listing,
+       .record = contact_json,
+       .listing = contact_listing,
        .csv = contact_csv},
       spec, progress);
 }
@@ -132,9 +125,8 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::pair,
        .find = [](SolvedJob& job, Progress* h) { return answer_compensate(job, h); },
        .judge = [](const SolvedJob&, const CompensateAnswer& a) { return a.verdict; },
-       .json = [](const SolvedJob& job, const CompensateAnswer& a,
-                  const Verdict&) { return compensate_json(job, a); },
-       .text = compensate_listing,
+       .record = compensate_json,
+       .listing = compensate_listing,
        .specs = [](const CompensateAnswer& a) { return std::vector{a.corrected->tables}; }},
       spec, progress);
 }
@@ -145,8 +137,8 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
        .find = answer_load,
        .judge = [](const SolvedJob& job,
                    const LoadAnalysis&) { return judge(job, {.load = true}); },
-       .json = load_json,
-       .text = load_listing,
+       .record = load_json,
+       .listing = load_listing,
        .csv = [](const SolvedJob&, const LoadAnalysis& a) { return load_csv(a); }},
       spec, progress);
 }
@@ -157,20 +149,21 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
        .find = answer_rating,
        .judge = [](const SolvedJob& job,
                    const RatingAnswer& a) { return judge(job, {.rating = &a}); },
-       .json = rating_json,
-       .text = rating_listing,
+       .record = rating_json,
+       .listing = rating_listing,
        .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); }},
       spec, progress);
 }
 
 // A verb that looks for gears answers without any: its specs are the gears.
 template <class Found>
-Answer proposals(Found&& found, Json (*json)(const Found&), std::string (*text)(const Found&)) {
-  const auto state = std::make_shared<const Found>(std::move(found));
+Answer proposals(Found&& found, Json (*record)(const Found&),
+                 std::string (*listing)(const Found&)) {
   Answer answer;
-  answer.json = [state, json] { return json(*state); };
-  answer.text = [state, text] { return text(*state); };
-  answer.specs = state->specs;
+  answer.record = record(found);
+  answer.specs = found.specs;
+  const auto state = std::make_shared<const Found>(std::move(found));
+  answer.listing = [state, listing] { return listing(*state); };
   return answer;
 }
 
@@ -227,6 +220,19 @@ constexpr Verb kVerbs[] = {
 
 }  // namespace
 
+Json answer_json(const Answer& answer) {
+  Json json = answer.record;
+  if (!answer.verdict) return json;
+  json["warnings"] = warnings_json(answer.warnings);
+  json["verdict"] = verdict_json(*answer.verdict);
+  return json;
+}
+
+std::string answer_text(const Answer& answer) {
+  return answer.listing() + warning_listing(answer.warnings) +
+         (answer.verdict ? verdict_listing(*answer.verdict) : "");
+}
+
 std::span<const Verb> verbs() { return kVerbs; }
 
 const Verb* find_verb(std::string_view name) {
@@ -246,7 +252,7 @@ Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* p
   GW_EXPECTS(verb != nullptr);
   const auto answer = verb->run(spec, progress);
   if (!answer) return answer.error();
-  return answer->json();
+  return answer_json(*answer);
 }
 
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,

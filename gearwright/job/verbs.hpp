@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,15 +21,21 @@
 
 namespace gearwright {
 
-/// What a verb found, and its forms; a form is made when it is called.
+/// What a verb found. The forms for people are made when they are called.
 struct Answer {
-  std::function<Json()> json;          ///< with warnings and verdict
-  std::function<std::string()> text;   ///< for a terminal, with warnings and verdict
-  std::function<std::string()> csv{};  ///< empty: the verb has no table
-  std::optional<Verdict> verdict{};    ///< none: the verb judges no gears
-  std::vector<Json> specs;             ///< that it proposes: branches, candidates, corrections
-  std::string why_none{};              ///< why `specs` is empty, where it can be
+  Json record;                           ///< every quantity, by the catalogue
+  std::vector<Warning> warnings;         ///< of the gears and of what was computed
+  std::optional<Verdict> verdict;        ///< none: the verb judges no gears
+  std::vector<Json> specs;               ///< that it proposes: branches, candidates, corrections
+  std::string why_none;                  ///< why `specs` is empty, if it can be
+  std::function<std::string()> listing;  ///< the record for a terminal
+  std::function<std::string()> csv;      ///< empty: the verb has no table
 };
+
+/// The record, then `warnings` and `verdict` if gears are judged.
+Json answer_json(const Answer& answer);
+/// The listing, warnings and verdict.
+std::string answer_text(const Answer& answer);
 
 struct Verb {
   const char* name;

@@ -83,8 +83,8 @@ TEST(Verbs, answer_in_the_forms_that_their_rows_promise) {
     ASSERT_TRUE(answer) << name;
     EXPECT_EQ(static_cast<bool>(answer->csv), verb.csv) << name;
     EXPECT_EQ(answer->verdict.has_value(), verb.strict) << name;
-    EXPECT_EQ(answer->json()["verdict"]["level"], "green") << name;
-    EXPECT_NE(answer->text().find("Verdict: green"), std::string::npos) << name;
+    EXPECT_EQ(answer_json(*answer)["verdict"]["level"], "green") << name;
+    EXPECT_NE(answer_text(*answer).find("Verdict: green"), std::string::npos) << name;
   }
 }
 

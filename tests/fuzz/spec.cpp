@@ -23,10 +23,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(!job.error().message().empty() && !job.error().field.empty());
       continue;
     }
-    require(!job_json(*job).dump().empty());
+    require(!job_record(*job).dump().empty());
     SolvedJob measured = *job;
     const auto measures = measure_gears(measured);
-    require(measures ? !measures_json(measured, *measures).dump().empty()
+    require(measures ? !measures_record(measured, *measures).dump().empty()
                      : !measures.error().message().empty());
     for (const Gear& gear : job->gears) {
       if (!gear.tooth || !gear.exists()) continue;

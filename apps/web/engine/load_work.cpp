@@ -140,7 +140,10 @@ std::optional<Error> LoadWork::close() {
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
   explain_stiffness(job_, task_, answer, job_.warnings);
   result_ = picture_of(*answer.contact);
-  result_["json"] = json_text(load_json(job_, answer, judge(job_, {.load = true})), 2) + "\n";
+  Json json = load_json(job_, answer);
+  json["warnings"] = warnings_json(job_.warnings);
+  json["verdict"] = verdict_json(judge(job_, {.load = true}));
+  result_["json"] = json_text(json, 2) + "\n";
   return std::nullopt;
 }
 
