@@ -181,14 +181,16 @@ const KeyTable& gear_keys() {
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
                  "the grade of the flanks, and how thick the teeth may be"),
        Key::part("measured", measured_keys, {},
-                 "readings of an unknown gear, for the verb identify")}};
+                 "readings of an unknown gear, for the verb identify"),
+       Key::word("form", {"gear"}, KeyPlace::unused(), "\"gear\"",
+                 "a gear; \"rack\" in [gear2] makes that a rack with keys of its own")}};
   return table;
 }
 
 const KeyTable& cutter_keys() {
   static const KeyTable table = [] {
     KeyTable t =
-        without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material"});
+        without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material", "form"});
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; module and angles where they are not those of the gear or its "

@@ -19,7 +19,7 @@ constexpr std::string_view kOnePair =
     "planetary sets and trains of gears are not supported: a spec has one pair, [gear1] and "
     "[gear2]. Give each mesh a spec of its own; a ring has a negative number of teeth";
 constexpr std::string_view kRackMate =
-    "a rack as a mating part is not supported: a pair is two gears. The rack that cuts a gear is "
+    "a rack as a mating part is gear 2: [gear2] with form = \"rack\". The rack that cuts a gear is "
     "[gear1.rack]";
 constexpr std::string_view kOneHelix =
     "double helical (herringbone) gears are not supported. Give one half as a helical gear: its "
@@ -35,10 +35,11 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
      "a spec has at most two gears, [gear1] and [gear2]; give each mesh a spec of its own"},
     {"rack", "", kRackMate},
-    {"gear#.form", "", kRackMate},
+    {"gear1.form", "rack", "a rack is gear 2, its pinion gear 1"},
     {"gear#.teeth", "0",
-     "must not be 0: a rack as a mating part is not supported. An internal gear has a negative "
-     "number of teeth, teeth = -61"},
+     "must not be 0: a rack is [gear2] with form = \"rack\". An internal gear has a negative "
+     "number "
+     "of teeth, teeth = -61"},
     {"gear#.internal", "", kInternal},
     {"gear#.rack.points", "",
      "a rack given by points is not supported. Give straight flanks by their numbers (addendum, "

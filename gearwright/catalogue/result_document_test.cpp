@@ -16,6 +16,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
@@ -46,6 +47,8 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"as_rack", &as_rack_quantities().table()},
       {"outline.arc", &outline_quantities().table()},
       {"pair", &pair_quantities().table()},
+      {"rack", &rack_quantities().table()},
+      {"rack_pair", &rack_pair_quantities().table()},
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gearwright/catalogue/rack_bar_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
 namespace gearwright {
@@ -12,6 +13,12 @@ Key table_key(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
               std::string_view meaning) {
   Key k = Key::part(key, table, std::move(place), meaning);
   k.in_documents = true;
+  return k;
+}
+
+Key gear_2_key() {
+  Key k = table_key("gear2", gear_keys, {}, "the second gear, or with `form` = \"rack\" a rack");
+  k.tables.push_back(rack_bar_keys);
   return k;
 }
 
@@ -26,7 +33,7 @@ const KeyTable& spec_keys() {
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair"),
-       table_key("gear2", gear_keys, {}, "the second gear"),
+       gear_2_key(),
        table_key("pair", pair_keys,
                  KeyPlace::within<SpecTables>([](auto& tables) -> auto& { return tables.pair; }),
                  "how the two gears are mounted"),

@@ -125,7 +125,10 @@ Json required(std::initializer_list<const char*> keys) { return {{"required", ke
 // Beside [search] a gear may leave its teeth to it; else it is whole, and there is one at least.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
-  const Json second = required({"teeth"});  // it has the rest from the first
+  Json rack = required({"form"});
+  rack["properties"] = {{"form", {{"const", "rack"}}}};
+  // It has the rest from the first.
+  const Json second{{"anyOf", {required({"teeth"}), rack}}};
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
   Json alone = required({"gear1"});
@@ -137,8 +140,11 @@ Json gears_or_search() {
 
 Json whole_gear() {
   Json s = required({"teeth"});
-  s["anyOf"] = {required({"normal_module_mm"}), required({"normal_diametral_pitch_per_in"}),
-                required({"transverse_module_mm"}), required({"basic"}), required({"cut_by"}),
+  s["anyOf"] = {required({"normal_module_mm"}),
+                required({"normal_diametral_pitch_per_in"}),
+                required({"transverse_module_mm"}),
+                required({"basic"}),
+                required({"cut_by"}),
                 required({"measured"})};  // the last: a gear that identify is to find
   return s;
 }

@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 
 namespace gearwright {
 
@@ -154,6 +155,16 @@ std::string quantities_csv(const SolvedJob& job) {
     const ValueRecord pair = pair_quantities().of(*job.pair);
     add_records("pair", pair_quantities().table(), {&pair}, out);
   }
+  return out;
+}
+
+std::string rack_csv(const Gear& pinion, const RackPair& pair) {
+  std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
+  const ValueRecord gear = gear_quantities().of(pinion), rack = rack_quantities().of(pair.rack),
+                    mesh = rack_pair_quantities().of(pair);
+  add_records("gears", gear_quantities().table(), {&gear}, out);
+  add_records("rack", rack_quantities().table(), {&rack}, out);
+  add_records("pair", rack_pair_quantities().table(), {&mesh}, out);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/rating_answer.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -16,6 +17,8 @@ std::string csv_cell(const Value& value);
 /// of a range; what both have in common stands in `first`, a longer list in rows of its own
 /// (key.1, key.2, …). Lists of records (contacts, overlaps) are left to JSON.
 std::string quantities_csv(const SolvedJob& job);
+/// The same of a pinion, its rack and the pair.
+std::string rack_csv(const Gear& pinion, const RackPair& pair);
 /// A row for each position of the working flanks, a column for each number of it.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each torque and position.

@@ -15,6 +15,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -137,7 +138,8 @@ Json error_schema() {
 std::vector<const QuantityTable*> result_tables() {
   return with_inner_tables(
       {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
-       &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
+       &outline_quantities().table(), &pair_quantities().table(), &rack_quantities().table(),
+       &rack_pair_quantities().table(), &contact_quantities().table(),
        &compensate_quantities().table(), &load_quantities().table(), &rating_quantities().table(),
        &fit_quantities().table(), &identify_quantities().table(), &drawing_quantities().table(),
        &search_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
@@ -148,14 +150,18 @@ Json result_schema() {
   Schema schema;
   Json properties;
   properties["title"] = {{"type", "string"}};
-  properties["gears"] = schema.list_of(gear_quantities().table());
+  properties["gears"] = {{"type", "array"},
+                         {"items",
+                          {{"anyOf", Json{schema.reference(gear_quantities().table()),
+                                          schema.reference(rack_quantities().table())}}}}};
   // What only the verb measure and --as-rack add to a gear.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
   Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   gear["as_rack"] = rack;
   gear["measure"] = measure;
-  properties["pair"] = schema.reference(pair_quantities().table());
+  properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
+                                       schema.reference(rack_pair_quantities().table())}}};
   // What tolerances add: the same keys, with two numbers each.
   const Json interval{{"type", "object"},
                       {"description",

@@ -48,6 +48,11 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
                         "; the spec describes a search. gearwright search finds the "
                         "gears, and its --take 1 writes the pair that this verb takes");
   }
+  if (spec.rack && scope != Scope::gears) {
+    return Error{"gear2.form", "rack",
+                 "makes a rack and pinion, which the verbs gear and pair compute; this verb is for "
+                 "two gears"};
+  }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
   auto arranged = arrange(given, scope);

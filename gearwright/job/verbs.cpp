@@ -18,6 +18,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/load_text.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/rack_answer.hpp"
 #include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -74,6 +75,7 @@ Json solved_record(const SolvedJob& job, const AsSolved&) { return job_record(jo
 std::string solved_csv(const SolvedJob& job, const AsSolved&) { return quantities_csv(job); }
 
 Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
+  if (spec.rack) return answer_rack(spec);
   return solved_answer<AsSolved>(
       {.scope = Scope::gears,
        .find = nothing_more,
@@ -85,6 +87,7 @@ Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
+  if (spec.rack) return answer_rack(spec);
   return solved_answer<AsSolved>(
       {.scope = Scope::pair,
        .find = nothing_more,
@@ -248,7 +251,9 @@ std::string verb_names() {
 }
 
 Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* progress) {
-  const Verb* const verb = find_verb(!name.empty() ? name : spec.gears[1] ? "pair" : "gear");
+  const Verb* const verb = find_verb(!name.empty()                ? name
+                                     : spec.gears[1] || spec.rack ? "pair"
+                                                                  : "gear");
   GW_EXPECTS(verb != nullptr);
   const auto answer = verb->run(spec, progress);
   if (!answer) return answer.error();

@@ -122,12 +122,18 @@ bool cuts_both(const Json& rack) {
 
 }  // namespace
 
+bool is_rack(const Json& gear) {
+  if (!gear.is_object()) return false;
+  const auto form = gear.find("form");
+  return form != gear.end() && *form == "rack";
+}
+
 Inherited inherit(const Json& tree) {
   Inherited made{tree, false};
   const auto gear = [&](const char* name) -> Json* {
     const auto it = made.tree.find(name);
     const bool mounted = it != made.tree.end() && it->is_object() && it->contains("teeth");
-    return mounted ? &*it : nullptr;
+    return mounted && !is_rack(*it) ? &*it : nullptr;
   };
   const Json* from = gear("gear1");
   Json* to = gear("gear2");

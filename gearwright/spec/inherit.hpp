@@ -18,6 +18,9 @@ struct Inherited {
   std::vector<std::string> noted{};  ///< keys that no number of gear 2 shows: material, quality
 };
 
+/// The table is that of a rack, form = "rack".
+bool is_rack(const Json& gear);
+
 /// The gears are those of a mounted pair: both have teeth. Of its shape nothing is handed on to a
 /// gear that is cut by a gear or given by its base cylinder; no helix where the axes cross by a given angle; no
 /// rack of arcs that cuts one gear of a pair alone.

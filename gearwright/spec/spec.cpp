@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/missing.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/rack_bar_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -112,6 +115,26 @@ void share_with_rating(const Json& tree, JobSpec& spec) {
     rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
 }
 
+// A rack as gear 2. Its pair has the numbers of its place alone.
+RackBar read_rack_bar(const Json& rack, const Json& tree) {
+  TableReader t(rack_bar_keys(), rack, "gear2");
+  RackBar bar;
+  t.read(bar);
+  t.finish();
+  const auto pair = tree.find("pair");
+  if (pair == tree.end() || !pair->is_object()) return bar;
+  constexpr std::array kOfRacks{"center_distance_mm", "speed_rpm"};
+  for (const auto& [key, value] : pair->items()) {
+    if (std::find(kOfRacks.begin(), kOfRacks.end(), key) != kOfRacks.end() ||
+        !pair_keys().find(key))
+      continue;
+    throw SpecError{{"pair." + key, shown(value),
+                     "does not apply to a rack and pinion; center_distance_mm and speed_rpm do. "
+                     "Backlash follows from the distance and the thickness allowances"}};
+  }
+  return bar;
+}
+
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
   const Inherited made = inherit(given);
   const Json& tree = made.tree;
@@ -127,7 +150,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   const Json* search = t.table("search");
   // Beside [search] a gear's table without teeth says only what the search does not choose.
   const auto is_gear = [&](const Json* gear) {
-    return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear);
+    return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&
+           !(gear == gear_2 && is_rack(*gear));
   };
   spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
   const bool unknown = spec.measured[0] || spec.measured[1];
@@ -140,6 +164,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
     lacks.of([&] { spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder); });
   if (is_gear(gear_2))
     lacks.of([&] { spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder); });
+  if (gear_2 && is_rack(*gear_2)) lacks.of([&] { spec.rack = read_rack_bar(*gear_2, tree); });
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;

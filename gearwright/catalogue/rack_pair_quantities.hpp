@@ -1,0 +1,12 @@
+// The quantities of a rack and of its pair with a pinion: `gears` and `pair` of such a result.
+#pragma once
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/pair/rack_pair.hpp"
+
+namespace gearwright {
+
+const Quantities<RackGeometry>& rack_quantities();
+const Quantities<RackPair>& rack_pair_quantities();
+
+}  // namespace gearwright

@@ -1,0 +1,180 @@
+#include "gearwright/pair/rack_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNoLength = 1e-9;  // modules: less than this is rounding
+// Modules: the fillet radii of ISO 53 have two digits, and where the fillet is to begin at the depth of
+// the mating tip (0.38 for 0.37993) they leave this much.
+constexpr double kRoundedFillet = 1e-4;
+
+double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
+double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
+
+RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
+  const double m = pinion.spec.normal_module;
+  const StraightRack& profile = pinion.spec.straight_rack();
+  RackGeometry r;
+  r.bar = bar;
+  r.normal_module = m;
+  r.helix_angle = Angle::radians(-pinion.spec.helix_angle.rad());
+  r.face_width = bar.face_width.value_or(pinion.spec.face_width);
+  r.normal_pitch = std::numbers::pi * m;
+  r.transverse_pitch = std::numbers::pi * pinion.transverse_module;
+  r.addendum = profile.addendum * m;
+  r.dedendum = profile.dedendum * m;
+  r.thickness = r.normal_pitch / 2 + bar.thickness_allowance;
+  return r;
+}
+
+// The depth below the datum line at which the rack's straight flank ends above its fillet. [T2.39]
+double form_depth(const Gear& pinion, const RackGeometry& rack) {
+  const StraightRack& profile = pinion.spec.straight_rack();
+  const double fillet =
+      std::min(profile.root_fillet_radius, full_radius(profile, pinion.spec.normal_pressure_angle));
+  return rack.dedendum - fillet * rack.normal_module * (1 - std::sin(alpha_n(pinion)));
+}
+
+// Approach and recess on the usable flanks: the pinion's from its form circle or base tangent point,
+// the rack's to the end of its straight part. [T2.39]
+void clip(RackPair& p) {
+  const double r_b = p.pinion.base_radius();
+  const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
+  const double r_Ff = p.pinion.root_form_radius().value_or(r_b);
+  const double flank = reach - std::sqrt(std::max(0.0, r_Ff * r_Ff - r_b * r_b));
+  p.true_approach = std::min({p.approach, reach, flank});
+  const double below =
+      p.center_distance - p.pinion.reference_diameter / 2 + form_depth(p.pinion, p.rack);
+  p.true_recess = std::min(p.recess, below / std::sin(alpha_t(p.pinion)));
+}
+
+void warn(RackPair& p, WarningCode code, int gear, std::string message) {
+  p.warnings.push_back({code, std::move(message), gear});
+}
+
+void find_faults(RackPair& p) {
+  const double least = kNoLength * p.rack.normal_module;
+  if (p.approach + p.recess <= least) {
+    warn(
+        p, WarningCode::no_contact, 0,
+        "The teeth of pinion and rack do not reach each other: a smaller center distance or longer "
+        "tips would help.");
+    return;
+  }
+  if (p.normal_backlash() < -least) {
+    warn(p, WarningCode::jam, 0,
+         fmt::format("Pinion and rack jam: the normal backlash is {:.4f} mm; they are free of "
+                     "backlash at a centre distance of {} mm.",
+                     p.normal_backlash(), format_number(p.backlash_free_center_distance)));
+  }
+  for (const int tip : {1, 2}) {
+    const double c = p.tip_clearance[static_cast<std::size_t>(tip - 1)];
+    if (c >= -least) continue;
+    warn(p, WarningCode::root, 3 - tip,
+         fmt::format("The tip of the {} cuts {:.4f} mm into the root of the {}.",
+                     tip == 1 ? "pinion" : "rack", -c, tip == 1 ? "rack" : "pinion"));
+  }
+  if (!p.contact_root_diameter) {
+    warn(
+        p, WarningCode::base_tangent, 1,
+        "The tip of the rack reaches past the base tangent point of the pinion; more profile shift "
+        "or a greater centre distance would help.");
+  } else if (p.form_clearance && *p.form_clearance < -kRoundedFillet * p.rack.normal_module) {
+    warn(p, WarningCode::form_circle, 1,
+         fmt::format("The tip of the rack reaches {:.4f} mm below the start of the usable flank of "
+                     "gear 1 (d_Ff = {:.4f} mm).",
+                     -*p.form_clearance, 2 * p.pinion.root_form_radius().value()));
+  }
+  if (p.true_contact_ratio() + p.overlap_ratio < 1.0) {
+    warn(p, WarningCode::contact_ratio, 0,
+         fmt::format("The contact ratio on the usable flanks is {:.3f}, below 1.",
+                     p.true_contact_ratio() + p.overlap_ratio));
+  }
+}
+
+}  // namespace
+
+std::optional<double> RackGeometry::length() const {
+  return bar.teeth ? std::optional(*bar.teeth * transverse_pitch) : std::nullopt;
+}
+
+std::optional<double> RackPair::mounting_distance() const {
+  return rack.bar.height ? std::optional(center_distance + *rack.bar.height) : std::nullopt;
+}
+
+double RackPair::transverse_contact_ratio() const {
+  return std::max(0.0, (approach + recess) / base_pitch);
+}
+
+double RackPair::true_contact_ratio() const {
+  return std::max(0.0, (true_approach + true_recess) / base_pitch);
+}
+
+double RackPair::base_backlash() const {
+  return 2 * (center_distance - backlash_free_center_distance) * std::sin(alpha_n(pinion));
+}
+
+double RackPair::normal_backlash() const { return base_backlash() / std::cos(alpha_n(pinion)); }
+
+double RackPair::circumferential_backlash() const {
+  return 2 * (center_distance - backlash_free_center_distance) * std::tan(alpha_t(pinion));
+}
+
+std::array<std::optional<double>, 2> RackPair::specific_sliding(double g) const {
+  const double reach = pinion.reference_diameter / 2 * std::sin(alpha_t(pinion));
+  const bool on_involute = reach + g > kNoLength * rack.normal_module;
+  return {on_involute ? std::optional(g / (reach + g)) : std::nullopt, -g / reach};
+}
+
+Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<double> center_distance,
+                            std::optional<double> speed_rpm) {
+  GW_EXPECTS(!center_distance || *center_distance > 0.0);
+  if (pinion.internal())
+    return refused(gear_field(1, "teeth"), pinion.spec.teeth,
+                   "a rack meshes with an external gear only");
+  if (!pinion.involute())
+    return Error{gear_field(1, "rack"), "",
+                 "cuts circular arcs; a rack as gear 2 has straight flanks"};
+  if (!pinion.exists())
+    return Error{gear_field(1), "",
+                 "has no tooth that could mesh with a rack: the cutter severs it"};
+  RackPair p;
+  p.rack = geometry(pinion, bar);
+  p.pinion = std::move(pinion);
+  p.speed_rpm = speed_rpm;
+  const Gear& g = p.pinion;
+  const auto& reference = g.reference();
+  const double m = g.spec.normal_module, r = g.reference_diameter / 2;
+  const double sin_t = std::sin(alpha_t(g));
+  p.center_distance = center_distance.value_or(r + g.spec.profile_shift * m);
+  p.backlash_free_center_distance = r + reference.generating_profile_shift * m +
+                                    bar.thickness_allowance / (2 * std::tan(alpha_n(g)));
+  p.travel_per_turn = g.spec.teeth * p.rack.transverse_pitch;
+  p.base_pitch = reference.base_pitch_transverse;
+  const double shifted = p.center_distance - r;  // pitch line to datum line
+  const double r_a = g.tip_form_radius(), r_b = g.base_radius();
+  p.recess = std::sqrt(std::max(0.0, r_a * r_a - r_b * r_b)) - r * sin_t;
+  p.approach = (p.rack.addendum - shifted) / sin_t;
+  clip(p);
+  const double face = std::min(g.spec.face_width, p.rack.face_width);
+  p.overlap_ratio = face * std::abs(std::sin(g.spec.helix_angle.rad())) / (std::numbers::pi * m);
+  p.tip_clearance = {p.center_distance + p.rack.dedendum - g.actual_tip_radius(),
+                     p.center_distance - p.rack.addendum - g.root_diameter / 2};
+  if (const double start = r * sin_t - p.approach; start >= 0.0)
+    p.contact_root_diameter = 2 * std::hypot(start, r_b);
+  if (const auto r_Ff = g.root_form_radius(); r_Ff && p.contact_root_diameter)
+    p.form_clearance = *p.contact_root_diameter / 2 - *r_Ff;
+  find_faults(p);
+  return p;
+}
+
+}  // namespace gearwright

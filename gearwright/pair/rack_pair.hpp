@@ -1,0 +1,83 @@
+// A pinion and a rack: the exact limit of a parallel pair for z2 → ∞.
+//
+//   H, H_0    pinion axis to the rack's datum line, as mounted and free of backlash   mm
+//   r, r_b    reference and base radius of the pinion   mm      α_n, α_t   pressure angles
+//   g         along the line of action from the pitch point, > 0 in recess   mm
+//   g_a, g_f  lengths of approach and recess   mm       p_t, p_bt   transverse pitches   mm
+//   ζ         specific sliding                      theory: docs/theory/02-involute-and-pair.md, 2.10
+//
+// The pitch point stays on the reference circle at every H, so that the working pressure angle is α_t.
+// The pinion drives.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+/// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
+struct RackBar {
+  std::optional<int> teeth{};          ///< n; none: as long as it is needed
+  std::optional<double> face_width{};  ///< b    mm; none: that of the pinion
+  std::optional<double> height{};      ///< mm, from its back to the datum line
+  double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
+};
+
+/// What becomes of a rack beside its pinion.
+struct RackGeometry {
+  RackBar bar;
+  double normal_module;                  ///< m_n  mm
+  Angle helix_angle;                     ///< β    of the hand opposite to the pinion's
+  double face_width;                     ///< b    mm
+  double normal_pitch;                   ///< p_n  mm
+  double transverse_pitch;               ///< p_t  mm, along the travel
+  double addendum;                       ///< h_a  mm, above the datum line
+  double dedendum;                       ///< h_f  mm, below it
+  double thickness;                      ///< s_n  mm, normal, at the datum line
+  std::optional<double> length() const;  ///< n p_t  mm, with half a space at both ends
+};
+
+struct RackPair {
+  RackPair() = default;  ///< empty, and no aggregate: mount_rack() makes it
+  Gear pinion;
+  RackGeometry rack;
+  double center_distance;                ///< H    mm
+  double backlash_free_center_distance;  ///< H_0  mm, of the teeth as cut
+  double travel_per_turn;                ///< π m_t z  mm
+  double approach, recess;            ///< g_a, g_f  mm, to the tips; < 0 if they do not get there
+  double true_approach, true_recess;  ///< the same clipped to the usable flanks
+  double overlap_ratio;               ///< ε_β over the common face
+  double base_pitch;                  ///< p_bt  mm
+  std::array<double, 2>
+      tip_clearance;  ///< c    mm: pinion tip to rack root, rack tip to pinion root
+  std::optional<double>
+      contact_root_diameter;             ///< d_Nf of the pinion  mm; none past the base circle
+  std::optional<double> form_clearance;  ///< (d_Nf − d_Ff)/2  mm
+  std::optional<double> speed_rpm;       ///< n_1  1/min
+  std::vector<Warning> warnings;
+
+  std::optional<double> mounting_distance() const;  ///< H + height  mm
+  double transverse_contact_ratio() const;          ///< ε_α, 0 without contact
+  double true_contact_ratio() const;                ///< the same on the usable flanks
+  double normal_backlash() const;                   ///< j_n  mm
+  double base_backlash() const;                     ///< j_bn mm
+  double circumferential_backlash() const;          ///< j_t  mm, along the rack
+  /// ζ of pinion and rack where contact is at g; none of the pinion at and beyond its base tangent
+  /// point.
+  std::array<std::optional<double>, 2> specific_sliding(double g) const;
+};
+
+/// Mounts a pinion and a rack. What is wrong with the mesh is a warning.
+///
+/// Formula   theory page 2, [T2.36]…[T2.41]
+/// Domain    an external involute gear that exists; H > 0 and the widths > 0
+/// Errors    `gear1.teeth` of an internal gear, `gear1.rack` of circular arcs,
+///           `gear1` without a tooth
+Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
+                            std::optional<double> center_distance = {},
+                            std::optional<double> speed_rpm = {});
+
+}  // namespace gearwright

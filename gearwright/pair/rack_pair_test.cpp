@@ -1,0 +1,114 @@
+// Laws of a pinion and a rack.
+//
+// (1) The numbers of a pair with z2 = 10⁴ and 10⁵ approach those of the rack as 1/z2.
+// (2) A distance greater by δ adds 2 δ sin α_n to the backlash along the line of action and δ to both
+//     clearances, and changes no angle.
+// (3) An allowance on the rack makes the backlash that the same allowance on the pinion makes.
+// (4) Doubling the module doubles every length.
+#include "gearwright/pair/rack_pair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+namespace {
+
+Gear pinion(int teeth, double m, double x, double beta, double allowance = 0.0) {
+  return testing::taken(make_gear({.teeth = teeth,
+                                   .normal_module = m,
+                                   .helix_angle = Angle::degrees(beta),
+                                   .profile_shift = x,
+                                   .thickness_allowance = allowance,
+                                   .face_width = 20 * m / 2}));
+}
+
+// What a pair with z2 teeth has more than the rack.
+std::vector<double> beyond(const RackPair& rack, int z2) {
+  const Gear wheel = pinion(z2, 2, 0, -rack.pinion.spec.helix_angle.deg());
+  const Pair pair = testing::taken(mount(rack.pinion, wheel));
+  const InvolutePair& p = *pair.involute();
+  const auto at_A = rack.specific_sliding(-rack.approach),
+             at_E = rack.specific_sliding(rack.recess);
+  EXPECT_NEAR(p.mesh.overlap_ratio, rack.overlap_ratio, 1e-12);
+  return {p.center_distance - p.gears[1].reference_diameter / 2 - rack.center_distance,
+          p.mesh.rack.sides[0].transverse_angle - rack.pinion.reference().transverse_pressure_angle,
+          *p.transverse_contact_ratio() - rack.transverse_contact_ratio(),
+          *p.sliding_A.zeta_2 - *at_A[1],
+          *p.sliding_E.zeta_1 - *at_E[0],
+          *p.sliding_E.zeta_2 - *at_E[1],
+          p.tip_clearance[0] - rack.tip_clearance[0],
+          p.tip_clearance[1] - rack.tip_clearance[1]};
+}
+
+TEST(RackPair, is_the_limit_of_pairs) {
+  for (const auto& [teeth, x, beta] : {std::tuple{17, 0.1, 0.0}, std::tuple{24, 0.0, 0.0},
+                                       std::tuple{20, 0.2, 15.0}, std::tuple{16, 0.4, -28.0}}) {
+    const RackPair rack = testing::taken(mount_rack(pinion(teeth, 2, x, beta), {}));
+    const std::vector<double> some = beyond(rack, 10'000), more = beyond(rack, 100'000);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      EXPECT_LT(std::abs(some[i]), 0.01) << i;
+      // (1): of ten times the teeth a tenth. Radii of 10⁵ mm leave rounding of 1e-10.
+      EXPECT_NEAR(more[i], some[i] / 10, 0.01 * std::abs(some[i]) + 1e-9) << i;
+    }
+  }
+}
+
+TEST(RackPair, backlash_and_clearances_follow_the_distance) {
+  const Gear gear = pinion(22, 2, 0.3, 12);
+  const RackPair tight = testing::taken(mount_rack(gear, {}));
+  const RackPair apart = testing::taken(mount_rack(gear, {}, tight.center_distance + 0.1));
+  const double alpha_n = Angle::degrees(20).rad();
+  EXPECT_NEAR(tight.base_backlash(), 0.0, 1e-14);
+  EXPECT_NEAR(apart.base_backlash(), 0.2 * std::sin(alpha_n), 1e-14);  // (2)
+  EXPECT_NEAR(apart.normal_backlash(), 0.2 * std::tan(alpha_n), 1e-14);
+  for (const std::size_t i : {0, 1})
+    EXPECT_NEAR(apart.tip_clearance[i] - tight.tip_clearance[i], 0.1, 1e-13);
+  EXPECT_EQ(apart.travel_per_turn, tight.travel_per_turn);
+  EXPECT_LT(apart.transverse_contact_ratio(), tight.transverse_contact_ratio());
+  const RackPair thin_rack = testing::taken(mount_rack(gear, {.thickness_allowance = -0.05}));
+  const RackPair thin_pinion = testing::taken(mount_rack(pinion(22, 2, 0.3, 12, -0.05), {}));
+  EXPECT_NEAR(thin_rack.base_backlash(), 0.05 * std::cos(alpha_n), 1e-13);  // (3)
+  EXPECT_NEAR(thin_pinion.base_backlash(), thin_rack.base_backlash(), 1e-13);
+}
+
+TEST(RackPair, lengths_scale_with_the_module) {
+  const RackPair one =
+      testing::taken(mount_rack(pinion(19, 1, 0.2, 20), {.teeth = 30, .height = 5}));
+  const RackPair two =
+      testing::taken(mount_rack(pinion(19, 2, 0.2, 20), {.teeth = 30, .height = 10}));
+  EXPECT_NEAR(two.center_distance, 2 * one.center_distance, 1e-12);  // (4)
+  EXPECT_NEAR(*two.rack.length(), 2 * *one.rack.length(), 1e-12);
+  EXPECT_NEAR(*two.mounting_distance(), 2 * *one.mounting_distance(), 1e-12);
+  EXPECT_NEAR(two.transverse_contact_ratio(), one.transverse_contact_ratio(), 1e-12);
+  EXPECT_NEAR(two.true_contact_ratio(), one.true_contact_ratio(), 1e-12);
+}
+
+TEST(RackPair, what_is_wrong_is_a_warning_and_what_cannot_be_an_error) {
+  const auto has = [](const RackPair& p, WarningCode code) {
+    return std::any_of(p.warnings.begin(), p.warnings.end(),
+                       [&](const Warning& w) { return w.code == code; });
+  };
+  const Gear gear = pinion(22, 2, 0, 0);
+  EXPECT_TRUE(testing::taken(mount_rack(gear, {})).warnings.empty());
+  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 21.9)), WarningCode::jam));
+  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 21.4)), WarningCode::root));
+  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 27.0)), WarningCode::no_contact));
+  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 24.0)), WarningCode::contact_ratio));
+  const RackPair undercut = testing::taken(mount_rack(pinion(9, 2, 0, 0), {}));
+  EXPECT_TRUE(has(undercut, WarningCode::base_tangent));
+  EXPECT_LT(undercut.true_contact_ratio(), undercut.transverse_contact_ratio());
+  const Gear ring = testing::taken(make_gear({.teeth = -60, .normal_module = 2, .face_width = 20}));
+  const auto refused = mount_rack(ring, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "gear1.teeth");
+}
+
+}  // namespace
+}  // namespace gearwright
