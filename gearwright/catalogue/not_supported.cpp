@@ -35,7 +35,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
      "a spec has at most two gears, [gear1] and [gear2]; give each mesh a spec of its own"},
     {"rack", "", kRackMate},
-    {"gear1.form", "rack", "a rack is gear 2, its pinion gear 1"},
+    {"gear1.form", "\"rack\"", "a rack is gear 2, its pinion gear 1"},
     {"gear#.teeth", "0",
      "must not be 0: a rack is [gear2] with form = \"rack\". An internal gear has a negative "
      "number "

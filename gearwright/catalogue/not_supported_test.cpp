@@ -12,7 +12,7 @@ namespace {
 TEST(NotSupported, a_number_in_a_path_is_any_and_a_star_any_table) {
   EXPECT_FALSE(not_supported("gear3").empty());
   EXPECT_FALSE(not_supported("gear12").empty());
-  EXPECT_FALSE(not_supported("gear1.form", "rack").empty());
+  EXPECT_FALSE(not_supported("gear1.form", "\"rack\"").empty());
   EXPECT_FALSE(not_supported("units").empty());
   EXPECT_FALSE(not_supported("gear1.rack.units").empty());
   for (const char* path : {"", "gear", "gears", "gear3x", "gear1.forms", "myunits", "gear1.rack"})

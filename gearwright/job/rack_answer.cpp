@@ -27,6 +27,16 @@ std::string listing(const RackJob& of) {
          quantity_listing(rack_pair_quantities().table(), {rack_pair_quantities().of(of.pair)}, {});
 }
 
+// Of the pinion and of the mesh. Changes of the spec are not tried: remedies have no numbers.
+Verdict verdict(const SolvedJob& job) {
+  Judged judged;
+  judged.gears = {&job.gears[0]};
+  judged.warnings = &job.warnings;
+  Verdict verdict = verdict_of(judged);
+  if (verdict.level == Level::green) verdict.headline = "The rack and pinion run as specified.";
+  return verdict;
+}
+
 }  // namespace
 
 Result<Answer> answer_rack(const JobSpec& spec) {
@@ -42,9 +52,7 @@ Result<Answer> answer_rack(const JobSpec& spec) {
   answer.record["gears"].push_back(to_json(rack_quantities().of(pair->rack)));
   answer.record["pair"] = to_json(rack_pair_quantities().of(*pair));
   answer.warnings = job.warnings;
-  answer.verdict = judge(job);
-  if (answer.verdict->level == Level::green)
-    answer.verdict->headline = "The rack and pinion run as specified.";
+  answer.verdict = verdict(job);
   const auto state =
       std::make_shared<const RackJob>(RackJob{std::move(job), std::move(pair).take()});
   answer.listing = [state] { return listing(*state); };

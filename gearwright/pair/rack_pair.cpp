@@ -71,7 +71,7 @@ void find_faults(RackPair& p) {
     return;
   }
   if (p.normal_backlash() < -least) {
-    warn(p, WarningCode::jam, 0,
+    warn(p, WarningCode::negative_backlash, 0,
          fmt::format("Pinion and rack jam: the normal backlash is {:.4f} mm; they are free of "
                      "backlash at a centre distance of {} mm.",
                      p.normal_backlash(), format_number(p.backlash_free_center_distance)));
@@ -79,7 +79,7 @@ void find_faults(RackPair& p) {
   for (const int tip : {1, 2}) {
     const double c = p.tip_clearance[static_cast<std::size_t>(tip - 1)];
     if (c >= -least) continue;
-    warn(p, WarningCode::root, 3 - tip,
+    warn(p, WarningCode::root, tip == 1 ? 0 : 1,
          fmt::format("The tip of the {} cuts {:.4f} mm into the root of the {}.",
                      tip == 1 ? "pinion" : "rack", -c, tip == 1 ? "rack" : "pinion"));
   }

@@ -154,9 +154,9 @@ class ByName(Asked):
         gear, two = self.GEAR, self.GEAR + "[gear2]\nteeth = 61\n"
         for spec, key, *words in (
                 (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears"),
-                (two + "[rack]\nteeth = 20\n", "rack", "rack as a mating part is not supported", "[gear1.rack]"),
-                (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "rack as a mating part is not supported", "teeth = -61"),
-                (gear + "[gear2]\nform = \"rack\"\n", "gear2.form", "rack as a mating part is not supported"),
+                (two + "[rack]\nteeth = 20\n", "rack", "rack as a mating part is gear 2", "[gear1.rack]"),
+                (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "form = \"rack\"", "teeth = -61"),
+                (gear + "form = \"rack\"\n", "gear1.form", "a rack is gear 2"),
                 ("[planetary]\nsun = 16\n", "planetary", "not supported", "one pair"),
                 ("[[stage]]\nteeth = [19, 58]\n", "stage", "not supported", "one pair"),
                 ("[drive]\ninput = \"ring1\"\n", "drive", "not supported", "one pair"),
