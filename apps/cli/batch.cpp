@@ -72,10 +72,12 @@ int batch_verb(const Options& o) {
     std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer, the first in line %lld\n",
                  failed, lines, first_failed);
   if (violations > 0)
-    std::fprintf(stderr, "gearwright: %lld of these met a mistake in Gearwright itself\n",
+    std::fprintf(stderr, "gearwright: %lld of these met a defect in Gearwright\n",
                  violations.load());
   if (lines == 0)
-    std::fprintf(stderr, "gearwright: no spec came in; batch reads one per line, as JSON\n");
+    std::fprintf(stderr,
+                 "gearwright: the input contains no spec; batch reads one per line, as "
+                 "JSON\n");
   return violations > 0 ? kViolated : failed > 0 ? 1 : 0;
 }
 

@@ -84,7 +84,7 @@ CLI::App* CommandLine::json_verb(const char* name, const char* what, const char*
 
 void CommandLine::add_run() {
   Options& o = options_;
-  CLI::App* run = json_verb("run", "Everything that applies to the spec, into a folder",
+  CLI::App* run = json_verb("run", "Write everything that applies to the spec into a folder",
                             "gearwright run examples/helical_pair.toml --out helical");
   spec_argument(run, o);
   run->add_option("--out", o.out,
@@ -92,7 +92,7 @@ void CommandLine::add_run() {
   strict_flag(run, o);
   run->add_option(
       "--only", o.only,
-      fmt::format("Only these files, with commas between: {}", fmt::join(kRunParts, ", ")));
+      fmt::format("Only these files, separated by commas: {}", fmt::join(kRunParts, ", ")));
 }
 
 void CommandLine::add_answering() {
@@ -110,7 +110,7 @@ void CommandLine::add_answering() {
   }
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
-      "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
+      "MODULE,ANGLE: describe the same teeth by this rack; one of the two may be empty");
   CLI::App* measure = app_.get_subcommand("measure");
   CLI::Option* points = measure->add_option(
       "--points", o.grid,
@@ -118,7 +118,8 @@ void CommandLine::add_answering() {
       "9x5 along profile and face");
   measure
       ->add_option("--fillet-points", o.fillet_points,
-                   "With --points: so many along each root fillet too, at the same heights")
+                   "With --points: also this number of points along each root fillet, at the same "
+                   "heights")
       ->needs(points)
       ->check(CLI::Range(2, 1000));
 
@@ -149,13 +150,11 @@ void CommandLine::add_files() {
   files->add_option("--dxf", o.dxf, "DXF outline");
   files->add_option("--svg", o.svg, "SVG outline");
   files->add_option("--drawing", o.drawing,
-                    "Workshop drawing with the gear data, a sheet for each gear: .pdf, .svg or "
+                    "Workshop drawing with the gear data, one sheet for each gear: .pdf, .svg or "
                     ".dxf");
   files->add_option("--sheet", o.sheet, "A4 (default) or A3, of the workshop drawing")
       ->check(CLI::IsMember({"A4", "A3"}));
-  files
-      ->add_option("--step-schema", o.step_schema,
-                   "ap242 (default), or ap214 for systems that read nothing newer")
+  files->add_option("--step-schema", o.step_schema, "ap242 (default), or ap214 for older systems")
       ->check(CLI::IsMember({"ap242", "ap214"}));
   files
       ->add_option("--mesh-tolerance", o.mesh_tolerance,
@@ -172,21 +171,22 @@ void CommandLine::add_files() {
 void CommandLine::add_others() {
   Options& o = options_;
   CLI::App* batch = verb("batch",
-                         "One spec per line (JSON) in, one answer per line out, in order, on all "
-                         "cores",
+                         "Read one spec per line (JSON) and write one answer per line, in order, "
+                         "on all cores",
                          "gearwright batch pair specs.jsonl > answers.jsonl");
   batch
       ->add_option("VERB", o.words,
-                   fmt::format("{} (absent: pair, or gear of a single gear); then a file, absent "
-                               "or -: standard input",
+                   fmt::format("{} (default: pair, or gear for a single gear), then a file "
+                               "(default or -: standard input)",
                                verb_names()))
       ->expected(0, 2);
   batch->add_option("--threads", o.threads, "Threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
 
-  CLI::App* verify =
-      json_verb("verify", "Runs case files of published numbers and says what differs",
-                "gearwright verify tests/golden/external.json");
+  CLI::App* verify = json_verb("verify",
+                               "Compare results with case files of published numbers and list "
+                               "differences",
+                               "gearwright verify tests/golden/external.json");
   verify->add_option("CASES", o.cases, "Case files")->required();
 
   CLI::App* schema =
@@ -221,7 +221,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     least = turned ? 1 : off;
     best = name;
   }
-  return usage(fmt::format("no verb {}; {} (gearwright --help says what each does)",
+  return usage(fmt::format("there is no verb {}; {} (gearwright --help describes each verb)",
                            printable(word, 60), best.empty() ? "verbs: " + all : best + "?"));
 }
 
@@ -262,7 +262,7 @@ int CommandLine::answer(const std::string& verb) const {
     return 0;
   }
   if (verb == "verify") return verify_verb(o);
-  return usage("the verb " + verb + " is not in this version; see gearwright --help");
+  return usage("the verb " + verb + " is not supported in this version; see gearwright --help");
 }
 
 int CommandLine::run(int argc, char** argv) {

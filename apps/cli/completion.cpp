@@ -114,7 +114,7 @@ std::string zsh_text(const std::string& text) {
 }
 
 std::string zsh(const CLI::App& app) {
-  std::string verbs = "    'help:Say what a verb does'\n";
+  std::string verbs = "    'help:Describe a verb'\n";
   std::string cases;
   for (const CLI::App* verb : verbs_of(app)) {
     verbs += fmt::format("    '{}:{}'\n", verb->get_name(), zsh_text(verb->get_description()));
@@ -165,8 +165,8 @@ std::string fish_text(const std::string& text) {
 
 std::string fish(const CLI::App& app) {
   std::string out =
-      "# fish completion of gearwright, made by `gearwright completion fish`\n"
-      "complete -c gearwright -n __fish_use_subcommand -f -a help -d 'Say what a verb does'\n";
+      "# fish completion of gearwright, made by `gearwright completion fish`\ncomplete -c "
+      "gearwright -n __fish_use_subcommand -f -a help -d 'Describe a verb'\n";
   for (const CLI::App* verb : verbs_of(app)) {
     const std::string& name = verb->get_name();
     out += fmt::format("complete -c gearwright -n __fish_use_subcommand -f -a {} -d '{}'\n", name,

@@ -79,13 +79,13 @@ int run_verb(const Options& o) {
   const bool nameless = o.spec == "-" || (fs::exists(o.spec) && !fs::is_regular_file(o.spec) &&
                                           !fs::is_directory(o.spec));
   if (!o.out && nameless) {
-    return usage("the spec has no name to call the folder after: choose it with --out DIR");
+    return usage("the spec has no file name that could name the folder; give it with --out DIR");
   }
   FileOptions options = file_options(o);
   if (o.only) {
     const auto parts = run_parts(*o.only);
     if (!parts) {
-      return usage(fmt::format("--only takes some of {}, with commas between: --only step,report",
+      return usage(fmt::format("--only takes some of {}, separated by commas: --only step,report",
                                fmt::join(kRunParts, ", ")));
     }
     options.only = *parts;
@@ -140,7 +140,7 @@ int export_verb(const Options& o) {
   if (!job) return door.fail(job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
-    return door.fail(absent_input("gear2", " from the spec, --gear 2 asks for its files"));
+    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs it"));
   }
   std::vector<ToothedBody> bodies;
   std::vector<int> drawn;

@@ -132,7 +132,7 @@ int outline_verb(const Options& o) {
   if (!job) return door.fail(job.error());
   const int which = o.gear.value_or(1);
   if (which > static_cast<int>(job->gears.size())) {
-    return door.fail(absent_input("gear2", " from the spec, --gear 2 asks for its outline"));
+    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs it"));
   }
   const auto body = make_body(*job, which, false);
   if (!body) return door.fail(body.error());

@@ -35,12 +35,13 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
                   "chunks of a large search");
   sub->add_option("--take", c.take, "Print the spec of the pair of this rank and nothing else")
       ->check(CLI::Range(1, 1000000));
-  sub->add_option("--top", c.top, "List so many designs; all are in search.parquet")
+  sub->add_option("--top", c.top, "Number of designs to list; search.parquet has all")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  sub->add_flag("--resume", c.resume, "Go on with the search in --out");
+  sub->add_flag("--resume", c.resume, "Continue the search in --out");
   sub->add_option("--shard", c.shard,
-                  "i/N: do every Nth chunk from the ith on; all shards share one --out");
-  sub->add_flag("--yes-large", c.yes_large, "Do a search of more than 2e10 candidates");
+                  "i/N: compute every Nth chunk, starting with the ith; all shards share one "
+                  "--out");
+  sub->add_flag("--yes-large", c.yes_large, "Allow a search of more than 2e10 candidates");
   sub->add_option("--chunk", c.chunk, "Candidates of a chunk (default by the size of the search)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 24));
   sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
@@ -87,7 +88,7 @@ class ProgressLine {
   static std::string text(const SearchProgress& p, double seconds) {
     switch (p.stage) {
       case SearchProgress::Stage::changes:
-        return fmt::format("nothing is feasible; {} questions for the smallest change that helps",
+        return fmt::format("no design is feasible; {} trials for the smallest change that helps",
                            p.done);
       case SearchProgress::Stage::regions:
         return fmt::format("regions of {} of {} designs", p.done, p.of);
@@ -134,7 +135,7 @@ int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   if (c.json) print_json(unfinished_json(run));
   if (run.stopped) {
     std::fprintf(stderr, "gearwright: stopped; %s%s\n", state.c_str(),
-                 !c.out ? ", nothing was kept: with --out DIR a search can be resumed"
+                 !c.out ? "and nothing was saved; with --out DIR a search can be resumed"
                         : ", --resume goes on");
     return 3;
   }
@@ -149,7 +150,8 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   if (*c.take > count) {
     return fail(
         {"--take", std::to_string(*c.take),
-         count == 0 ? "no design is feasible; the search without --take says what would help"
+         count == 0 ? "no design is feasible; the search without --take names a change that would "
+                      "help"
                     : fmt::format("there are {} designs", count)},
         c.json);
   }
@@ -176,7 +178,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (c.shard) {
     const auto shard = parse_shard(*c.shard);
     if (!shard || together) {
-      return wrong(together ? "--shard has no place under mpirun: ranks share one queue"
+      return wrong(together ? "--shard cannot be used under mpirun, whose ranks share one queue"
                             : "--shard takes i/N with 1 <= i <= N: --shard 3/8");
     }
     options.shard = shard->which;
@@ -184,7 +186,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     options.many = true;
   }
   if (together && !c.out)
-    return wrong("a search of several ranks needs --out DIR, where they meet");
+    return wrong("a search on several ranks needs --out DIR, the folder that they share");
   const auto text = read_spec_text(c.spec);
   if (!text) return speaks ? fail(text.error(), c.json) : 1;
   const auto spec = read_spec(*text);

@@ -42,7 +42,7 @@ Watch::~Watch() {
   thread_.join();
   if (terminal_ && shown_) std::fprintf(stderr, "\r\033[K");
   if (signal_ != 0)
-    std::fprintf(stderr, "gearwright: told to stop while files were written; all of them are\n");
+    std::fprintf(stderr, "gearwright: stopped by a signal after all files had been written\n");
   const sigset_t set = stops();
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }

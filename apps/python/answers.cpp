@@ -196,7 +196,7 @@ py::object verify(const py::object& cases) {
 
 py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pair) {
   py::class_<ContactValue> contact(m, "Contact",
-                                   "How a pair touches under its errors, turned through a pitch");
+                                   "The tooth contact of a pair under its errors over one pitch");
   contact.def_property_readonly(
       "positions", &positions_of,
       "A structured array, a row for each position, a column for each quantity by key");
@@ -213,40 +213,39 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   py::class_<RatingValue> rating(m, "Rating", "The strength of a pair by the standard");
   bind_answer<RatingValue>(rating, rating_quantities().table(),
                            [](const PairValue& p) { return rating_of(p, {}); });
-  py::class_<LoadedValue> loaded(m, "Loaded", "A pair under torque, its teeth yielding");
+  py::class_<LoadedValue> loaded(m, "Loaded", "A pair under torque with elastic teeth");
   loaded.def_property_readonly(
       "positions", &load_positions_of,
-      "A structured array (torques, positions), a column for each quantity by key; load shares, "
-      "as many as pairs carry, are those of torques[i].positions. None where only probes were "
-      "asked");
+      "A structured array (torques, positions), a column for each quantity by key; load shares, as "
+      "many as pairs carry, are those of torques[i].positions. None if only probes were requested");
   bind_answer<LoadedValue>(loaded, load_quantities().table(), [](const PairValue& p) {
     return loaded_of(p, py::none(), py::none(), {});
   });
 
-  pair.def(
-          "contact", &contact_of, py::arg("errors") = py::none(),
-          py::arg("modifications") = py::none(),
-          "Turns the pair under errors and says where it touches. errors: keys of [errors], or a "
-          "row of transmission_error; modifications: {\"gear1\": {…}, \"gear2\": {…}}; and keys of "
-          "[contact]: positions=64, driver, pattern, … What is not given is as in the pair's spec")
+  pair.def("contact", &contact_of, py::arg("errors") = py::none(),
+           py::arg("modifications") = py::none(),
+           "Computes the tooth contact of the pair under errors over one pitch. errors: keys of "
+           "[errors], or a row of transmission_error; modifications: {\"gear1\": {…}, \"gear2\": "
+           "{…}}; and keys of [contact]: positions=64, driver, pattern, … Absent values are those "
+           "of the pair's spec")
       .def("rate", &rating_of,
            "Strength by ISO 6336 or VDI 2736, with keys of [rating]: torque_Nm, speed_rpm, "
-           "quality, …; what is not given is as in the pair's spec. Gears have their material, "
+           "quality, …; absent values are those of the pair's spec. Gears need a material, "
            "material={\"name\": \"18CrNiMo7-6\"}")
       .def("loaded", &loaded_of, py::arg("errors") = py::none(),
            py::arg("modifications") = py::none(),
            "The pair under torque, with keys of [load]: torque_Nm=[100, 200], positions, slices, "
-           "…; errors and modifications as contact(). What is not given is as in the pair's spec");
+           "…; errors and modifications as contact(). Absent values are those of the pair's spec");
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
         ("The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
          "Pair or a Gear; `verb`: one of " +
-         verb_names() + "; by default pair where there are two gears")
+         verb_names() + "; the default is pair for two gears")
             .c_str());
   m.def("fit", &fit, py::arg("spec"),
-        "What is absent in the spec's gears and [pair] is found: a Record with branches, reason, "
-        "nearest; load(branch.spec) is an answer as a Pair");
+        "Computes the values that are absent in the gears and in [pair] of the spec: a Record with "
+        "branches, reason, nearest; load(branch.spec) makes a Pair of an answer");
   m.def("compensate", &compensate, py::arg("pair"),
-        "Corrections against errors, with the keys of [compensate] (corrections=, range=, "
+        "Computes corrections for errors, with the keys of [compensate] (corrections=, range=, "
         "centering=): a Record with corrections, before, after; load(record.spec) is the corrected "
         "pair");
   m.def("_verify", &verify, py::arg("cases"));

@@ -196,7 +196,9 @@ void bind_exports(Class& type) {
         },
         py::arg("path") = py::none(), py::arg("tolerance") = e.tolerance,
         py::arg("splines") = false,
-        fmt::format("{}: the file's bytes, or written to path, whole or not at all. mm", e.doc)
+        fmt::format("{}: returns the bytes of the file, or writes it to path, completely or not at "
+                    "all. mm",
+                    e.doc)
             .c_str());
   }
   type.def(
@@ -208,9 +210,9 @@ void bind_exports(Class& type) {
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, a sheet (A4 or A3) for each gear: the file's bytes in "
-      "this format, pdf, svg or dxf, or written to path, which ends in one of them. The outline "
-      "is within tolerance, mm");
+      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear: returns the bytes "
+      "of the file in this format, pdf, svg or dxf, or writes it to path, which ends in one of "
+      "them. The outline is within tolerance, mm");
 }
 
 Eigen::Matrix4d pose(const PairValue& pair, int which) {
@@ -236,7 +238,8 @@ void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair) {
   bind_exports(gear);
   bind_exports(pair);
   pair.def("pose", &pose, py::arg("which"),
-           "4×4: from the frame of gear 1 or 2, as its files have it, to the housing, at rest");
+           "4×4 matrix: from the frame of gear 1 or 2, the frame of its files, to the frame of the "
+           "housing");
 }
 
 }  // namespace gearwright::python

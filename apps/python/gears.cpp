@@ -123,12 +123,12 @@ void bind_value(py::class_<Self>& type) {
 std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& m) {
   py::class_<GearValue> gear(
       m, "Gear",
-      "A cylindrical gear, made by the keys of [gear1] of a spec: with their unit "
+      "A cylindrical gear, made from the keys of [gear1] of a spec, with their unit "
       "(helix_angle_deg) or without, in mm and rad (normal_module, helix_angle)");
   gear.def(py::init([](const py::kwargs& kwargs) { return gear_value(tree_of(kwargs, ""), {}); }))
       .def(
           "replace", [](const GearValue& g, const py::kwargs& k) { return replaced(g, k); },
-          "The gear with other numbers; None takes one out")
+          "Returns the gear with changed values; None removes a key")
       .def("__repr__", [](const GearValue& g) {
         const Gear& made = g.gear();
         return fmt::format("Gear(teeth={}, normal_module_mm={:g}, helix_angle_deg={:g}{})",
@@ -149,8 +149,8 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
   pair.def(py::init(&mounted), py::arg("gear1"), py::arg("gear2"))
       .def(
           "replace", [](const PairValue& p, const py::kwargs& k) { return replaced(p, k); },
-          "The pair with other numbers; gear1= and gear2= take a Gear, or a dict of changes; None "
-          "takes a key out")
+          "Returns the pair with changed values; gear1= and gear2= take a Gear or a dict of "
+          "changes; None removes a key")
       .def(
           "result",
           [](const PairValue& p) { return to_python(job_json(p.model->job, p.verdict())); },
@@ -180,8 +180,8 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
                   [](const PairValue& p) -> const Pair& { return p.pair(); });
 
   m.def("load", &load, py::arg("spec"),
-        "The Gear or the Pair of a spec: of its file, TOML or JSON, beside which files that it "
-        "names are looked for, or a dict");
+        "Returns the Gear or the Pair of a spec: a TOML or JSON file, or a dict. Relative file "
+        "names start at the folder of the spec");
   return {gear, pair};
 }
 

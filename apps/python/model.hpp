@@ -101,23 +101,23 @@ void bind_made(py::class_<Self>& type, const Make& make) {
       });
   type.def(
           "as_dict", [](const Self& s) { return by_key(s.record()); },
-          "Every quantity by key, each in the unit that its key names: what JSON has")
+          "Every quantity by key, each in the unit that its key names, as in JSON")
       .def_property_readonly(
           "spec", [](const Self& s) { return to_python(s.spec()); },
-          "What it was made from, by key")
+          "The values from which it was made, by key")
       .def_property_readonly(
           "warnings",
           [](const Self& s) {
             return by_name(Value(warning_quantities().each(s.model->job.warnings)));
           },
-          "What a person should know: Records with code, message, gear");
+          "The warnings: Records with code, message, gear");
 }
 
 template <class Self>
 void bind_verdict(py::class_<Self>& type) {
   type.def_property_readonly(
       "verdict", [](const Self& s) { return by_name(Value(verdict_quantities().of(s.verdict()))); },
-      "Whether the pair runs like this, the worst finding first");
+      "The verdict: level, headline and findings, the worst one first");
 }
 
 /// A quantity as an attribute, get(self) its value; where the type has one of this name, that stays.

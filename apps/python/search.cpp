@@ -203,26 +203,27 @@ void bind_search(py::module_& m) {
       m, "Search", "A finished design search: its designs, best first");
   bind_copies(type, &kept_search, &recalled_search);
   type.def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
-      .def("__getitem__", &design, "The design of this place as a Record")
+      .def("__getitem__", &design, "The design of this rank as a Record")
       .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
       .def("to_numpy", &to_numpy,
            "A structured array with the columns of search.parquet, a row a design")
       .def("to_parquet", &to_parquet, py::arg("path"), "The same as a Parquet file")
       .def_property_readonly("counts", &counts_of,
-                             "How many were tested, feasible, and ruled out by which limit")
+                             "The numbers of candidates tested, feasible, and ruled out by each "
+                             "limit")
       .def_property_readonly(
           "front", [](const Found& f) { return py::tuple(py::cast(f.run.answer.pareto)); },
-          "Places of the designs that no other betters in every objective")
+          "Ranks of the Pareto-optimal designs")
       .def_property_readonly(
           "changes", [](const Found& f) { return py::tuple(py::cast(change_lines(f.run))); },
-          "Where nothing is feasible: changes of one number that would let something through")
+          "If no design is feasible: changes of one number that would make designs feasible")
       .def(
           "as_dict",
           [](const Found& f) { return to_python(parse_json(search_json_text(*f.search, f.run))); },
-          "What the program prints with --json")
+          "The output of the program with --json")
       .def(
           "report", [](const Found& f) { return search_page(f.spec, *f.search, f.run); },
-          "The page of the search, HTML")
+          "The report of the search as HTML")
       .def("__repr__", [](const Found& f) {
         return fmt::format("Search({} designs of {} candidates)", f.run.answer.designs.size(),
                            f.run.answer.counts.tested);

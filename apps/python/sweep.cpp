@@ -35,7 +35,7 @@ const Key& key_of(const KeyTable& table, const std::string& name, const std::str
   std::vector<std::string> may;
   for (const Key& key : table.keys)
     if (can_be_swept(key)) may.push_back(house_key(key));
-  raise(Error{path, "", fmt::format("cannot be swept over; these can: {}", fmt::join(may, ", "))});
+  raise(Error{path, "", fmt::format("cannot be varied; these can: {}", fmt::join(may, ", "))});
 }
 
 Swept swept(const KeyTable& table, int gear, const std::string& name, py::handle column) {
@@ -67,7 +67,7 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   for (const Swept& s : all)
     if (s.numbers.size() != all.front().numbers.size())
       raise(Error{s.path, fmt::format("{} numbers", s.numbers.size()),
-                  fmt::format("must have as many as {}: {}", all.front().path,
+                  fmt::format("must have as many values as {}: {}", all.front().path,
                               all.front().numbers.size())});
   return all;
 }

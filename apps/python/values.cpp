@@ -64,7 +64,7 @@ Json whole_of(py::handle value, const std::string& path) {
   int overflow = 0;
   const long long whole = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
   if (overflow != 0)
-    raise({path, std::string(py::str(value)), "is more than any number of a gear"});
+    raise({path, std::string(py::str(value)), "is larger than any value of a gear"});
   return whole;
 }
 
@@ -203,7 +203,7 @@ int threads_in_range(int threads) {
   if (threads < 0 || threads > kMostThreads)
     raise(refused("threads", threads,
                   "must lie between 1 and " + std::to_string(kMostThreads) +
-                      ", or be 0: as many as the machine has"));
+                      ", or 0 for all cores of the machine"));
   return threads;
 }
 

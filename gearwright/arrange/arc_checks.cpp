@@ -31,8 +31,7 @@ std::optional<Error> check_arcs(const GivenPair& given) {
     if (!by_mate && !cuts_with_arcs(*gear)) continue;
     return Error{
         gear_field(which, "cut_by"), "",
-        "a gear with circular-arc teeth is no pinion cutter here; give this gear a rack of "
-        "its own"};
+        "a gear with circular-arc teeth cannot be a pinion cutter; give this gear its own rack"};
   }
   if (!given.gears[1]) return std::nullopt;
   if (given.pair.shaft_angle && given.pair.shaft_angle->rad() != 0.0) {
@@ -41,8 +40,8 @@ std::optional<Error> check_arcs(const GivenPair& given) {
   }
   if (given.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
-                 "circular-arc gears have no profile shifts that would ask for it; give "
-                 "`gear1.tip_diameter` and `gear2.tip_diameter`"};
+                 "tips are shortened because of profile shifts, which circular-arc gears do not "
+                 "have; give `gear1.tip_diameter` and `gear2.tip_diameter`"};
   }
   return std::nullopt;
 }

@@ -25,7 +25,8 @@ void add_gear_warnings(Arranged& arranged, int which) {
   if (auto w = body_warning(arranged.gear(which), which)) arranged.warnings.push_back(*w);
   if (!input.face_width_given) {
     arranged.warnings.push_back({WarningCode::default_face_width,
-                                 fmt::format("No `face_width` given: {} mm (10 modules) is used.",
+                                 fmt::format("`face_width` is not given; {} mm (10 modules) is "
+                                             "used.",
                                              format_number(input.cylindrical.face_width)),
                                  which});
   }
@@ -46,8 +47,8 @@ void collect_warnings(Arranged& arranged) {
     arranged.warnings.push_back(
         {WarningCode::default_shaft_angle,
          fmt::format(
-             "No `pair.shaft_angle` given, and these helix angles do not allow parallel axes: "
-             "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
+             "`pair.shaft_angle` is not given, and these helix angles do not allow parallel axes. "
+             "The pair is mounted at {:.6g}°, the shaft angle of its minimum centre distance.",
              arranged.pair->shaft_angle().deg()),
          0});
   }

@@ -89,9 +89,9 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
     return refused(wanted.field, wanted.value, "no thickness of these teeth has this backlash");
   if (now < -kSame) {
     warnings.push_back({WarningCode::thickened_for_backlash,
-                        fmt::format("The centre distance leaves a backlash greater than "
-                                    "`{}` = {}: the teeth are thicker than their profile shifts "
-                                    "make them, by {} mm together.",
+                        fmt::format("The centre distance leaves more backlash than `{}` = {}. The "
+                                    "teeth are therefore thicker than their profile shifts make "
+                                    "them, by {} mm in total.",
                                     wanted.field, format_number(wanted.value), format_number(-now)),
                         0});
   }

@@ -74,7 +74,7 @@ void shorten_tips(GivenPair& given, double a) {
 // What cannot be had from gears of different racks: x means something else in each of them.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
-      "needs two gears of the same module and pressure angle; of different racks give both "
+      "needs two gears of the same module and pressure angle; for different racks, give both "
       "shifts and the centre distance";
   if (shift_wanted) {
     return absent_input(gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
@@ -114,8 +114,8 @@ std::optional<Error> check_hands(const GivenPair& given) {
       given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
                                  : fmt::format("`gear2.helix_angle` = {}", format_number(-b2));
   return refused(gear_field(2, "helix_angle"), b2,
-                 fmt::format("is of the hand of gear 1. On parallel shafts the hands are opposite, "
-                             "{}; if the shafts are to cross, say so: `pair.shaft_angle` = {}",
+                 fmt::format("has the same hand as gear 1; parallel shafts need opposite hands, "
+                             "{}; for crossed shafts give `pair.shaft_angle` = {}",
                              opposite, format_number(2 * b2)));
 }
 

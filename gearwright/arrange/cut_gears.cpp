@@ -26,17 +26,16 @@ std::optional<Error> check_cutters(const GivenPair& given) {
     if (!cutter) return fail(fmt::format("there is no `{}` in this spec", gear_field(by)));
     if (cutter->cut_by && cutter->cut_by->gear == which) {
       return fail(
-          fmt::format("goes in a circle with `{}`; one of the two needs a rack or a cutter "
-                      "of its own",
+          fmt::format("forms a circle with `{}`; one of the two gears needs its own rack or cutter",
                       gear_field(by, "cut_by")));
     }
     if (cutter->cylindrical.teeth < 0) return fail("an internal gear cannot be a pinion cutter");
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
       return Error{
           gear_field(by, "tip_fillet.clearance"), "",
-          fmt::format("gear {} is cut by this very tip, which leaves no clearance to it; give "
-                      "`radius` or `l` here, and gear {} a cutter of its own with a longer tip, or "
-                      "a centre distance greater than the generating one",
+          fmt::format("this tip cuts gear {}, so it has no clearance to it; give `radius` or `l` "
+                      "here, and give gear {} its own cutter with a longer tip, or a centre "
+                      "distance greater than the generating one",
                       which, which)};
     }
   }
@@ -194,8 +193,8 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
     if (!mate || !center_distance) {
       return Error{
           gear_field(which, "tip_fillet.clearance"), "",
-          "needs a mating gear on a parallel axis to keep clear of; `radius` or `l` says where "
-          "the fillet begins without one"};
+          "needs a mating gear on a parallel axis; without one, give `radius` or `l` to set the "
+          "start of the fillet"};
     }
     double root = 0.0;
     if (const auto& done = made[static_cast<std::size_t>(2 - which)]) {

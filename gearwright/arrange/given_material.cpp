@@ -41,10 +41,10 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
         flank        ? owner + ".sigma_Flim"
         : given.name ? owner + ".sigma_Hlim"
                      : owner,
-        fmt::format("; a rating needs the material's strength: name = "
-                    "\"16MnCr5\" for example, of "
-                    "the shipped table, or `material.kind`, `material.sigma_Hlim` and "
-                    "`material.sigma_Flim`. Without `{}` that of gear 1 holds for both",
+        fmt::format("; a rating needs the strength of the material: give the name of a listed "
+                    "material, name = \"16MnCr5\" for example, or `material.kind`, "
+                    "`material.sigma_Hlim` and `material.sigma_Flim`. Without `{}` the material of "
+                    "gear 1 applies to both gears",
                     gear_field(2, "material")));
   }
   const bool plastic = m.kind == MaterialKind::plastic;
@@ -54,12 +54,12 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
     return Error{owner + ".temperatures", "", "belongs to a `kind` of \"plastic\""};
   if (plastic && edition != RatingEdition::vdi_2736) {
     return Error{owner + ".kind", "plastic",
-                 "is not a material of ISO 6336; plastics are rated by VDI 2736: give "
-                 "`rating.edition` = \"VDI 2736:2014\""};
+                 "is not a material of ISO 6336; VDI 2736 rates plastics; give `rating.edition` = "
+                 "\"VDI 2736:2014\""};
   }
   if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
     return absent_input(owner + ".youngs_modulus",
-                        "; that of steel, which it would be otherwise, is not a plastic's");
+                        "; a plastic needs its own value, because the default is that of steel");
   }
   return m;
 }

@@ -36,15 +36,15 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
     body.bore_diameter = rim(gear).diameter;
     warnings.push_back(
         {WarningCode::held_at_rim_as_drawn,
-         fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "
-                     "that its files have, {} mm.",
+         fmt::format("Gear {} has no `bore`, which gives the outside of its rim; the gear is held "
+                     "at the rim diameter of its CAD files, {} mm.",
                      which, format_number(body.bore_diameter)),
          which});
   } else {
     body.bore_diameter = kShaft * gear.root_diameter;
     warnings.push_back(
         {WarningCode::held_at_half_the_root,
-         fmt::format("Gear {} has no bore: its body is held at half the root diameter, {} mm.",
+         fmt::format("Gear {} has no bore; its body is held at half the root diameter, {} mm.",
                      which, format_number(body.bore_diameter)),
          which});
   }
@@ -55,13 +55,13 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
-                 "is missing: no pinion cutter that the program would choose leaves this internal "
-                 "gear's whole flank",
+                 "is missing; none of the default pinion cutters generates the whole flank of this "
+                 "internal gear",
                  FailureKind::not_under_load};
   if (gear.internal() && !gear.involute())
     return Error{gear_field(which, "teeth"), std::to_string(gear.spec.teeth),
-                 "is an internal gear of circular arcs; teeth under load are looked at in "
-                 "internal pairs of involutes",
+                 "is an internal gear of circular arcs; teeth under load are computed for involute "
+                 "internal pairs only",
                  FailureKind::not_under_load};
   return std::nullopt;
 }
@@ -83,8 +83,8 @@ std::optional<Error> not_for_points(const LoadInput& input) {
                                      std::pair("load.deflection_bow", input.deflection_bow)})
     if (value != 0.0)
       return refused(field, value,
-                     "is for teeth that touch along lines; these touch at points, which "
-                     "errors of mounting move");
+                     "applies to teeth with line contact; these teeth have point contact, which "
+                     "`errors` move");
   return std::nullopt;
 }
 
@@ -109,8 +109,8 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(
         {WarningCode::contact_lost,
-         fmt::format("Nothing touches at rotation1 = {}: what is told of the load is "
-                     "told of the other positions.",
+         fmt::format("No teeth touch at rotation1 = {}; the results under load cover the remaining "
+                     "positions.",
                      where),
          0});
   for (const LoadedTorque& t : contact.torques) {
@@ -120,24 +120,24 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
         !where.empty())
       warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the forces come to no end at rotation1 = {}: these "
-                       "positions are without numbers, and greatest values and peak "
-                       "to peak are those of the others.",
+           fmt::format("At {} N m the forces do not converge at rotation1 = {}. These positions "
+                       "have no numbers, and maximum and peak-to-peak values cover the remaining "
+                       "positions.",
                        torque, where),
            0});
     if (t.edge_carries)
       warnings.push_back(edge_carries_at(t.torque));
     else if (t.beyond_flank)
       warnings.push_back({WarningCode::ellipse_beyond_flank,
-                          fmt::format("At {} N m the ellipse of contact hangs over an end of the "
-                                      "flank: the pressure there is a lower bound.",
+                          fmt::format("At {} N m the contact ellipse extends beyond an end of the "
+                                      "flank; the pressure there is a lower bound.",
                                       torque),
                           0});
     if (t.max_width_ratio > kHertzRatio)
       warnings.push_back(
           {WarningCode::beyond_hertz,
-           fmt::format("At {} N m the contact is {:.2f} of its radius of curvature wide: more than "
-                       "Hertz' theory is made for.",
+           fmt::format("At {} N m the contact width is {:.2f} of its radius of curvature, more "
+                       "than Hertz' theory covers.",
                        torque, t.max_width_ratio),
            0});
   }
@@ -161,9 +161,9 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   return refused(
       "load.slices", request.slices,
       request.slices > fair
-          ? fmt::format("are too fine for these teeth: {} mm each; {} would do", width, fair)
-          : fmt::format("are narrower than the contact is wide: {} mm each; less "
-                        "torque or fewer slices would do",
+          ? fmt::format("are too fine for these teeth, {} mm each; {} is sufficient", width, fair)
+          : fmt::format("are narrower than the contact, {} mm each; reduce the torque or the "
+                        "number of slices",
                         width));
 }
 
@@ -205,7 +205,9 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings) {
   if (input.torques.empty())
-    return absent_input("load.torques", ": probes alone make no pair under load");
+    return absent_input("load.torques",
+                        "; the report of a loaded pair needs a torque, not only "
+                        "probes");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   return task_of(arranged, errors, input, *bodies);
@@ -237,8 +239,8 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
     if (std::none_of(t.positions.begin(), t.positions.end(),
                      [](const LoadedPosition& p) { return p.solved(); }))
       return refused("load.torques", t.torque / kMmPerM,
-                     "leaves no position at which the forces of these teeth come to an end; "
-                     "accuracy = \"full\", other slices or less torque may");
+                     "leaves no position at which the forces of these teeth converge; accuracy = "
+                     "\"full\", another number of slices or less torque may help");
   warn_about(found, warnings);
   return std::nullopt;
 }
@@ -293,7 +295,8 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
 
 Warning edge_carries_at(double torque) {
   return {WarningCode::edge_carries,
-          fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound.",
+          fmt::format("At {} N m an edge of a tooth carries load; the pressure there is a lower "
+                      "bound.",
                       format_number(torque / kMmPerM)),
           0};
 }

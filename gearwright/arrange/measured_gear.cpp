@@ -70,7 +70,8 @@ class Measuring {
     if (!input_.span_teeth) {
       if (!m.span && m.reference)
         warn(WarningCode::no_span,
-             "No span: the contacts of none lie on the usable flank, within the face.");
+             "There is no span: for every number of teeth the contacts lie off the usable flank or "
+             "the face.");
       return std::nullopt;
     }
     const auto asked = span_over(gear_, *input_.span_teeth);
@@ -116,7 +117,9 @@ class Measuring {
     const auto found = seat(input_.ball_diameter, m);
     if (!found) {
       if (m.reference)
-        warn(WarningCode::no_balls, "No dimension over balls: none rests on the usable flanks.");
+        warn(WarningCode::no_balls,
+             "There is no dimension over balls: no ball touches the usable "
+             "flanks.");
       return std::nullopt;
     }
     if (!*found)
@@ -132,8 +135,8 @@ class Measuring {
     const bool asked = input_.pin_diameter.has_value();
     if (asked && gear_.internal() && gear_.spec.helix_angle.rad() != 0.0)
       return refused(gear_field(which_, "measure.pin_diameter"), *input_.pin_diameter,
-                     "a straight pin does not go into the spaces of an internal helical gear; "
-                     "measure between balls");
+                     "a straight pin does not fit into the tooth spaces of an internal helical "
+                     "gear; measure between balls");
     auto found = asked ? std::optional(ball_in_space(gear_, *input_.pin_diameter)) : std::nullopt;
     if (found && !*found) {
       Error error = found->error();
@@ -179,8 +182,8 @@ class Measuring {
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
       warn(WarningCode::tolerances_out_of_range,
-           "The gear lies outside the sizes for which ISO 1328-1 says its tolerances: the formulas "
-           "are used all the same.");
+           "The gear lies outside the range of sizes of ISO 1328-1; its formulas are used "
+           "nevertheless.");
     if (mounted) set_axes(*m.tolerances);
     return std::nullopt;
   }

@@ -35,9 +35,9 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
       gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-      fmt::format(", and `pair.choose_profile_shifts` = false keeps the program "
-                  "from choosing it. At `pair.center_distance` = {} mm it would choose {}; "
-                  "give these or others: the backlash follows",
+      fmt::format(", and `pair.choose_profile_shifts` = false forbids choosing it; at "
+                  "`pair.center_distance` = {} mm the default would be {}; give these or other "
+                  "shifts, which determine the backlash",
                   format_number(*given.pair.center_distance), chosen_shifts(given)));
 }
 
@@ -56,8 +56,7 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
 }
 
 Warning not_read(const std::string& what) {
-  return {WarningCode::not_read,
-          what + " is of a part that is not in this version: it was not read.", 0};
+  return {WarningCode::not_read, what + " is not supported in this version and was ignored.", 0};
 }
 
 }  // namespace gearwright

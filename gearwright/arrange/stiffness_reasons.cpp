@@ -105,7 +105,7 @@ void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
         {fmt::format("free ends of a narrow helical face (overlap ratio {:.2f})", overlap),
          as_is / wide});
   if (!solid)
-    factors.push_back({"bodies that are held where they are and not at half their root diameter",
+    factors.push_back({"bodies that are not held at half their root diameter",
                        wide / drafted(task, torque, narrow ? wider : 1.0, true)});
 }
 
@@ -151,18 +151,19 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
       left /= f.value;
       list += fmt::format("{}{:.2f} for {}", list.empty() ? "" : ", ", f.value, f.of);
     }
-    const char* ring =
-        task.setup.gear(2).internal() ? ", a ring, which the standard takes for a rack" : "";
+    const char* ring = task.setup.gear(2).internal()
+                           ? ", an internal gear, which the standard treats as a rack"
+                           : "";
     warnings.push_back(
         {WarningCode::stiffness_differs,
          list.empty()
-             ? fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "
-                           "twist of the bodies apart: neither errors nor modifications, face or "
-                           "bodies make the difference, but the teeth themselves{}.",
+             ? fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
+                           "as stiff as c_γα of ISO 6336-1. The difference comes from the teeth "
+                           "themselves{}, not from errors, modifications, face or bodies.",
                            format_number(t.torque / kMmPerM), ratio, ring)
-             : fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "
-                           "twist of the bodies apart: a factor of {}; {:.2f} is left for the "
-                           "teeth themselves{}.",
+             : fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
+                           "as stiff as c_γα of ISO 6336-1. This includes a factor of {}; a factor "
+                           "of {:.2f} comes from the teeth themselves{}.",
                            format_number(t.torque / kMmPerM), ratio, list, left, ring),
          0});
   }

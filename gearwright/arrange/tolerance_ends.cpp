@@ -29,7 +29,7 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
   const auto usual = usual_span(gear);
   if (!k && !usual)
     return Error{"tolerance.span", "",
-                 "no span of this gear can be measured; say `measure.span_teeth`"};
+                 "no span of this gear can be measured by default; give `measure.span_teeth`"};
   const int teeth = k ? *k : usual->teeth;
   const auto span = span_over(gear, teeth);
   if (!span) return within("measure", span.error());
@@ -70,7 +70,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
     if (!nominal.completed.gear(which).cut_by) continue;
     return Error{pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations",
                  "",
-                 fmt::format("has no place beside `{}`: the cutter's distance would go with it",
+                 fmt::format("cannot be combined with `{}`, because the generating centre distance "
+                             "would change with it",
                              gear_field(which, "cut_by"))};
   }
   if (pair.distance_deviations) return pair.distance_deviations;
@@ -94,7 +95,7 @@ std::optional<Error> check_tips(const GivenPair& given) {
     if (!gear || !gear->tolerance.tip_deviations) continue;
     if (gear->cylindrical.tip_fillet || gear->tip_clearance || gear->tip_clearance_by_rule)
       return Error{gear_field(which, "tolerance.tip_deviations"), "",
-                   "has no place beside `tip_fillet`, which sets where the tooth ends"};
+                   "cannot be combined with `tip_fillet`, which determines the tip"};
   }
   return std::nullopt;
 }
@@ -145,8 +146,14 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
     };
     const ToleranceInput& tolerance = gear->tolerance;
     const char* const key = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
-    if (gear->cut_by) return no(key, "is the cutter's, which sets the thickness; leave it out");
-    if (gear->basic) return no(key, "has no place beside `basic`, whose thickness is given");
+    if (gear->cut_by)
+      return no(key,
+                "follows from the cutter, which determines the tooth "
+                "thickness; leave it out");
+    if (gear->basic)
+      return no(key,
+                "cannot be combined with `basic`, which gives the tooth "
+                "thickness");
     if (!nominal) {
       auto solved = arrange_nominal(given, Scope::gears);
       if (!solved) return solved.error();

@@ -7,7 +7,7 @@
 namespace gearwright {
 
 void contract_failed(const char* kind, const char* condition, const char* file, int line) {
-  const std::string what = std::string("a mistake in Gearwright itself, ") + kind +
+  const std::string what = std::string("defect in Gearwright, ") + kind +
                            " violated: " + condition + " (" + file + ":" + std::to_string(line) +
                            "); please report it, together with the spec";
 #ifdef GEARWRIGHT_STOP_AT_VIOLATIONS

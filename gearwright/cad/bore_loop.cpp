@@ -63,11 +63,13 @@ WallLoop circle_with_keyway(double radius, double half, double bottom) {
 std::optional<Error> rim_error(const ToothedBody& body, double room) {
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;  // rounded up: it fits
   const std::string need = fmt::format(
-      "a ring's bore is its rim and must lie around its roots: at least {:.3f} mm", smallest);
+      "the bore of an internal gear is the outside of its rim and must lie outside its roots; at "
+      "least {:.3f} mm",
+      smallest);
   if (!body.bore) return Error{"bore.diameter", "", need};
   if (body.bore->keyway_width > 0.0) {
     return refused("bore.keyway_width", body.bore->keyway_width,
-                   "a ring has no keyway; leave it out");
+                   "an internal gear has no keyway; leave it out");
   }
   if (!(body.bore->diameter / 2.0 >= room)) {
     return refused("bore.diameter", body.bore->diameter, need);

@@ -16,7 +16,7 @@ Result<BodyContour> body_contour(const ToothedBody& body) {
 
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm) {
   return {"tolerance_mm", fmt::format("{}", tolerance_mm),
-          fmt::format("the {} cannot be drawn within {} mm, only within {:.3g} mm; allow that much",
+          fmt::format("the {} cannot be drawn within {} mm; at least {:.3g} mm is needed",
                       to_string(arc.name), tolerance_mm, deviation_mm)};
 }
 

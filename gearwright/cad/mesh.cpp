@@ -178,8 +178,8 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   const double steps = std::max(1.0, std::ceil(std::abs(body.twist) * body.face_width / turn_max));
   const auto too_fine = [&] {
     return Error{"chord_tolerance_mm", fmt::format("{}", options.chord_tolerance_mm),
-                 fmt::format("the mesh would have more than {:.0e} vertices, or {} on half a "
-                             "tooth; a larger tolerance makes fewer",
+                 fmt::format("the mesh would have more than {:.0e} vertices, or more than {} on "
+                             "half a tooth; increase the tolerance",
                              kVerticesMax, kHalfPointsMax)};
   };
   if (steps > kVerticesMax) return too_fine();

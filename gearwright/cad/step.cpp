@@ -54,9 +54,11 @@ void add_half_tooth(std::vector<StepFace>& faces, const BodyWalls& walls, std::s
 }
 
 Error too_many(std::size_t faces, int slices) {
-  return {"faces", fmt::format("{}", faces),
-          fmt::format("a STEP solid of {} faces; the most is {}: fewer teeth{} would help", faces,
-                      kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
+  return {
+      "faces", fmt::format("{}", faces),
+      fmt::format("the STEP solid would have {} faces; the limit is {}; fewer teeth{} would "
+                  "help",
+                  faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
 }  // namespace

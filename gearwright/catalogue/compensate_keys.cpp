@@ -21,8 +21,8 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
     return KeyFault{error_entries()[i].key,
-                    fmt::format("is one range too many: {} at most, for every corner of them is "
-                                "looked at",
+                    fmt::format("is one range too many; at most {} are allowed, because every "
+                                "combination of their ends is computed",
                                 kMaxRanges)};
   }
   return std::nullopt;
@@ -46,18 +46,18 @@ const KeyTable& compensate_keys() {
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
                  &CompensateInput::aim, "\"transmission_error\"",
-                 "what is to be least: the transmission error of rigid teeth with the pattern in "
-                 "the middle, or under the torques of `[load]` that of loaded teeth, peak to "
-                 "peak, or the greatest pressure; of several torques the worst counts, and "
-                 "`centering_arcsec` does not"),
+                 "the quantity to minimise: the transmission error of rigid teeth with a central "
+                 "pattern, or, under the torques of `[load]`, the peak-to-peak transmission error "
+                 "of loaded teeth or the greatest pressure; the worst of several torques counts, "
+                 "and `centering_arcsec` has no effect"),
        Key::not_negative(
            "centering_arcsec", "w", &CompensateInput::centering_arcsec,
-           "a tenth of the transmission error as it stands, at least 0.1, and no "
-           "correction that makes that error greater (less than 0.01 is none)",
-           "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, "
-           "whose contact runs along the face anyhow, at the end of the profile): a value "
-           "asks for a trade, in which the transmission error may grow; "
-           "where less than 0.001 arcsec is to be had in all, every correction is 0"),
+           "a tenth of the transmission error without corrections, at least 0.1, and no correction "
+           "that increases that error (less than 0.01 counts as none)",
+           "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, whose "
+           "contact runs along the face anyhow, at the end of the profile): with a given value the "
+           "transmission error may grow; if the total improvement is less than 0.001 arcsec, every "
+           "correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
                  "errors that the corrections must serve, up to five, each [least, greatest]")}};

@@ -11,7 +11,7 @@ namespace {
 using V = CompensateView;
 
 constexpr const char* kSetting = "Setting of rack F that brings the contact back";
-constexpr const char* kLead = "Lead angle that takes the slope out of the transmission error";
+constexpr const char* kLead = "Lead angle that removes the slope of the transmission error";
 
 Value degrees(const std::optional<Angle>& angle) { return angle ? Value(angle->deg()) : Value(); }
 
@@ -25,10 +25,10 @@ const Quantities<FoundCorrection>& correction_quantities() {
        return Value(c.value);
      }).always();
     q.text("unit", "as keys end", [](const C& c) { return Value(c.unit); }).always();
-    q.text("spec_key", "that holds it in the corrected spec", [](const C& c) {
+    q.text("spec_key", "that contains it in the corrected spec", [](const C& c) {
        return Value(c.spec_key);
      }).always();
-    q.flag("", "at_bound", "at the end of what is looked for", "more might be better still",
+    q.flag("", "at_bound", "at the end of the searched range", "more might be better still",
            [](const C& c) { return Value(c.at_bound); })
         .always();
   });
@@ -165,12 +165,12 @@ void say(Quantities<V>& q) {
       .when(loaded)
       .doors(kJson);
   q.flag("", "nothing_to_correct", "nothing to correct",
-         "no corrections within reach are better by 0.001 arcsec: each is 0",
+         "no correction improves the result by 0.001 arcsec, so each is 0",
          [](const V& v) { return Value(v.nothing_to_correct); })
       .doors(kJson);
   q.add(Type::number, Unit::arcsec, "", "centering_arcsec",
         "cost of a pattern at the end of the face", "w",
-        "the key of this name, or what was taken in its place [T8.24]",
+        "the key of this name, or its default [T8.24]",
         [](const V& v) { return Value(v.centering.arcsec()); })
       .doors(kJson);
   q.record("", "scenarios", "one by one", scenario_table,
@@ -182,7 +182,7 @@ void say(Quantities<V>& q) {
     return v.setting ? Value(setting_quantities().of(*v.setting)) : Value();
   });
   q.record(kLead, "lead",
-           "of circular-arc pairs, else null: involutes touch along lines, their lead is mended by "
+           "of circular-arc pairs, else null, because the lead of involute pairs is corrected by "
            "slopes",
            lead_table,
            [](const V& v) { return v.lead ? Value(lead_quantities().of(*v.lead)) : Value(); });
@@ -211,7 +211,7 @@ const Quantities<LoadedScore>& loaded_score_quantities() {
           [](const S& s) { return Value(s.peak_to_peak.arcsec()); })
         .always();
     q.add(Type::number, Unit::megapascal, "", "max_pressure_MPa", "greatest pressure", "p_max",
-          "of Hertz; a lower bound where an edge carries",
+          "of Hertz; a lower bound where an edge carries load",
           [](const S& s) { return Value(s.max_pressure); })
         .always();
     q.pure("", "face_load_factor", "face load factor", "K_Hβ", "as `load` has it", [](const S& s) {

@@ -35,8 +35,8 @@ std::optional<KeyFault> check_map(ContactMapInput& map, const KeyGiven&) {
 
 std::optional<KeyFault> check_contact(ContactInput& c, const KeyGiven&) {
   if (static_cast<long long>(c.positions) * c.pitches <= kMaxPositions) return std::nullopt;
-  return KeyFault{"pitches", fmt::format("positions times pitches must be at most {}; every pitch "
-                                         "is like the first",
+  return KeyFault{"pitches", fmt::format("positions times pitches must be at most {}; each is one "
+                                         "pitch, repeated",
                                          kMaxPositions)};
 }
 
@@ -45,12 +45,12 @@ std::optional<KeyFault> check_contact(ContactInput& c, const KeyGiven&) {
 const KeyTable& contact_keys() {
   static const KeyTable table{
       "contact",
-      "How the contact of the pair is looked at",
+      "How the contact of the pair is computed",
       {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
        Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
-                   "how many pitches; every one is like the first; positions times pitches at most "
-                   "10⁶"),
+                   "number of pitches; each is one pitch, repeated; positions times pitches at "
+                   "most 10⁶"),
        Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",
                    "thickness of the marking compound, for ellipses and pattern"),
@@ -61,7 +61,7 @@ const KeyTable& contact_keys() {
        Key::flag("pattern", &ContactInput::pattern, "false",
                  "true: the result has the marking pattern of both flanks"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
-                   "rotations of gear 1, in place of positions and pitches")
+                   "rotations of gear 1, instead of positions and pitches")
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),
        Key::part("map", contact_map_keys, &ContactInput::map,
@@ -73,8 +73,8 @@ const KeyTable& contact_keys() {
 const KeyTable& contact_map_keys() {
   static const KeyTable table{
       "contact_map",
-      "Peak to peak of the transmission error over two errors at once, the others as they stand in "
-      "[errors]",
+      "Peak to peak of the transmission error over two errors at once; the other errors are those "
+      "of [errors]",
       {Key::word("x", error_words(), axis(0), kRequired, "a key of [errors], such as crossing_deg")
            .with_form("a key of `[errors]`"),
        Key::number("x_range", "", {}, range(0), kRequired,

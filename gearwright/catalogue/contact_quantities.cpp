@@ -76,7 +76,7 @@ void say_position(Quantities<P>& q) {
   q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
         "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0: gear 2 is ahead [T8.2]",
         touching([](const P& p) { return p.te.arcsec(); }));
-  q.whole("", "tooth", "tooth pair", "k", "the pair that stands on the centre line k pitches later",
+  q.whole("", "tooth", "tooth pair", "k", "the pair that reaches the centre line k pitches later",
           touching([](const P& p) { return p.pair; }));
   q.word("", "kind", "where the flanks touch",
          "in a point, along a line, or an edge; `form1`, `form2`: the end of the usable flank; "
@@ -107,10 +107,10 @@ void say_position(Quantities<P>& q) {
       "", "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge or a ridge",
       ellipse_table,
       [](const P& p) { return p.ellipse ? Value(ellipse_quantities().of(*p.ellipse)) : Value(); });
-  q.record("", "ridge", "how the gap opens on either side of a ridge; absent of other kinds",
+  q.record("", "ridge", "growth of the gap on either side of a ridge; absent for other kinds",
            ridge_table, [](const P& p) { return Value(ridge_quantities().of(*p.ridge)); })
       .when([](const P& p) { return p.ridge.has_value(); });
-  q.mm("", "line_mm", "contact line", "", "both its ends; null of other kinds", [](const P& p) {
+  q.mm("", "line_mm", "contact line", "", "both its ends; null for other kinds", [](const P& p) {
      return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
    }).list({2, 3});
 }
@@ -184,7 +184,7 @@ const Quantities<RasterView>& raster_quantities() {
        return Value(r.raster->height);
      }).list({0});
     q.mm("", "gap_mm", "gap", "",
-         "least normal gap over the mesh at each; null where the mating gear never is",
+         "least normal gap over the mesh at each point; null where the mating gear never passes",
          [](const R& r) {
            ValueList rows;
            for (std::size_t i = 0; i < r.raster->diameter.size(); ++i) {
@@ -269,7 +269,8 @@ void say(Quantities<V>& q) {
          [](const V& v) { return Value(v.working->mean_slope); })
       .doors(kJson);
   q.add(Type::number, Unit::arcsec, kContact, "harmonics_arcsec", "harmonics", "",
-        "amplitudes of 1, 2, … waves per pitch, 20 at most and no more than `positions` can tell "
+        "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as `positions` "
+        "resolves "
         "[T8.18]; empty with `rotation1_deg` and where contact is lost",
         [](const V& v) {
           ValueList list;
@@ -281,13 +282,13 @@ void say(Quantities<V>& q) {
       .doors(kJson);
   q.flag(kContact, "contact_lost", "contact lost", "at some position no tooth pair touches",
          [](const V& v) { return Value(v.working->contact_lost); });
-  q.record(kContact, "non_working_flank",
-           "the flanks that the driver does not push, at the same positions", non_working_table,
+  q.record(kContact, "non_working_flank", "the flanks that do not drive, at the same positions",
+           non_working_table,
            [](const V& v) { return Value(non_working_quantities().of(*v.non_working)); })
       .always();
   q.deg(kContact, "least_play_deg", "minimum angular backlash of gear 2", "",
-        "between both flanks, over the positions; negative: the gears jam, null: at no position do "
-        "both touch",
+        "between both flanks, over the positions; negative: the gears jam; null: both flanks never "
+        "touch",
         [](const V& v) { return v.min_play ? Value(v.min_play->deg()) : Value(); })
       .digits(6);
   q.add(Type::map, Unit::none, kContact, "sensitivity", "sensitivities", "",

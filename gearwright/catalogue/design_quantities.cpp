@@ -104,7 +104,7 @@ void say_numbers(Quantities<V>& q) {
       .column("helix#_deg")
       .digits(kFewDigits)
       .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
-  q.whole("", "rack", "rack", "", "which of the racks given, from 1; only with several",
+  q.whole("", "rack", "rack", "", "number of the rack, from 1; only with several racks",
           [](const V& v) { return Value(v.row->trial.rack + 1); })
       .always()
       .column("rack")
@@ -118,11 +118,10 @@ void say_place(Quantities<V>& q) {
       .always()
       .column("x#")
       .digits(4);
-  q.word(
-       "", "point", "place of the shifts",
-       "where in the region the shifts stand: `eq11` on the line of Eq. 11, off the walls, `lo_hi` "
-       "in the middle where that line misses the region",
-       [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
+  q.word("", "point", "place of the shifts",
+         "position of the shifts in the region: `eq11` on the line of Eq. 11 and away from the "
+         "borders, `lo_hi` in the middle if that line misses the region",
+         [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
       .one_of({"eq11", "lo_hi"})
       .always()
       .column("point")
@@ -200,13 +199,15 @@ void say_limits(Quantities<V>& q) {
       .greater_first()
       .digits(kFewDigits);
   q.mm("", "form_clearance_path_mm", "form clearance along the line of action", "",
-       "how far the mating tip stays from the start of the flank of gear 1, of gear 2; negative: "
-       "interference; none of an internal gear, whose flank ends where its cutter says",
+       "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative: "
+       "interference; null for an internal gear, whose flank end depends on its cutter",
        [](const V& v) { return Value(v.row->form_clearance); })
       .per_gear()
       .column("form_clearance_path#_mm")
       .doors(kJson);
-  q.mm("", "tip_alteration_mm", "tip alteration", "k m_n", "as applied, 0 without `shorten_tips`",
+  q.mm("", "tip_alteration_mm", "tip alteration", "k m_n",
+       "applied value; 0 without "
+       "`shorten_tips`",
        [](const V& v) { return Value(v.row->tip_alteration); })
       .always()
       .column("tip_alteration_mm")
@@ -227,7 +228,7 @@ void say_limits(Quantities<V>& q) {
     }
   }
   q.pure("", "sliding_max", "maximum specific sliding", "ζ_max",
-         "at the ends of the path of contact; none: a flank reaches its base tangent point",
+         "at the ends of the path of contact; null: a flank reaches its base tangent point",
          [](const V& v) { return Value(v.row->max_sliding()); })
       .column("sliding_max")
       .doors(kPage)
@@ -256,7 +257,7 @@ void say_strength(Quantities<V>& q) {
       .greater_first()
       .digits(kFewDigits);
   const auto weighed = [](const V& v) { return v.problem->weighs(); };
-  q.mm("", "face_width_mm", "face width", "b", "of both gears; where safeties or masses are asked",
+  q.mm("", "face_width_mm", "face width", "b", "of both gears; if safeties or masses are requested",
        [](const V& v) {
          return v.problem->weighs() ? Value(v.problem->face_width_of(v.row->trial.module))
                                     : Value();

@@ -11,7 +11,7 @@ const KeyTable& drawing_keys() {
        Key::text("number", &D::number, "", "drawing number")
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "who drew it"),
-       Key::text("date", &D::date, "", "in quotes, any form; never that of today by itself"),
+       Key::text("date", &D::date, "", "in quotes, in any form; never filled in automatically"),
        Key::text("material", &D::material, "", "in words"),
        Key::text("note", &D::note, "", "what a workshop should know besides")
            .with_also({"notes", "remark", "comment"})}};

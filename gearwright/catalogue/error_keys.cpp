@@ -72,17 +72,17 @@ std::optional<std::size_t> error_index(std::string_view key) {
 
 const KeyTable& error_keys() {
   static const KeyTable table = [] {
-    KeyTable t{"errors", "What is wrong with the mounting and the teeth, all at once", {}};
+    KeyTable t{"errors", "Errors of mounting and of the teeth, all at once", {}};
     for (std::size_t i = 0; i < kErrorCount; ++i) {
       const ErrorEntry& e = error_entries()[i];
       KeyRange range;
       if (e.unit() == "deg") {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees: an error is small; a shaft angle belongs to "
+                                  " degrees, because an error is small; the shaft angle is "
                                   "pair.shaft_angle_deg");
       } else if (e.unit() == "um") {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
-                                  " micrometres: a helix angle belongs to the gear");
+                                  " micrometres; the helix angle belongs to the gear");
       }
       t.keys.push_back(Key::number(e.key, e.symbol, range,
                                    KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {

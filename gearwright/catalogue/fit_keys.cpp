@@ -20,11 +20,11 @@ Key of_few_teeth(std::string_view key, std::string_view symbol,
 const KeyTable& fit_keys() {
   static const KeyTable table{
       "fit",
-      "What the verb fit is asked; no other verb reads it",
+      "Settings of the verb fit; no other verb reads them",
       {Key::number("working_normal_pressure_angle_deg", "α_wn",
                    KeyRange::between(1, 80, ", usually 14.5 to 30"),
                    &FitInput::working_normal_pressure_angle, "",
-                   "working normal pressure angle of the designs wanted"),
+                   "working normal pressure angle of the designs"),
        Key::flag(
            "few_teeth", &FitInput::few_teeth, "false",
            "the pinion of few teeth and the wheel, or internal gear, that its longer twin cuts"),
@@ -35,7 +35,7 @@ const KeyTable& fit_keys() {
        of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
                     "clearance at both tips"),
        of_few_teeth("backlash_mm", "", &FitInput::backlash, "0",
-                    "circumferential backlash; the centre distance makes it"),
+                    "circumferential backlash, made by the centre distance"),
        of_few_teeth("contact_ratio", "ε_γ", &FitInput::contact_ratio, "1.2",
                     "total contact ratio, for the face width")}};
   return table;

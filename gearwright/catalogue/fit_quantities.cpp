@@ -40,8 +40,8 @@ const Quantities<BranchView>& branch_quantities() {
            [](const B& b) { return Value(b.transverse_contact_ratio); })
         .when([](const B& b) { return b.transverse_contact_ratio.has_value(); });
     q.text("refused",
-           "why the verb pair refuses this answer: its line of action is right, its teeth "
-           "are not; absent when it takes it",
+           "why the verb pair rejects this answer, whose line of action is correct but whose teeth "
+           "are not; absent if pair accepts it",
            [](const B& b) { return b.refused ? Value(*b.refused) : Value(); })
         .when([](const B& b) { return b.refused.has_value(); });
   });
@@ -71,9 +71,9 @@ const Quantities<FitView>& fit_quantities() {
              branch_table, [](const V& v) { return Value(branch_quantities().each(v.branches)); })
         .list({0})
         .always();
-    q.text("reason", "why there is none; null when there is one",
+    q.text("reason", "why there is no answer; null if there is one",
            [](const V& v) { return v.fit->branches.empty() ? Value(v.fit->reason) : Value(); });
-    q.record("Nearest", "nearest", "null when there are answers, or nothing is near", nearest_table,
+    q.record("Nearest", "nearest", "null if there are answers, or no near values", nearest_table,
              [](const V& v) {
                const Fit& f = *v.fit;
                const bool near = f.nearest_distance || f.nearest_shaft_angle;

@@ -160,7 +160,7 @@ const KeyTable& gear_keys() {
                    "`profile_shift`")
            .with_needs({"cut_by"}),
        Key::part("basic", basic_keys, {},
-                 "the gear as itself, by what every rack that cuts it leaves"),
+                 "the gear by its own dimensions, which do not depend on the rack"),
        Key::part("root_fillet", root_fillet_keys,
                  {&GearInput::cylindrical, &CylindricalSpec::root_fillet},
                  "a circular arc in place of the root that the rack cuts"),
@@ -179,7 +179,7 @@ const KeyTable& gear_keys() {
                    "flank tolerance class (grade) of ISO 1328-1; also `quality` of `tolerance`")
            .with_also({"grade", "accuracy_grade"}),
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
-                 "the grade of the flanks, and how thick the teeth may be"),
+                 "the accuracy grade of the flanks and the limits of the tooth thickness"),
        Key::part("measured", measured_keys, {},
                  "readings of an unknown gear, for the verb identify"),
        Key::word("form", {"gear"}, KeyPlace::unused(), "\"gear\"",
@@ -214,7 +214,7 @@ const KeyTable& blank_keys() {
 const KeyTable& basic_keys() {
   static const KeyTable table{
       "basic",
-      "The gear as itself, by what every rack that cuts it leaves",
+      "The gear by its own dimensions, which do not depend on the rack",
       {Key::positive("base_diameter_mm", "d_b", &BasicInput::base_diameter, kRequired,
                      "diameter of the base cylinder"),
        Key::number("base_tooth_thickness_mm", "s_bt", {}, &BasicInput::base_tooth_thickness,
@@ -260,7 +260,7 @@ const KeyTable& tip_fillet_keys() {
        Key::number("clearance_mm", "",
                    Range::not_negative(": the tip would cut into the mating gear's root"),
                    &GearInput::tip_clearance, "0.2 m_n + 0.05",
-                   "what the tip leaves to the mating gear's root, on parallel axes [T6.7]")
+                   "tip clearance to the mating gear's root, on parallel axes [T6.7]")
            .with_excludes({"radius_mm", "l_mm"}),
        Key::positive(
            "corner_radius_mm", "ρ_a", tip_fillet(Fillet::corner), "",

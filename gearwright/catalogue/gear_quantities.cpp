@@ -126,7 +126,9 @@ void say(Quantities<Gear>& q) {
      return Value(g.tip_diameter);
    }).always();
   q.mm(kDiameters, "root_diameter_mm", "root diameter", "d_f",
-       "negative when the rack passes the axis", [](const G& g) { return Value(g.root_diameter); })
+       "negative if the rack passes through the "
+       "axis",
+       [](const G& g) { return Value(g.root_diameter); })
       .always();
   q.mm(kDiameters, "root_form_diameter_mm", "root form diameter", "d_Ff",
        "where the usable flank starts: the crossing with the root as cut, or C",
@@ -193,15 +195,15 @@ void say(Quantities<Gear>& q) {
          [](const G& g) { return Value(g.pointed()); })
       .doors(kJson);
   q.flag(kTooth, "severed", "cut through by undercut",
-         "the root fillets of both sides meet: there is no tooth",
+         "true if the root fillets of both flanks meet, so that there is no tooth",
          [](const G& g) { return Value(g.tooth && g.tooth->severed); })
       .doors(kJson);
   q.flag(kTooth, "through_axis", "cutter passes the axis",
-         "the root circle would have no radius: there is no tooth",
+         "true if the cutter passes through the axis, so that there is no tooth",
          [](const G& g) { return Value(g.tooth && g.tooth->through_axis); })
       .doors(kJson);
   q.flag(kTooth, "tip_cut_by_rack", "tip cut by the rack",
-         "the cutter's bottom land, not the blank, ends the tooth",
+         "true if the bottom land of the cutter, not the blank, ends the tooth",
          [](const G& g) { return Value(g.tooth && g.tooth->tip_cut_by_rack); })
       .doors(kJson);
   q.mm(kRootFillet, "root_fillet_radius_mm", "radius", "r_r",
@@ -237,7 +239,7 @@ void say(Quantities<Gear>& q) {
        "along the rack's flank; null without a circular tip fillet",
        [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::point_j_l)); });
   q.mm(kTooth, "tip_bulge_mm", "tip beyond the involute", "",
-       "a tip that the cutter's own flank did not reach stands out by so much, along the normal",
+       "projection of a tip that the flank of the cutter did not reach, along the normal",
        [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
   q.mm(kTooth, "tip_bulge_from_mm", "… from this diameter on", "", "where its flank ends",

@@ -53,11 +53,11 @@ void say_candidate(Quantities<G>& q) {
      return Value(g.normal_pressure_angle.deg());
    }).always();
   q.deg("", "helix_angle_deg", "helix angle", "β",
-        "> 0 right hand, and where no reading says the hand",
+        "> 0 right hand, also if no reading determines the hand",
         [](const G& g) { return Value(g.helix_angle.deg()); })
       .always();
   q.pure("", "profile_shift", "profile shift coefficient", "x_E",
-         "that of the teeth as they are, thickness allowance included",
+         "of the actual teeth, including the thickness allowance",
          [](const G& g) { return Value(g.generating_shift); })
       .always();
   q.pure("", "generating_profile_shift", "generating profile shift coefficient", "x_E", "the same",
@@ -65,13 +65,13 @@ void say_candidate(Quantities<G>& q) {
       .always()
       .doors(kJson);
   q.mm("", "tip_diameter_mm", "tip diameter", "d_a",
-       "as read where it is longer than the shift alone makes it: a worn one is not",
+       "the reading, if it is greater than the profile shift alone gives; a worn tip is not",
        [](const G& g) { return Value(g.tip_diameter); })
       .always();
   q.pure(
       "", "profile_shift_of_tip", "shift that the tip shows", "x",
-      "null: no tip was read. Greater than x_E, it is the drawing's, or a part of it that wear has "
-      "left; what x_E lacks is the thickness allowance",
+      "null: no tip was measured. If it is greater than x_E, it is that of the drawing or a part "
+      "of it left by wear; the difference to x_E is the thickness allowance",
       [](const G& g) { return Value(g.shift_of_tip); });
   q.add(Type::number, Unit::percent, "", "likelihood", "likelihood", "", "of all candidates 1",
         [](const G& g) { return Value(g.likelihood); })
@@ -145,9 +145,9 @@ const Quantities<Identification>& identify_quantities() {
                                       : Value();
              });
     q.record("Next measurement", "next_measurement",
-             "null: one candidate is left, or nothing that can be measured decides", next_table,
+             "null: only one candidate is left, or no measurement can decide", next_table,
              [](const I& i) { return i.next ? Value(next_quantities().of(*i.next)) : Value(); });
-    q.text("reason", "why there is none, or none that fits; null: one does",
+    q.text("reason", "why there is no candidate, or none that fits; null: at least one fits",
            [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });
   });
   return kAll;

@@ -5,14 +5,14 @@ namespace gearwright {
 const KeyTable& measure_keys() {
   static const KeyTable table{
       "measure",
-      "Where and how the gear is measured; only the verb measure reads it",
+      "Positions and tools of the measurements; only the verb measure reads this table",
       {Key::positive("chord_diameter_mm", "", &MeasureInput::chord_diameter,
                      "the reference diameter, or the middle of the usable flank where that lies "
                      "off it",
                      "where the calliper's jaws touch, on the usable flank; the tooth thickness is "
                      "given there too"),
        Key::number("span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
-                   "the number that touches nearest to the V circle d + 2 x m_n",
+                   "the number whose contacts are nearest to the V circle d + 2 x m_n",
                    "teeth between the anvils of a span measurement; spaces of an internal gear")
            .with_also({"span", "teeth", "k", "number_of_teeth_spanned"}),
        Key::positive("ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
@@ -28,7 +28,7 @@ const KeyTable& measure_keys() {
 const KeyTable& tolerance_keys() {
   static const KeyTable table{
       "tolerance",
-      "The grade of the flanks, and how thick the teeth may be",
+      "The accuracy grade of the flanks and the limits of the tooth thickness",
       {Key::number(
            "quality", "", KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
            &ToleranceInput::quality, "no tolerances", "flank tolerance class (grade) of ISO 1328-1")

@@ -7,7 +7,7 @@ namespace {
 std::optional<KeyFault> check_probe(LoadProbeInput& probe, const KeyGiven&) {
   if (probe.read_z.empty() || probe.z) return std::nullopt;
   return KeyFault{"read_z_mm",
-                  "needs z_mm: over a wide gear the displacement is the same everywhere"};
+                  "needs z_mm, because in plane strain the displacement is the same everywhere"};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ const KeyTable& load_keys() {
            "further approach of the flanks along the face, from shafts: over the common face, "
            "> 0 towards +z; of teeth that touch along lines"),
        Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
-                   "0", "and as a parabola, its height in the middle of the face"),
+                   "0", "further approach as a parabola; its height in the middle of the face"),
        {.key = "probe",
         .kind = KeyKind::table,
         .list = KeyList{.most = kMostProbes,
@@ -74,7 +74,7 @@ const KeyTable& load_probe_keys() {
        Key::positive("half_width_mm", "a", &LoadProbeInput::half_width, "0.05 m_n",
                      "half width of the Hertz strip under the load"),
        Key::number("read_z_mm", "", {}, &LoadProbeInput::read_z, "",
-                   "where along the face the displacement is read; with `z_mm`")
+                   "position along the face at which the displacement is computed; with `z_mm`")
            .with_list(KeyList{1, kMostReadings})},
       check_probe};
   return table;

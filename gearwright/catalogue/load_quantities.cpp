@@ -70,8 +70,8 @@ void say_position(Quantities<P>& q) {
    }).always();
   q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "loaded transmission error",
         "TE",
-        "that of `contact` less what gear 2 yields; null, as all numbers of a position, where "
-        "nothing touches or the forces come to no end",
+        "that of `contact` minus the deflection of gear 2; null, like all numbers of a position, "
+        "if no teeth touch or the forces do not converge",
         [](const P& p) { return Value(p.position->te.arcsec()); });
   q.add(Type::number, Unit::um, "", "approach_um", "approach under load", "Θ r_b2",
         "along the line of action in the transverse section, of teeth that touch at points along "
@@ -79,26 +79,28 @@ void say_position(Quantities<P>& q) {
         "bodies' twist is in it",
         [](const P& p) { return Value(p.position->approach * kUmPerMm); });
   q.pure("", "share", "load shares", "",
-         "of each tooth pair that carries, the one nearest to its exit last; of teeth that touch "
-         "at points of each point",
+         "of each loaded tooth pair, the one nearest to its exit last; for point contact, of each "
+         "point",
          [](const P& p) { return Value(shares(*p.position)); })
       .list({0})
       .always();
   q.add(Type::number, Unit::megapascal, "", "max_pressure_MPa", "greatest pressure", "p_max",
-        "of Hertz; a lower bound where `kind` is an edge",
+        "of Hertz; a lower bound if `kind` is an edge",
         [](const P& p) { return Value(p.position->max_pressure); });
   q.add(Type::number, Unit::megapascal, "", "root_stress_MPa", "greatest root stress", "",
         "greatest principal stress along the fillets, per gear",
         [](const P& p) { return Value(p.position->root_stress); })
       .per_gear();
-  q.record("", "points", "that carry, in the order of `share`; teeth of double arcs touch at two",
+  q.record("", "points",
+           "of the loaded points, in the order of `share`; double-arc teeth touch at "
+           "two",
            point_table,
            [](const P& p) { return Value(load_point_quantities().each(p.position->pairs)); })
       .list({0})
       .when([](const P& p) { return at_points(p); })
       .doors(kJson);
   q.word("", "kind", "where the pressure is greatest",
-         "along a line, in the interior about a point, or at an edge that carries",
+         "along a line, in the interior about a point, or at a loaded edge",
          [](const P& p) {
            return p.position->kind == TouchKind::none ? Value()
                                                       : Value(to_string(p.position->kind));
@@ -126,11 +128,11 @@ void say_torque(Quantities<T>& q) {
       .always()
       .doors(kJson);
   q.add(Type::number, Unit::arcsec, kLoad, "peak_to_peak_arcsec",
-        "loaded transmission error, peak to peak", "", "over the positions that have an answer",
+        "loaded transmission error, peak to peak", "", "over the positions with a result",
         [](const T& t) { return Value(t.torque->peak_to_peak.arcsec()); });
   q.add(Type::number, Unit::arcsec, kLoad, "harmonics_arcsec", "harmonics", "",
-        "amplitudes of 1, 2, … waves per pitch, 20 at most; empty with `rotation1_deg` and where a "
-        "position has no answer",
+        "amplitudes at orders 1, 2, … of the mesh frequency, at most 20; empty with "
+        "`rotation1_deg` and if a position has no result",
         [](const T& t) { return Value(angles(t.torque->harmonics)); })
       .list({0})
       .always()
@@ -166,14 +168,14 @@ void say_torque(Quantities<T>& q) {
         [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
       .when(has_standard);
   q.pure(kLoad, "stiffness_over_c_gamma_alpha", "mean stiffness over that of ISO 6336-1", "",
-         "without the twist of the bodies, which the standard does not know",
+         "without the twist of the bodies, which the standard does not include",
          [](const T& t) {
            return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
                                   : Value();
          })
       .when(has_standard);
   q.add(Type::number, Unit::megapascal, kLoad, "max_pressure_MPa", "greatest pressure", "p_max",
-        "of Hertz, over all positions; a lower bound where an edge carries",
+        "of Hertz, over all positions; a lower bound if an edge carries load",
         [](const T& t) { return Value(t.torque->max_pressure); });
   q.add(Type::number, Unit::megapascal, kLoad, "max_root_stress_MPa", "greatest root stress", "",
         "greatest principal stress along the fillets over all positions, per gear",
@@ -181,9 +183,8 @@ void say_torque(Quantities<T>& q) {
       .per_gear();
   q.add(Type::number, Unit::megapascal, kLoad, "least_root_stress_MPa", "least root stress there",
         "",
-        "least principal stress over all positions at the place of the greatest, the end of its "
-        "range: "
-        "a tooth is pressed while its neighbours bear",
+        "least principal stress over all positions at the place of the greatest, the lower end of "
+        "its range, because the fillet is compressed while neighbouring teeth carry load",
         [](const T& t) { return Value(t.torque->least_at_max); })
       .per_gear();
   q.add(Type::number, Unit::megapascal, kLoad, "nominal_root_stress_MPa",
@@ -211,8 +212,8 @@ void say_torque(Quantities<T>& q) {
          [](const T& t) { return Value(t.torque->transverse_load_factor); });
   q.flag(kLoad, "edge_carries", "an edge carries", "the pressure there is a lower bound",
          [](const T& t) { return Value(t.torque->edge_carries); });
-  q.flag(kLoad, "ellipse_beyond_flank", "an ellipse of contact hangs over the flank",
-         "over an end of the flank or the face: the pressure there is higher than Hertz'",
+  q.flag(kLoad, "ellipse_beyond_flank", "a contact ellipse extends beyond the flank",
+         "beyond an end of the flank or the face; the pressure there is higher than that of Hertz",
          [](const T& t) { return Value(t.torque->beyond_flank); })
       .when([](const T& t) { return at_points(t); });
   q.add(Type::number, Unit::newton_per_mm, kLoad, "face_load_N_per_mm", "load along the face", "",
@@ -283,7 +284,7 @@ const Quantities<LoadedPair>& load_point_quantities() {
          [](const LoadedPair& p) { return Value(p.point.height); })
         .per_gear();
     q.flag("", "beyond_flank", "hangs over an end of the flank",
-           "the pressure is higher than Hertz' where it does",
+           "if true, the pressure is higher than that of Hertz",
            [](const LoadedPair& p) { return Value(p.point.beyond); });
   });
   return kAll;
@@ -318,7 +319,7 @@ const Quantities<LoadView>& load_quantities() {
         .one_of({"line", "point"})
         .when([](const LoadView& v) { return v.contact != nullptr; });
     q.add(Type::number, Unit::newton_metre, kLoad, "quietest_torque_Nm", "quietest torque", "",
-          "of the torques asked for that with the least loaded transmission error, peak to peak",
+          "the given torque with the least peak-to-peak loaded transmission error",
           [](const LoadView& v) {
             const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
             return t ? Value(t->torque / kNmmPerNm) : Value();

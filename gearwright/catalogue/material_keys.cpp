@@ -41,8 +41,8 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
   if (std::find(known.begin(), known.end(), *m.name) != known.end()) return std::nullopt;
   return KeyFault{"name",
-                  fmt::format("is not in the shipped table; {}. Of any other material give the "
-                              "values: kind, sigma_Hlim_MPa, sigma_Flim_MPa, and of a plastic "
+                  fmt::format("is not in the table of materials; {}. For any other material give "
+                              "the values: kind, sigma_Hlim_MPa, sigma_Flim_MPa, and of a plastic "
                               "youngs_modulus_MPa",
                               word_hint(*m.name, known))};
 }
@@ -57,8 +57,8 @@ const KeyTable& material_keys() {
         "material",
         "What the teeth are made of, for `rate`",
         {Key::text("name", &MaterialInput::name, "the values below",
-                   "a row of the shipped table, \"18CrNiMo7-6\"; any name where the values "
-                   "themselves are given")
+                   "a row of the table of materials, \"18CrNiMo7-6\"; any name if the values are "
+                   "given")
              .with_also({"steel", "grade", "material"}),
          Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind, "of the named row",
                    "how ISO 6336-5 sorts it: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
@@ -88,8 +88,8 @@ const KeyTable& material_keys() {
              .with_also({"yield", "re", "rp02"}),
          Key::number("temperatures_C", "ϑ", Range::between(-100, 400), &MaterialInput::temperatures,
                      "the values above, at any temperature",
-                     "of a plastic: where its values below are stated; between two the straight "
-                     "line, outside nothing")
+                     "plastics: the temperatures of the values below, with linear interpolation "
+                     "and no extrapolation")
              .with_list({.least = kMinSteps,
                          .most = kMaxSteps,
                          .order = {true, "must rise from one to the next"}})

@@ -54,7 +54,7 @@ void say_span(Quantities<Span>& q) {
       .always()
       .one_of(kPlaces);
   q.mm("", "min_face_width_mm", "face width needed", "",
-       "W_k sin |β_b|: on a narrower gear one anvil has nothing to touch [T10.4]",
+       "W_k sin |β_b|; on a narrower gear one anvil does not touch [T10.4]",
        [](const S& s) { return Value(s.min_face_width); })
       .always();
   q.flag("", "face_wide_enough", "face wide enough for both anvils", "b is greater than that",
@@ -243,7 +243,9 @@ void say_measure(Quantities<GearMeasures>& q) {
   using M = GearMeasures;
   q.record(kSpan, "span", "null: none can be measured", span_table,
            [](const M& m) { return record_of(span_quantities(), m.span); });
-  q.record("Other spans", "spans", "all that can be measured, at most 31 about the usual one",
+  q.record("Other spans", "spans",
+           "all spans that can be measured, at most 31 around the usual "
+           "one",
            span_table, [](const M& m) { return Value(span_quantities().each(m.spans)); })
       .list({0})
       .always()

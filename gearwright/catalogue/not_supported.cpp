@@ -16,8 +16,8 @@ struct Row {
 };
 
 constexpr std::string_view kOnePair =
-    "planetary sets and trains of gears are not supported: a spec has one pair, [gear1] and "
-    "[gear2]. Give each mesh a spec of its own; a ring has a negative number of teeth";
+    "planetary sets and gear trains are not supported; a spec has one pair, [gear1] and [gear2]; "
+    "write one spec for each mesh, with a negative number of teeth for an internal gear";
 constexpr std::string_view kRackMate =
     "a rack as a mating part is gear 2: [gear2] with form = \"rack\". The rack that cuts a gear is "
     "[gear1.rack]";
@@ -25,11 +25,11 @@ constexpr std::string_view kOneHelix =
     "double helical (herringbone) gears are not supported. Give one half as a helical gear: its "
     "helix_angle_deg, the face_width_mm of one half, and half of the torque";
 constexpr std::string_view kUnits =
-    "units are not chosen: a length is in mm and an angle in degrees, as the ending of its key "
-    "says. An inch is 25.4 mm; in place of a module there is normal_diametral_pitch_per_in";
+    "units cannot be chosen; lengths are in mm and angles in degrees, as the ending of each key "
+    "shows. An inch is 25.4 mm; instead of the module you can give normal_diametral_pitch_per_in";
 constexpr std::string_view kInternal =
-    "is said by the number of teeth: teeth = -61 is an internal gear of 61 teeth, a positive "
-    "number is an external one";
+    "follows from the number of teeth; teeth = -61 is an internal gear of 61 teeth, and a positive "
+    "number is an external gear";
 
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
@@ -38,8 +38,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear1.form", "\"rack\"", "a rack is gear 2, its pinion gear 1"},
     {"gear#.teeth", "0",
      "must not be 0: a rack is [gear2] with form = \"rack\". An internal gear has a negative "
-     "number "
-     "of teeth, teeth = -61"},
+     "number of teeth, teeth = -61"},
     {"gear#.internal", "", kInternal},
     {"gear#.rack.points", "",
      "a rack given by points is not supported. Give straight flanks by their numbers (addendum, "

@@ -27,9 +27,9 @@ const KeyTable& pair_keys() {
        Key::number("shaft_angle_deg", "Σ",
                    KeyRange::inside(-180, 180, " (> 0: right hands prevail)"),
                    &PairInput::shaft_angle,
-                   "0 where the helices allow it; an error where both have one hand and angle; "
-                   "else that of "
-                   "the minimum centre distance, with a warning",
+                   "0 if the helix angles allow it; an error if both gears have the same hand and "
+                   "helix angle; otherwise the angle of the minimum centre distance, with a "
+                   "warning",
                    "Σ = β_w1 + β_w2, signed: two right hands cross at Σ > 0, two left hands at "
                    "Σ < 0")
            .with_also({"axis_angle", "crossing_angle"}),
@@ -37,7 +37,7 @@ const KeyTable& pair_keys() {
                    KeyPlace::mean_and_ends<PairInput>(
                        [](auto& p) -> auto& { return p.backlash; },
                        [](auto& p) -> auto& { return p.backlash_ends; }),
-                   "what the allowances and the centre distance leave",
+                   "the backlash that follows from allowances and centre distance",
                    "normal backlash: the teeth are thinned for it, instead of by "
                    "`thickness_allowance_mm`; two: the least and the greatest")
            .with_list(kOneOrEnds)
@@ -53,13 +53,13 @@ const KeyTable& pair_keys() {
            .with_fields({"backlash_angle"})
            .with_also({"angular_backlash", "backlash_angle"}),
        Key::number("backlash_split", "", KeyRange::between(0, 1), &PairInput::backlash_split, "0.5",
-                   "gear 1's share of the thinning; the rest is gear 2's"),
+                   "share of gear 1 in the thinning; gear 2 has the rest"),
        Key::word("mounting", {"tight", "extended"}, &PairInput::mounting, "\"tight\"",
                  "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
                  "x2), an internal gear a_d − m_n (x1 + x2)"),
        Key::flag("choose_profile_shifts", &PairInput::choose_profile_shifts, "true",
-                 "at a given centre distance absent profile shifts follow from it, and a note "
-                 "says them; `false`: they must be given"),
+                 "`true`: absent profile shifts follow from a given centre distance, and a note "
+                 "reports them; `false`: they must be given"),
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
                  "tips without a given `tip_diameter_mm` are cut back by k m_n, so that the "
                  "clearance of the racks is kept"),

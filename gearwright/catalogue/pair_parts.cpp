@@ -189,8 +189,8 @@ const Quantities<PairBacklash>& backlash_quantities() {
         .per_gear()
         .always();
     q.deg("", "free_rotation_deg", "free play (mating gear fixed)", "",
-          "per gear, the part of it in which nothing strikes: less where something stands before "
-          "the flanks; null: not looked for, or a tip stands in a root",
+          "per gear, the rotation without any contact; less than the backlash if other parts meet "
+          "before the flanks; null: not computed, or a tip lies inside a root",
           [](const B& b) {
             if (!b.free) return Value();
             return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
@@ -265,10 +265,10 @@ const Quantities<InvolutePair>& internal_quantities() {
          "[T2.27]; negative: the tip reaches below it, null: no such limit",
          [](const InvolutePair& p) { return Value(p.involute_margin); });
     q.deg(kMargins, "trochoid_margin_deg", "trochoid: tips pass each other", "",
-          "[T2.28], of sharp tips without backlash; negative: they strike, null: no such limit",
+          "[T2.28], of sharp tips without backlash; negative: they collide; null: no such limit",
           [](const InvolutePair& p) { return degrees(p.trochoid_margin); });
     q.deg(kMargins, "trimming_margin_deg", "trimming: radial assembly", "",
-          "[T2.28]; negative: only along the axis, null: no such limit",
+          "[T2.28]; negative: axial mounting only; null: no such limit",
           [](const InvolutePair& p) { return degrees(p.trimming_margin); });
   });
   return kAll;
@@ -280,7 +280,7 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.text("code", "a fixed word for programs", [](const I& i) {
        return Value(to_string(i.code));
      }).always();
-    q.whole("", "gear", "gear", "", "the one whose root or tip suffers; null: both",
+    q.whole("", "gear", "gear", "", "the gear whose root or tip is affected; null: both",
             [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.pure("", "amount", "amount", "", "mm; rad for `trochoid`; < 0: by so much", [](const I& i) {
        return Value(i.amount);
@@ -301,7 +301,9 @@ const Quantities<Collision>& collision_quantities() {
     q.text("cause", "a fixed word for programs", [](const S& s) {
        return Value(to_string(s.cause));
      }).always();
-    q.whole("", "gear", "gear", "", "whose root, or whose tip that stands out; null: both alike",
+    q.whole("", "gear", "gear", "",
+            "the gear with the affected root or the projecting tip; null: "
+            "both",
             [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.mm("", "depth_mm", "depth", "",
          "along the common normal: of an overlap in the middle of the play, beyond the flank how "

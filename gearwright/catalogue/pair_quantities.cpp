@@ -171,16 +171,15 @@ void say_crossed(Quantities<V>& q) {
       .doors(kJson)
       .when(is_involute);
   q.mm(kContact, "line_offset_mm", "offset of the line of action", "z_L",
-       "how far along the rack's teeth the leading line stands from the centre line [T4.18]; the "
-       "trailing one stands at −z_L",
+       "distance of the leading line of action from the centre line along the teeth of the rack "
+       "[T4.18]; the trailing line is at −z_L",
        crossed([](const InvolutePair& p) { return p.mesh.line_offset; }))
       .doors(kJson)
       .when(is_involute);
-  q.record("Minimum centre distance, free of backlash", "minimum_center_distance",
-           "of the teeth as cut [T4.15]; null: they are too thin to have one",
-           table_of<place_quantities>, crossed([](const InvolutePair& p) {
-             return record_of(place_quantities(), p.min_distance);
-           }));
+  q.record(
+      "Minimum centre distance, free of backlash", "minimum_center_distance",
+      "of the teeth as cut [T4.15]; null: the teeth are too thin", table_of<place_quantities>,
+      crossed([](const InvolutePair& p) { return record_of(place_quantities(), p.min_distance); }));
   q.record("Contact ratio of 1 and more, free of backlash", "contact_ratio_range",
            "where AE ≥ p_bn [T4.23]; null: nowhere", table_of<places_quantities>,
            crossed([](const InvolutePair& p) {
@@ -227,11 +226,12 @@ void say_contact(Quantities<V>& q) {
            return v.crossed() ? Value() : Value(v.involute()->mesh.overlap_ratio);
          });
   q.mm(kFace, "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-       "circular arcs only: the least common face over which a point always touches",
+       "circular arcs only: the smallest common face width with a contact point at all times",
        [](const V& v) { return Value(v.arcs()->face_for_contact); })
       .when(is_arcs);
   q.record(kContact, "line_of_action",
-           "of circular arcs the way of the point over the common face; null without contact",
+           "for circular arcs, the path of the contact point over the common face; null without "
+           "contact",
            table_of<line_quantities>,
            [](const V& v) { return record_of(line_quantities(), line_of(v)); })
       .shown(is_involute);
@@ -247,27 +247,26 @@ void say_contact(Quantities<V>& q) {
            involute([](const InvolutePair& p) { return path_quantities().of(p); }))
       .doors(kJson)
       .when(is_involute);
-  q.record(
-       "", "overlap",
-       "where the bodies would share space, in the middle of the play, deepest first "
-       "[T2.34], on crossed axes of tips and roots [T4.33]; null: not looked for (circular arcs "
-       "of unequal lead, an internal gear whose cutter is not known)",
-       table_of<collision_quantities>,
-       [](const V& v) {
-         const auto& overlap = v.mounted().overlap;
-         return overlap ? Value(collision_quantities().each(*overlap)) : Value();
-       })
+  q.record("", "overlap",
+           "overlap of the bodies in the middle of the backlash, deepest first [T2.34], on crossed "
+           "axes of tips and roots [T4.33]; null: not computed (circular arcs of unequal lead, an "
+           "internal gear whose cutter is not known)",
+           table_of<collision_quantities>,
+           [](const V& v) {
+             const auto& overlap = v.mounted().overlap;
+             return overlap ? Value(collision_quantities().each(*overlap)) : Value();
+           })
       .list({0})
       .doors(kJson);
-  q.record("", "beyond_flank",
-           "contact on a root or a tip that is no flank, while nothing overlaps",
+  q.record("", "beyond_flank", "contact on a root or a tip beyond the flank, without overlap",
            table_of<collision_quantities>,
            [](const V& v) { return Value(collision_quantities().each(v.mounted().beyond_flank)); })
       .always()
       .list({0})
       .doors(kJson);
   q.record("", "interference",
-           "what explains an overlap; where none is looked for all that a circle or a corner says",
+           "what explains an overlap; if overlap is not computed, all findings of circles and "
+           "corners",
            table_of<interference_quantities>,
            [](const V& v) { return Value(interference_quantities().each(interference_of(v))); })
       .always()
@@ -307,9 +306,9 @@ void say_clearances(Quantities<V>& q) {
 
 void say_sliding(Quantities<V>& q) {
   q.record(kContact, "specific_sliding",
-           "[at A, at E]: how far the flanks slide for each mm that the contact runs over the "
-           "flank. Parallel axes [T2.22]: < 0 where the mating gear drags the flank, null at and "
-           "beyond a base tangent point; crossed [T4.25]: of whole velocities, ≥ 0",
+           "[at A, at E]: sliding distance per mm of contact travel on the flank. Parallel axes "
+           "[T2.22]: < 0 where the mating gear drags the flank, null at and beyond a base tangent "
+           "point; crossed [T4.25]: of whole velocities, ≥ 0",
            table_of<two_gears>, involute([](const InvolutePair& p) {
              return each_gear(std::array{p.sliding_A.zeta_1, p.sliding_E.zeta_1},
                               std::array{p.sliding_A.zeta_2, p.sliding_E.zeta_2});

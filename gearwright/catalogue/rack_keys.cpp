@@ -73,9 +73,9 @@ const KeyTable& straight_rack_keys() {
            .with_needs({"tool_addendum"}),
        Key::number("protuberance", "pr_P*", no_or_some_length(" (0 is none)"),
                    &StraightRack::protuberance, "0",
-                   "how far the cutter's tip stands proud of its flank, normal to it"),
+                   "protuberance of the cutter's tip beyond its flank, normal to it"),
        Key::number("protuberance_angle_deg", "α_pr", {}, &StraightRack::protuberance_angle, "10",
-                   "pressure angle of the proud part, greater than 0 and less than α_n")}};
+                   "pressure angle of the protuberance, greater than 0 and less than α_n")}};
   return table;
 }
 
@@ -95,9 +95,9 @@ const KeyTable& arc_rack_keys() {
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
                    "how far the arc's centre lies from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
-                   "what the drawing says of it: an error where the arc has no such point, a "
-                   "warning (`pressure_angle`) where the pair touches elsewhere by more than 0.05° "
-                   "[T7.9]"),
+                   "the value on the drawing: an error if the arc has no such point, a warning "
+                   "(`pressure_angle`) if the pair touches at an angle that differs by more than "
+                   "0.05° [T7.9]"),
        Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "F 0.9, P 0",
                    "addendum of the tooth above the pitch cylinder"),
        Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "F 0.3, P 1.05",

@@ -57,7 +57,9 @@ std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {
     if (in.life_h)
-      return KeyFault{"life_h", "has no place beside a spectrum, whose steps have their hours"};
+      return KeyFault{"life_h",
+                      "cannot be combined with a spectrum, whose steps have their own "
+                      "hours"};
     const LoadBin& worst =
         *std::max_element(rating.spectrum.begin(), rating.spectrum.end(),
                           [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });
@@ -85,12 +87,13 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
   const bool plastics = rating.input.edition == RatingEdition::vdi_2736;
   if (rating.input.mounting && rating.input.face_load_factor) {
     return KeyFault{"face_load_factor",
-                    "has no place beside [rating.mounting], which makes it; leave one out"};
+                    "cannot be combined with [rating.mounting], which determines it; leave one of "
+                    "them out"};
   }
   if (given("plastic") && !plastics)
     return KeyFault{"plastic", "belongs to standard = \"VDI 2736:2014\""};
   if (!rating.spectrum.empty() && plastics) {
-    return KeyFault{"spectrum", "has no place in VDI 2736, whose strengths are given for one life"};
+    return KeyFault{"spectrum", "cannot be used with VDI 2736, whose strengths apply to one life"};
   }
   return complete_load(rating);
 }
@@ -124,15 +127,16 @@ const KeyTable& rating_keys() {
                      "only beside a given `dynamic_factor`", "speed of gear 1")
            .with_also({"speed", "rpm", "n"}),
        factor("application_factor", "K_A", &RatingInput::application_factor, "1",
-              "what motor and machine add to the nominal load"),
+              "additional load from the driving and the driven machine"),
        factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
-              "the share of the worst of several meshes, of planets"),
+              "load share of the worst of several meshes, as of planets"),
        Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors of 1",
                      "hours at this load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
        Key::flag("reversed", {&R::input, &RatingInput::reversed}, "false",
-                 "the teeth bend both ways, as those of an idler: σ_FG times 0.7")
+                 "true: the teeth bend in both directions, as in an idler, and σ_FG is multiplied "
+                 "by 0.7")
            .with_also({"idler", "alternating"}),
        Key::number("lubricant_viscosity_40C_mm2_s", "ν_40", Range::between(1, 5000),
                    {&R::input, &RatingInput::viscosity}, "Z_L = 1", "viscosity of the oil at 40 °C")
@@ -140,8 +144,8 @@ const KeyTable& rating_keys() {
            .with_also({"viscosity", "oil", "iso_vg", "lubricant"}),
        of_both("quality", "Q", Range::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
                KeyPlace::by<R, std::array<double, 2>>(set_quality),
-               "`quality` of the gears; none only beside given dynamic and transverse load "
-               "factors",
+               "`quality` of the gears; not needed if the dynamic and transverse load factors are "
+               "given",
                "accuracy grades of ISO 1328-1, of 1995 for the edition of 2006, else of 2013")
            .with_form("one whole number, or a list of two: gear 1, gear 2")
            .with_also({"accuracy", "grade", "iso1328"}),
@@ -153,23 +157,23 @@ const KeyTable& rating_keys() {
                {&R::input, &RatingInput::root_roughness}, "Y_RrelT = 1", "Rz of the root fillets")
            .with_also({"root_rz"}),
        Key::not_negative("tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
-                         "what running-in leaves; none from grade 6 on",
+                         "the relief after running-in; none from grade 6 on",
                          "tip relief, for the dynamic factor of grades 0 to 5"),
        of_both("rim_thickness_mm", "s_R", Range::positive(),
                KeyPlace::by<R, std::array<double, 2>>(set_rims), "a thick rim",
                "thickness of the rim under the teeth, for Y_B, and with the web for c'")
            .with_also({"rim"}),
        Key::positive("web_thickness_mm", "b_s", &R::web_thickness, "a solid disc",
-                     "thickness of the web that bears the rim, for c'")
+                     "thickness of the web that carries the rim, for c'")
            .with_needs({"rim_thickness_mm"})
            .with_also({"web"}),
        Key::flag("limited_pitting",
                  KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
-                 "false", "some pitting is permitted: the longer line of Z_NT"),
+                 "false", "true: some pitting is permitted, with the corresponding line of Z_NT"),
        Key::number("life_factor_end", "", Range::between(0.85, 1),
                    KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
                    "0.85",
-                   "Z_NT and Y_NT at 10¹⁰ cycles; more than 0.85 only of the best making and "
+                   "Z_NT and Y_NT at 10¹⁰ cycles; more than 0.85 only with optimum manufacture and "
                    "lubrication"),
        factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
               "from `[rating.mounting]`", "face load factor of the flank, given"),
@@ -188,9 +192,9 @@ const KeyTable& rating_keys() {
                      "wanted safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &R::tooth_contact, "false",
-                 "beside the standard the Hertz pressure and root stress of the teeth under T_1 "
-                 "K_A K_γ K_v, as `load` has them with the positions, slices and accuracy of "
-                 "`[load]`: some seconds")
+                 "true: also compute Hertz pressure and root stress of the teeth under T_1 K_A K_γ "
+                 "K_v, as `load` does with the positions, slices and accuracy of `[load]` (a few "
+                 "seconds)")
            .with_also({"loaded_contact", "compare_load"}),
        {.key = "spectrum",
         .kind = KeyKind::table,
@@ -203,11 +207,11 @@ const KeyTable& rating_keys() {
         .meaning = "steps of the load with their hours, each a table; the safeties by Miner's rule "
                    "with K_A = 1"},
        Key::part("material", material_keys, &R::material,
-                 "what the teeth of a gear without `material` are made of"),
+                 "material of gears without a `material` table"),
        Key::part("mounting", rating_mounting_keys, {&R::input, &RatingInput::mounting},
-                 "where the pinion sits between its bearings, for K_Hβ"),
+                 "position of the pinion between its bearings, for K_Hβ"),
        Key::part("plastic", rating_plastic_keys, {&R::input, &RatingInput::plastic},
-                 "how warm plastic teeth run, for VDI 2736")},
+                 "temperatures of plastic teeth, for VDI 2736")},
       complete_rating};
   return table;
 }
@@ -216,7 +220,7 @@ const KeyTable& rating_plastic_keys() {
   using P = PlasticInput;
   static const KeyTable table{
       "rating_plastic",
-      "How warm plastic teeth run, for VDI 2736",
+      "Temperatures of plastic teeth, for VDI 2736",
       {of_both("flank_temperature_C", "ϑ_Fla", Range::between(-100, 400), &P::flank_temperature,
                "from the friction", "temperature of the flanks"),
        of_both("root_temperature_C", "ϑ_Fu", Range::between(-100, 400), &P::root_temperature,
@@ -235,7 +239,7 @@ const KeyTable& rating_plastic_keys() {
        Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
                      "surface of the housing that gives off heat"),
        Key::number("duty", "ED", Range::between(0, 1), &P::duty, "1",
-                   "share of ten minutes in which the gears run"),
+                   "share of running time in ten minutes"),
        Key::not_negative("heat_transfer_flank", "k_ϑ,Fla", &P::flank_heat_transfer,
                          "9000 of two plastics, 6300 beside metal",
                          "heat transfer of the flanks, K (m/s)^0.75 mm^1.75/W")
@@ -262,7 +266,7 @@ const KeyTable& rating_mounting_keys() {
   using P = PinionMounting;
   static const KeyTable table{
       "rating_mounting",
-      "Where the pinion sits between its bearings, for K_Hβ without helix modification",
+      "Position of the pinion between its bearings, for K_Hβ without helix modification",
       {Key::positive("bearing_span_mm", "l", &P::bearing_span, kRequired,
                      "distance of the pinion's bearings"),
        Key::not_negative("pinion_offset_mm", "s", &P::offset, "0",
@@ -273,7 +277,7 @@ const KeyTable& rating_mounting_keys() {
                  "of the standard's figure of K': a, b torque from the near or the far side, c "
                  "overhung, d and e with a second pinion"),
        Key::flag("stiffening", &P::stiffening, "true",
-                 "the pinion is of one piece with its shaft or shrunk on it"),
+                 "true: the pinion is integral with its shaft or shrunk onto it"),
        Key::not_negative("misalignment_um", "f_ma", &P::manufacture, "√(f_Hβ1² + f_Hβ2²)",
                          "mesh misalignment from manufacture")
            .with_fields({"manufacture"})},

@@ -230,7 +230,8 @@ Value of_spectrum(const V& v, std::array<double, 2> SpectrumRating::*member) {
 void say_spectrum(Quantities<V>& q) {
   using S = SpectrumRating;
   q.pure(kWhole, "damage_flank", "damage of the flanks", "U_H",
-         "by Miner's rule, 1 at failure; null without a spectrum, or where it breaks at once",
+         "by Miner's rule, 1 at failure; null without a spectrum, or if a step exceeds the static "
+         "strength",
          [](const V& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
@@ -247,10 +248,11 @@ void say_spectrum(Quantities<V>& q) {
       .per_gear()
       .digits(3);
   q.add(Type::number, Unit::newton_metre, kSizing, "torque_holding_Nm", "greatest torque", "T_1",
-        "on gear 1, with `safety_flank_min` and `safety_root_min`, else 1; null: none has them",
+        "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, or "
+        "1 if they are absent; null: there is none",
         [](const V& v) { return Value(v.torque_holding); });
-  q.mm(kSizing, "face_width_holding_mm", "least common face width", "b",
-       "with the same safeties, up to 40 modules; null: none has them",
+  q.mm(kSizing, "face_width_holding_mm", "required face width", "b",
+       "with the same safeties, up to 40 modules; null: there is none",
        [](const V& v) { return Value(v.face_holding); })
       .digits(2);
 }
@@ -263,7 +265,7 @@ Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
 void say_contact(Quantities<V>& q) {
   const auto asked = [](const V& v) { return v.contact.has_value(); };
   q.add(Type::number, Unit::newton_metre, kBeside, "contact_torque_Nm", "torque on the teeth",
-        "T_1", "T_1 K_A K_γ K_v; how it is shared the contact finds by itself",
+        "T_1", "T_1 K_A K_γ K_v; the contact computation determines its distribution",
         [](const V& v) { return Value(v.contact->torque); })
       .when(asked);
   q.add(Type::number, kStress, kBeside, "contact_pressure_MPa", "greatest Hertz pressure", "p_H",

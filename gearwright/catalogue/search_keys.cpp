@@ -16,8 +16,8 @@ using P = SearchProblem;
 constexpr std::size_t kMaxValues = 100'000;  // of one list
 constexpr double kMinShiftStep = 0.0025;     // half a million points of a wide region
 constexpr ListOrder kBandOrder{.sentence =
-                                   "is an empty band: nothing lies between {} and {}; the "
-                                   "least value comes first"};
+                                   "is an empty band; nothing lies between {} and {}; write the "
+                                   "least value first"};
 constexpr KeyList kBand{.most = 2, .single = true, .order = kBandOrder};
 constexpr KeyList kNumbers{1, kMaxValues, true};
 
@@ -100,7 +100,7 @@ std::vector<Key> trial_keys() {
           .with_form(std::string("a distance in mm") + kBandForm),
       Key::number("helix_angle_deg", "β", Range::inside(-89, 89), {},
                   "that of `[gear1]`, else 0; crossed: half the shaft angle",
-                  "helix angle of gear 1; a band's end belongs to it")
+                  "helix angle of gear 1; a band includes its ends")
           .with_list(kBand)
           .with_form(std::string("an angle") + kBandForm)
           .with_fields({"helix"}),
@@ -128,10 +128,11 @@ std::vector<Key> limit_keys() {
   return {
       Key::number("profile_shift", "x", {}, KeyPlace::by<P, std::array<double, 2>>(set_shifts),
                   "those two alone",
-                  "floor and ceiling of x1 and x2, beside undercut and tip thickness")
+                  "lower and upper limit of x1 and x2, in addition to undercut and tip thickness")
           .with_list({.most = 2,
                       .order = kBandOrder,
-                      .must = "must be a band [floor, ceiling]; a search finds the shifts"})
+                      .must = "must be a band [lower limit, upper limit], because a search "
+                              "determines the shifts"})
           .with_form(std::string("floor and ceiling of x") + kBandForm)
           .with_fields({"limits.min_shift", "limits.max_shift"}),
       Key::number("undercut_depth", "h_F", Range::between(0, 3), {},
@@ -154,12 +155,12 @@ std::vector<Key> limit_keys() {
             "0.02; none with `interference = \"flag\"`", "least tip clearance, in modules"),
       limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
             "0.02; 0 with `interference = \"flag\"`",
-            "how far a tip stays from the start of the mating gear's flank, along the line of "
+            "distance of a tip from the start of the mating gear's flank, along the line of "
             "action, in modules [T9.9]"),
       Key::word("interference", {"exclude", "flag"}, {}, "\"exclude\"",
                 "`\"exclude\"`: a tip may not pass the start of the mating gear's flank [T9.9]; "
                 "shifts with a tip inside its own reference circle are then left out; `\"flag\"`: "
-                "designs that interfere are listed too, and each says so")
+                "designs with interference are listed too and marked")
           .with_fields({"limits.avoid_interference"}),
       Key::flag("avoid_interference", {}, "that of `interference`",
                 "the same as a switch: true is `\"exclude\"`, false `\"flag\"`")
@@ -174,7 +175,8 @@ std::vector<Key> limit_keys() {
             "least safety against root breakage, the same")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
-                "hunting teeth: only z1, z2 without a common factor; others are not counted")};
+                "true: only z1, z2 without a common factor (hunting tooth); others are not "
+                "counted")};
 }
 
 std::vector<Key> design_keys() {
@@ -182,22 +184,22 @@ std::vector<Key> design_keys() {
       Key::word("mounting", {"extended", "tight"}, {}, "\"extended\"; of internal pairs \"tight\"",
                 "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
-                "tips cut back by what tight centres take from the clearance"),
+                "true: tips are shortened by the clearance that tight centres remove"),
       Key::positive("face_width_mm", "b", &P::face_width, "of `[gear1]`, else 10 m_n",
                     "face width of both gears"),
       Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules, "10",
-                  "face width of both gears in modules, where it is not given in mm")
+                  "face width of both gears in modules, if it is not given in mm")
           .with_excludes({"face_width_mm"})
           .with_fields({"face_modules"}),
       Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
                   "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; a "
                   "internal gear's pinion takes all"),
       Key::word("objective", objective_words(), &P::objectives, "\"contact_ratio\"",
-                "what is better: `contact_ratio` (greatest effective), `ratio` (nearest to "
-                "`target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
-                "(largest region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest "
-                "by Eq. 10), `mass` (least), `safety` (the greatest least of S_H and S_F, "
-                "over those wanted; needs `[rating]`); or a list of them: a Pareto front")
+                "criterion of the ranking: `contact_ratio` (greatest effective), `ratio` (nearest "
+                "to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
+                "(largest region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest by Eq. "
+                "10), `mass` (least), `safety` (the greatest least of S_H and S_F, over those "
+                "wanted; needs `[rating]`); or a list of them: a Pareto front")
           .with_list({.most = kObjectiveNames.size(),
                       .single = true,
                       .noun = "objective",
@@ -206,7 +208,7 @@ std::vector<Key> design_keys() {
       Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band",
                   "target of the objective `ratio`"),
       Key::number("shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
-                  "step of a grid of shifts whose feasible points are wanted too, in "
+                  "step of a grid of shifts, whose feasible points are written to "
                   "`points.parquet`")};
 }
 

@@ -69,11 +69,10 @@ void say_search(Quantities<SearchView>& q) {
   count("tested", "trials: modules, z1, z2, helices and racks tried", &SearchCounts::tested);
   count("feasible_count", "those with a region", &SearchCounts::feasible);
   q.add(Type::map, Unit::none, "", "rejected", "rejected", "",
-        "how many each limit ruled out, the first that leaves nothing in the order `shift_limits`, "
-        "`center_distance`, `contact_ratio`, `overlap_ratio`, `sliding`, `tip_clearance`, "
-        "`interference`, of a rated search `safety_flank`, `safety_root`; no working angle counts "
-        "as "
-        "`contact_ratio`",
+        "number of trials that each limit ruled out; the first limit that leaves nothing counts, "
+        "in the order `shift_limits`, `center_distance`, `contact_ratio`, `overlap_ratio`, "
+        "`sliding`, `tip_clearance`, `interference`, of a rated search `safety_flank`, "
+        "`safety_root`; no working angle counts as `contact_ratio`",
         [](const S& s) {
           ValueMap map;
           for (std::size_t i = 0; i < static_cast<std::size_t>(s.problem->limit_count()); ++i)
@@ -81,30 +80,30 @@ void say_search(Quantities<SearchView>& q) {
           return Value(std::move(map));
         })
       .always();
-  q.record("", "margins", "what every design keeps; clearances in modules", margin_table,
+  q.record("", "margins", "limits that every design satisfies; clearances in modules", margin_table,
            [](const S& s) { return Value(margin_quantities().of(s.problem->limits)); })
       .always();
   count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
   count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)
       .when(grid);
   q.record("", "changes",
-           "when nothing is feasible: one change each that would let something through, the "
-           "smallest first; of at most 2 million trials",
+           "if no design is feasible: single changes that would make designs feasible, the "
+           "smallest first; for at most 2 million trials",
            change_table, [](const S& s) { return Value(change_quantities().each(*s.changes)); })
       .always()
       .list({0})
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
   q.record(
        "", "safest",
-       "when nothing is feasible: of the rated designs, of 10 000 of them at most, the one that "
-       "comes nearest to the safeties that are wanted",
+       "if no design is feasible: the rated design, among at most 10 000, that comes nearest to "
+       "the required safeties",
        design_table,
        [](const S& s) {
          return s.safest ? Value(design_quantities().of({s.problem, s.safest})) : Value();
        })
       .when([](const S& s) { return s.safest != nullptr; });
   q.add(Type::index, Unit::none, "", "pareto", "Pareto front", "",
-        "places in `designs` of those that no other dominates, when there are several objectives",
+        "positions in `designs` of the Pareto-optimal designs, with several objectives",
         [](const S& s) {
           const auto& front = s.answer->pareto;
           return Value(ValueList(front.begin(), front.end()));

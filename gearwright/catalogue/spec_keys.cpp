@@ -27,8 +27,8 @@ Key gear_2_key() {
 const KeyTable& spec_keys() {
   static const KeyTable table{
       "spec",
-      "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, said "
-      "in the key",
+      "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, as "
+      "the keys show",
       {Key::text("title", &SpecTables::title, "", "heading of listings and of the report"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
@@ -37,16 +37,15 @@ const KeyTable& spec_keys() {
        table_key("pair", pair_keys,
                  KeyPlace::within<SpecTables>([](auto& tables) -> auto& { return tables.pair; }),
                  "how the two gears are mounted"),
-       table_key("errors", error_keys, &SpecTables::errors,
-                 "what is wrong with the mounting and the teeth"),
+       table_key("errors", error_keys, &SpecTables::errors, "errors of mounting and of the teeth"),
        table_key("contact", contact_keys, &SpecTables::contact,
                  "how the contact of the pair is looked at"),
        table_key("compensate", compensate_keys, &SpecTables::compensate,
                  "which corrections the verb compensate may make"),
        table_key("load", load_keys, &SpecTables::load,
-                 "what the verb load is asked: torque on the teeth"),
+                 "settings of the verb load: torques and resolution"),
        table_key("rating", rating_keys, &SpecTables::rating,
-                 "what the verb rate is asked: load, life, making, mounting"),
+                 "settings of the verb rate: load, life, accuracy, mounting"),
        table_key("fit", fit_keys, &SpecTables::fit, "what the verb fit is asked"),
        table_key("search", search_keys, {}, "what a design search is asked")}};
   return table;

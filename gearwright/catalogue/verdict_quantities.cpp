@@ -65,13 +65,15 @@ const Quantities<Finding>& finding_quantities() {
     q.text("message", "one sentence for people", [](const F& f) {
        return Value(f.message);
      }).always();
-    q.text("at", "the ends of tolerances where it is so; null where it is so as drawn",
+    q.text("at",
+           "the ends of the tolerances at which the finding occurs; null if it occurs as "
+           "drawn",
            [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
     q.text("remedy",
-           "what would help, tried before it is stated; null where no single change was found",
+           "a change that helps, tried before it is printed; null if no single change was found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
     q.add(Type::map, Unit::none, "", "change", "change", "",
-          "what the remedy sets: keys of the spec with their values", change_of)
+          "the keys of the spec that the remedy sets, with their values", change_of)
         .always();
     q.add(Type::map, Unit::none, "", "values", "values", "",
           "the number that is too small, first, and its limit, by keys with their units", values_of)

@@ -317,8 +317,8 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   if (folds(mesh)) {
     return Error{
         "teeth", std::to_string(outline.teeth),
-        "has an outline that a section mesh cannot follow: its elements fold. Undercut and "
-        "pointed teeth do that; a greater profile shift or a lower tip helps",
+        "has an outline that cannot be meshed, because elements would fold, as in undercut and "
+        "pointed teeth; a greater profile shift or a smaller tip diameter helps",
         FailureKind::not_under_load};
   }
   return mesh;

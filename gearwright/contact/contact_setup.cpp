@@ -25,13 +25,13 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
   const double a = setup.place().center_distance + errors.center_distance;
   if (!setup.gear(2).internal() && a >= r1 + r2) {
     return fmt::format(
-        "the axes stand {:.6g} mm apart and the tip radii reach {:.6g} mm: the teeth pass each "
-        "other; reduce `errors.center_distance` or `pair.center_distance`",
+        "the axes are {:.6g} mm apart and the sum of the tip radii is {:.6g} mm, so the teeth do "
+        "not reach each other; reduce `errors.center_distance` or `pair.center_distance`",
         a, r1 + r2);
   }
   return fmt::format(
-      "at no position does a flank of gear 1 lie inside one of gear 2 (centre distance {:.6g} mm, "
-      "tip radii {:.6g} and {:.6g} mm): smaller errors, or faces that overlap, would help",
+      "no flank of gear 1 lies opposite a flank of gear 2 at any position (centre distance {:.6g} "
+      "mm, tip radii {:.6g} and {:.6g} mm): smaller errors, or faces that overlap, would help",
       a, r1, r2);
 }
 
@@ -156,8 +156,7 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
     setup.gears_[i] = std::make_shared<const Gear>(pair.gear(i + 1));
     const Gear& gear = setup.gear(i + 1);
     if (!gear.root_form_radius())
-      return Error{gear_field(i + 1), "",
-                   "has no usable flank to touch with; see its warnings (gearwright gear)",
+      return Error{gear_field(i + 1), "", "has no usable flank; see its warnings (gearwright gear)",
                    FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
     if (!fields[i] && !any_modification(modifications[i])) continue;
@@ -175,11 +174,13 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
   const double delta = change.deg();
   const std::string field = fmt::format("errors.cutter_lead[{}]", which - 1);
   if (gear.twist() == 0.0)
-    return refused(field, delta, "a spur gear has no lead to change; give it a helix angle");
+    return refused(field, delta,
+                   "a spur gear has no lead that could change; give it a helix "
+                   "angle");
   if (gear.cut_by)
     return refused(field, delta,
-                   fmt::format("the gear is cut by a gear, whose lead is that of its guide; a "
-                               "change of it is `errors.helix_twist[{}]`",
+                   fmt::format("the gear is cut by a pinion cutter, whose guide determines the "
+                               "lead; use `errors.helix_twist[{}]` to change it",
                                which - 1));
   const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
   if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;

@@ -334,7 +334,7 @@ class Search {
       return stopped(12, "interference: " + pair->interference.front().message);
     if (!pair->beyond_flank.empty())
       return stopped(12, "contact beyond the flank: " + pair->beyond_flank.front().message);
-    if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, of which there is none");
+    if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, because there is none");
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
@@ -343,9 +343,11 @@ class Search {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);
     if (!needed)
-      return stopped(
-          14, fmt::format("the contact ratio {:.3f}, to which no helix adds", pair.mesh.true_ratio),
-          p_.contact_ratio - pair.mesh.true_ratio);
+      return stopped(14,
+                     fmt::format("the contact ratio {:.3f}, which a helix angle would "
+                                 "increase",
+                                 pair.mesh.true_ratio),
+                     p_.contact_ratio - pair.mesh.true_ratio);
     if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);
     if (face < *needed)
       return stopped(14,

@@ -46,7 +46,7 @@ FitBranch branch_at(const FitProblem& p, const std::array<double, 2>& shift,
 
 Error one_condition_too_many() {
   return {"fit.working_normal_pressure_angle", "",
-          "is one condition too many beside what is given; leave it or another number out"};
+          "overdetermines the pair; leave out this value or another one"};
 }
 
 // Known gears on parallel axes: one place is free of backlash.
@@ -96,8 +96,8 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
         format_number(place.center_distance, a), format_number(place.shaft_angle.deg()));
   } else {
     result.reason =
-        "these teeth are too thin to have a minimum centre distance, and no shaft angle within "
-        "reach brings them to this one; more profile shift would help";
+        "these teeth are too thin to have a minimum centre distance, and no possible shaft angle "
+        "gives this one; more profile shift would help";
   }
   return result;
 }
@@ -124,7 +124,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     const CrossedPlace place = crossed_place(gears, alpha);
     if (place.center_distance > 0.0) return Fit{{branch_at(p, shift, place)}, {}, {}, {}};
     return Fit{{},
-               "the teeth are so thin that no centre distance is free of backlash there; more "
+               "the teeth are too thin for any backlash-free centre distance at this angle; more "
                "profile shift would help",
                {},
                {}};
@@ -160,8 +160,8 @@ Result<Fit> place_of_gears(const FitProblem& p) {
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
     return absent_input("pair.center_distance",
-                        "; an absent profile shift is found from it. (With both profile shifts "
-                        "given, the centre distance follows.)");
+                        "; it determines an absent profile shift (if both profile shifts are "
+                        "given, it is computed)");
   }
   if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);

@@ -194,8 +194,8 @@ std::optional<Error> contradiction(const FitProblem& p) {
   const std::string alpha_field = "fit.working_normal_pressure_angle";
   const auto too_many = [](const std::string& field, const std::string& other) {
     return Error{field, "",
-                 fmt::format("and {} are one condition too many beside centre distance and shaft "
-                             "angle; leave one of them out",
+                 fmt::format("overdetermines the pair, together with {}, centre distance and shaft "
+                             "angle; leave out one of them",
                              other)};
   };
   if (p.working_normal_pressure_angle && shifts)
@@ -205,7 +205,8 @@ std::optional<Error> contradiction(const FitProblem& p) {
   if (helix && shifts) return too_many(helix_field, "the two profile shifts");
   if (!(std::abs(p.shaft_angle->rad()) < std::numbers::pi - 3 * kMargin)) {
     return refused("pair.shaft_angle", p.shaft_angle->deg(),
-                   "no two helix angles make it; it must lie between -179.7° and 179.7°");
+                   "no two helix angles give this shaft angle; it must lie between -179.7° and "
+                   "179.7°");
   }
   if (p.teeth[1] < 0 && p.shaft_angle->rad() != 0.0) {
     return refused("pair.shaft_angle", p.shaft_angle->deg(),

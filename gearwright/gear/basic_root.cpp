@@ -32,8 +32,8 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const double d_Ff = *root_form_diameter;
   if (ring) {
     return refused("root_form_diameter", d_Ff,
-                   "the fillet of an internal gear is left by its pinion cutter, which is not in "
-                   "this version");
+                   "the fillet of an internal gear depends on its pinion cutter, which is not "
+                   "supported here in this version");
   }
   const double sin_n = std::sin(spec.normal_pressure_angle.rad());
   const double sin_t = std::sin(g.transverse_pressure_angle);
@@ -50,8 +50,8 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const bool undercut = rho_C - (sharp_depth - x_E) * m / sin_t < 0.0;
   if (!(d_Ff > g.base_diameter && d_Ff <= most && (undercut || d_Ff >= least))) {
     return refused("root_form_diameter", d_Ff, {undercut ? g.base_diameter : least, most},
-                   "no rounding of the rack leaves it with this root diameter; it must lie between "
-                   "{} (sharp corner) and {} mm (full radius)");
+                   "no tip rounding of the rack gives it with this root diameter; it must lie "
+                   "between {} (sharp corner) and {} mm (full radius)");
   }
   const double rho_F = std::sqrt((d_Ff / 2 - r_b) * (d_Ff / 2 + r_b));
   const double depth = x_E - (rho_F - rho_C) * sin_t / m;

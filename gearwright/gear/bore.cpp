@@ -36,7 +36,7 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
       "bore.diameter", bore.diameter,
       printed > bore.keyway_width
           ? fmt::format("the bore{} must stay inside the root: at most {:.3f} mm", with, printed)
-          : fmt::format("the bore{} must stay inside the root; none does", with));
+          : fmt::format("no bore{} stays inside the root", with));
 }
 
 }  // namespace gearwright

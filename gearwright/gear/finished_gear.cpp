@@ -101,13 +101,14 @@ void warn_about_tooth(Gear& gear) {
   if (tooth.through_axis) {
     warn(gear, WarningCode::through_axis,
          fmt::format(
-             "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear.",
+             "The cutter passes through the axis of the gear (root diameter {:.4f} mm), so no gear "
+             "is left.",
              gear.root_diameter));
     return;
   }
   if (tooth.severed) {
     warn(gear, WarningCode::severed,
-         "The root fillets of both sides meet: the tooth is cut through." +
+         "The root fillets of both flanks meet, so the tooth is cut off." +
              (gear.undercut ? " There is undercut: " + without_undercut(gear) : std::string()));
     return;
   }
@@ -140,9 +141,9 @@ void find_tip_bulge(Gear& gear) {
   const TipBulge& bulge = *gear.tip_bulge;
   warn(gear, WarningCode::tip_bulge,
        fmt::format(
-           "The tip stands out by {:.4g} mm beyond the involute, from {:.4f} mm diameter on, "
-           "where the cutter's own flank ends: another mating gear than the cutter may "
-           "strike it. A `tip_diameter` of at {} that much takes it away.",
+           "The tip projects by {:.4g} mm beyond the involute above a diameter of {:.4f} mm, where "
+           "the flank of the cutter ends. Mating gears other than the cutter may collide with it. "
+           "A `tip_diameter` of at {} that value removes it.",
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 

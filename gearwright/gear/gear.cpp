@@ -96,8 +96,8 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   tooth.tip_fillet.reset();
   std::get<InvoluteTeeth>(gear.flanks).point_j_l.reset();
   detail::warn(gear, WarningCode::tip_fillet_cut_off,
-               fmt::format("The tooth ends at {:.4f} mm diameter, before its tip fillet begins: "
-                           "`tip_fillet` has no effect.",
+               fmt::format("The tooth ends at a diameter of {:.4f} mm, before its tip fillet "
+                           "begins, so `tip_fillet` has no effect.",
                            2 * tooth.tip_radius));
 }
 
@@ -199,8 +199,8 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
       if (!fillet) continue;
       return Error{
           fillet, "",
-          "an internal gear has the root and tip that its cutter leaves; give the fillet to the "
-          "cutter, in `cut_by`"};
+          "the cutter determines the root and tip of an internal gear; write the fillet of the "
+          "cutter into `cut_by`"};
     }
   } else if (auto error = cut(gear, edge)) {
     return *error;

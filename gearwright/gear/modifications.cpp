@@ -49,7 +49,7 @@ std::optional<Error> check_amount(std::string field, double amount, double great
   if (std::abs(amount) <= greatest) return std::nullopt;  // false for NaN
   return refused(
       std::move(field), in_um(amount), {-greatest / kMmPerUm, greatest / kMmPerUm},
-      std::string(kTenth) + "; more is another tooth: change the rack or the thickness allowance");
+      std::string(kTenth) + "; for a larger change use the rack or the thickness allowance");
 }
 
 std::string amount_of(const std::string& relief) { return relief + ".amount"; }
@@ -60,7 +60,7 @@ std::optional<Error> check_steepness(const std::string& name, const Relief& reli
   if (relief.amount <= greatest) return std::nullopt;
   return refused(amount_of(name), in_um(relief.amount), {greatest / kMmPerUm},
                  fmt::format("must be at most {{}} µm over {} mm, a slope of 1 in 5; a longer "
-                             "relief (`{}`) may remove more, a chamfer is cut by the rack "
+                             "relief (`{}`) may remove more; for a chamfer use the rack "
                              "(`rack.semi_topping_angle`)",
                              format_number(over), reach_of(name)));
 }
@@ -68,8 +68,8 @@ std::optional<Error> check_steepness(const std::string& name, const Relief& reli
 std::optional<Error> check_relief(const std::string& name, const Relief& relief) {
   if (!(relief.amount >= 0.0)) {
     return refused(amount_of(name), in_um(relief.amount),
-                   "must not be negative: a relief takes material away; `profile_crowning` and "
-                   "`lead_crowning` may be negative (hollow)");
+                   "must not be negative, because a relief removes material; `profile_crowning` "
+                   "and `lead_crowning` may be negative (hollow)");
   }
   if (relief.amount > 0.0 && !relief.reach)
     return absent_input(reach_of(name), fmt::format(" beside `{}`", amount_of(name)));
@@ -99,8 +99,8 @@ std::optional<Error> check_end_relief(const Relief& relief, double b) {
   const double l = *relief.reach;
   if (!(l >= kMinReach * b && l <= b / 2)) {
     return refused(reach_of(name), l, {kMinReach * b, b / 2},
-                   "must lie between {} mm and half the face width, {} mm; `lead_crowning` takes "
-                   "from the whole face");
+                   "must lie between {} mm and half the face width, {} mm; `lead_crowning` applies "
+                   "to the whole face");
   }
   return check_steepness(name, relief, l);
 }
@@ -117,9 +117,8 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
     return error;
   };
   const auto range = [](double lo, double hi, double value) {
-    return fmt::format(
-        "the grid must cover the usable flank, {} to {} mm; measure or design it that far",
-        format_number(lo, value), format_number(hi, value));
+    return fmt::format("the grid must cover the usable flank, {} to {} mm",
+                       format_number(lo, value), format_number(hi, value));
   };
   const double first = t.diameters.front(), last = t.diameters.back();
   if (!(first <= inner + slack))

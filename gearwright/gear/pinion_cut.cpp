@@ -71,8 +71,8 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
   if (!(inv_w >= 0.0)) {
     const double least = shift_at(cutter, teeth, 0.0);
     return refused("profile_shift", profile_shift, {least},
-                   fmt::format("this cutter reaches no such gear: there is no working pressure "
-                               "angle; {} {{}} is allowed",
+                   fmt::format("this cutter cannot generate such a gear, because there is no "
+                               "working pressure angle; {} {{}} is allowed",
                                teeth > 0 ? "at least" : "at most"));
   }
   return r / std::cos(inverse_involute(inv_w));

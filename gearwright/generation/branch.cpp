@@ -151,14 +151,14 @@ std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& en
       return std::nullopt;
     GW_ENSURES(root || tooth.tip_fillet);
     return Error{root ? "root_fillet.offset" : "tip_fillet", "",
-                 "leaves no flank between the root fillet and the tip as the rack cuts it; a "
-                 "smaller one is needed, or a rack without ramp and bottom rounding"};
+                 "leaves no flank between the root fillet and the tip cut by the rack; use a "
+                 "smaller one, or a rack without semi-topping and tip rounding"};
   }
   if (!chain.empty() && is_continuous(chain)) return std::nullopt;
   return Error{"cut_by", "",
-               "a sharp edge of the cutter outside its rolling circle draws a loop that "
-               "ends in the air; a cutter without undercut, or another generating distance, cuts "
-               "a whole tooth"};
+               "a sharp edge of the cutter outside its rolling circle generates a loop that does "
+               "not meet the tooth; use a cutter without undercut or another generating centre "
+               "distance"};
 }
 
 }  // namespace

@@ -86,13 +86,12 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const char* const field = "root_fillet.offset";
   if (!(least < most)) {
     return refused(field, root.offset,
-                   "no circle centred in the space fits: the flank ends before it could touch it; "
+                   "no circle centred in the tooth space fits, because the flank ends too early; "
                    "less profile shift or a greater tip diameter would help");
   }
   if (!(xi < most)) {
     return refused(field, root.offset, {ruler.l(most) - l_zero},
-                   "leaves no flank between the root fillet and the tip; the greatest that fits is "
-                   "just under {} mm");
+                   "leaves no flank between the root fillet and the tip; it must be under {} mm");
   }
   const auto arc = root_fillet_at(flank, teeth, xi);
   if (!arc || !(arc->end > 0.0)) {
@@ -151,8 +150,7 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
   // Below that the flank's normal points away from the tooth's centre line.
   least = std::max(least, flank.base_half_angle() - kHalfPi);
   if (!(least < most)) {
-    return Error{"tip_fillet", "",
-                 "no flank is left between the root and the point of the tooth for it to touch"};
+    return Error{"tip_fillet", "", "no flank is left between the root and the point of the tooth"};
   }
   const auto widest = tip_fillet_at(flank, least);
   const auto narrowest = most < roll_of_point(flank) ? tip_fillet_at(flank, most) : std::nullopt;
@@ -177,8 +175,8 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
       const double xi = ruler.roll(tip.value);
       if (xi > least && xi < most) return xi;
       return refused("tip_fillet.l", tip.value, {ruler.l(least), ruler.l(most)},
-                     "must lie between {} mm, where the flank begins, and {} mm, where it ends or "
-                     "the tooth is pointed");
+                     "must lie between {} mm, the start of the flank, and {} mm, where the flank "
+                     "ends or the tooth is pointed");
     }
     case TipFilletSpec::By::corner: break;  // tip_corner
     case TipFilletSpec::By::end_radius: {

@@ -220,8 +220,8 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
   cutting.run();
   if (cutting.misses_flank) {
     return refused("cut_by", motion.distance,
-                   "at this generating centre distance the centrode lies inside the cutter's base "
-                   "circle, so that its flanks cut nothing; a greater one is needed");
+                   "at this generating centre distance the centrode lies inside the base circle of "
+                   "the cutter, so its flanks do not cut; increase it");
   }
   if (cutting.branches.empty())
     return Error{"cut_by", "", "the cutter leaves no tooth at this centre distance"};

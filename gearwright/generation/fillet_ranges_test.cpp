@@ -154,7 +154,7 @@ TEST(FewTeethRanges, greatest_offset_of_the_root_fillet) {
                             with_tip(two_teeth(), By::radius, 0.332)}) {
     const double most =
         named_limit([&](double x) { return refusal(with_root(s, x), "root_fillet.offset"); }, 1e3,
-                    "just under ");
+                    "must be under ");
     ASSERT_GT(most, 0.0);
     expect_stands(with_root(s, most * (1 - kJust)));
     expect_refused(with_root(s, most * (1 + kJust)), "root_fillet.offset");
@@ -192,7 +192,7 @@ TEST(FewTeethRanges, ends_of_the_place_of_the_tip_fillet) {
   for (const CylindricalSpec& s : {two_teeth(), spur(5, 0.4), spur(17, 0.0), short_flank}) {
     const auto refused = [&](double x) { return refusal(with_tip(s, By::l, x), key); };
     const double least = named_limit(refused, -1e3, "between ");
-    const double most = named_limit(refused, 1e3, "begins, and ");
+    const double most = named_limit(refused, 1e3, "the flank, and ");
     ASSERT_GT(most, least);
     const double little = kJust * most;
     expect_stands(with_tip(s, By::l, most - little));

@@ -114,7 +114,7 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
                                   [](const Branch& b) { return b.name == ArcName::flank; });
   if (flank == branches.end()) {
     return Error{fillets.root ? "root_fillet" : "tip_fillet", "",
-                 "the rack leaves no involute for it to touch"};
+                 "the rack leaves no involute that it could touch"};
   }
   // The tip first: what goes from the front shifts the flank's place.
   if (fillets.tip) {

@@ -49,7 +49,7 @@ Error no_ball(double ball, const std::string& why) { return refused("ball_diamet
 std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto lo = ball_touching_at(gear, flank.root_end);
   const auto hi = ball_touching_at(gear, flank.tip_end);
-  if (!lo || !hi) return "no ball rests on these flanks";
+  if (!lo || !hi) return "no ball touches these flanks";
   return fmt::format("balls of {} to {} mm touch on the usable flank",
                      format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
 }
@@ -90,15 +90,15 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
   const auto flank = usable_flank(gear);
   if (!flank) return no_ball(ball, "there is no usable flank to measure; see the gear's warnings");
   if (std::abs(gear.spec.teeth) < 2)
-    return no_ball(ball, "one space has no opposite one to put the second ball in");
+    return no_ball(ball, "a gear with one tooth space has no opposite space for the second ball");
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
   const bool internal = gear.internal();
   // A ring's spaces widen towards its tip: there too great a ball is the one that finds no flank.
   if (!seat) {
     const bool small = !internal || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);
-    return no_ball(ball, (small ? "falls between the teeth before it touches both flanks; "
-                                : "is too great for the space; ") +
+    return no_ball(ball, (small ? "is too small to touch both flanks; "
+                                : "is too large for the tooth space; ") +
                              sizes);
   }
   if (seat->place == ContactPlace::beyond_tip)
@@ -108,13 +108,12 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
                                format_number(seat->contact_diameter, flank->tip),
                                format_number(flank->tip, seat->contact_diameter), sizes));
   if (hits_root(gear, *seat))
-    return no_ball(ball, fmt::format("falls between the teeth onto the root at {} mm before it "
-                                     "touches both flanks; {}",
+    return no_ball(ball, fmt::format("touches the root at {} mm before it touches both flanks; {}",
                                      format_number(gear.root_diameter), sizes));
   const double proud = seat->radial - flank->tip / 2;
   if (internal ? proud >= 0.0 : proud <= 0.0)
-    return no_ball(ball, fmt::format("does not stand out beyond the tip, it ends at {} mm and the "
-                                     "tip at {} mm from the axis; {}",
+    return no_ball(ball, fmt::format("does not project beyond the tip, because it ends at {} mm "
+                                     "and the tip at {} mm from the axis; {}",
                                      format_number(seat->radial, flank->tip / 2),
                                      format_number(flank->tip / 2, seat->radial), sizes));
   return *seat;

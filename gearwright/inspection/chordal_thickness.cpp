@@ -80,8 +80,8 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
   }
   return off_flank(
       diameter,
-      fmt::format("the tooth covers {} degrees about the axis, no calliper reaches over it; a "
-                  "greater diameter may do, it must be {}",
+      fmt::format("the tooth covers {} degrees about the axis, too much for a calliper; try a "
+                  "greater diameter; it must be {}",
                   format_number(2 * arc.half_angle * kDegPerRad), range->ends));
 }
 

@@ -380,7 +380,7 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   ASSERT_TRUE(gear.exists() && gear.root_form_radius());
   const double d = 2 * *gear.root_form_radius() * 1.0001;
   ASSERT_GT(tooth_arc(gear, d).half_angle, kPi / 2);
-  expect_refused(gear, d, "no calliper");
+  expect_refused(gear, d, "too much for a calliper");
   // The thread of a worm of the same width is no trouble.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);

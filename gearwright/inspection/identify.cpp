@@ -267,15 +267,15 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
 Result<Identification> identify(const IdentifyProblem& problem) {
   if (problem.teeth == 0 || std::abs(problem.teeth) < 3)
     return refused("teeth", problem.teeth,
-                   "count the teeth: three or more, negative for an internal gear");
+                   "must be 3 or more, or negative for an internal gear; count the teeth");
   const std::vector<Observation> readings = observations(problem);
   const bool sized = std::any_of(readings.begin(), readings.end(), [](const Observation& o) {
     return o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix;
   });
   if (!sized)
     return Error{"measured", "",
-                 "no reading says how large the gear is: measure spans over two numbers of teeth "
-                 "and a dimension over balls"};
+                 "no reading determines the size of the gear; measure spans over two numbers of "
+                 "teeth and a dimension over balls"};
   std::vector<Found> found = Searching(problem, readings).all();
   Identification answer;
   const bool fits =
@@ -284,9 +284,8 @@ Result<Identification> identify(const IdentifyProblem& problem) {
   found = without_doubles(found);
   if (found.empty() || (!fits && !answer.contradiction)) {
     answer.reason = found.empty()
-                        ? "no standard gear of so many teeth is of this size"
-                        : "no standard gear has these readings, and leaving one of them out does "
-                          "not help";
+                        ? "no standard gear with this number of teeth has this size"
+                        : "no standard gear has these readings, even if one of them is left out";
   }
   answer.candidates = candidates_of(problem, found);
   answer.next = next_measurement(problem, answer.candidates);

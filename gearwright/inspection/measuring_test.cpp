@@ -322,8 +322,8 @@ TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
     EXPECT_EQ(seat.error().field, "ball_diameter");
     EXPECT_NE(seat.error().message().find(word), std::string::npos) << seat.error().message();
   };
-  refused_for(gear, 1.0, "falls between the teeth");
-  refused_for(gear, 2.6, "stand out");
+  refused_for(gear, 1.0, "touches the root");
+  refused_for(gear, 2.6, "does not project");
   refused_for(gear, 9.0, "rests on the tips");
   EXPECT_TRUE(ball_in_space(gear, 3.5));
   auto tall = gear.spec;
@@ -331,7 +331,7 @@ TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
   const auto low = made({20, 2, 20 * kLongPi / 180, 0, 0.4L, 0});
   refused_for(low, 2.5, "");
   const Gear proud = testing::taken(make_gear(tall));
-  refused_for(proud, 3.0, "stand out");
+  refused_for(proud, 3.0, "does not project");
   const Gear ring = made({-60, 2, 20 * kLongPi / 180, 0, 0, 0});
   refused_for(ring, 8.0, "");
   refused_for(ring, 1.0, "");

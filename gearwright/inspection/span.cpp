@@ -94,7 +94,7 @@ Result<Span> span_over(const Gear& gear, int k) {
   if (k < 1 || k > z) return no(fmt::format("must be 1 to {}; {}", z, range_text(gear, *flank)));
   const Span span = span_of(gear, *flank, k);
   if (!(span.length > 0.0))
-    return no("the flanks lie the other way round there; " + range_text(gear, *flank));
+    return no("the flanks face the other way there; " + range_text(gear, *flank));
   // One more than touch the flank, or one less, still has a length to compare with: a warning's.
   const Teeth on_flank = touching_teeth(gear, *flank, false);
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;

@@ -98,8 +98,8 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
   const int column = number.value_or(0) - kFirstTolerance;
   if (name == kSeries.end() || column < 0 || column >= 10) {
     return Error{"series", std::string(series),
-                 "must be a series of DIN 3967, a, ab, b, bc, c, cd, d, e, f, g or h, and a "
-                 "tolerance series from 21 to 30: cd25"};
+                 "must be a series of DIN 3967 (a, ab, b, bc, c, cd, d, e, f, g or h) and a "
+                 "tolerance series from 21 to 30, cd25 for example"};
   }
   const std::size_t row = row_of(kDiameters, reference_diameter);
   if (row == kDiameters.size())

@@ -96,8 +96,9 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   }
   if (list.empty()) return std::nullopt;
   return Warning{WarningCode::correction_at_bound,
-                 fmt::format("At the end of what is looked for: {}. More might be better still; "
-                             "the errors are large for what a flank modification mends.",
+                 fmt::format("These corrections are at the end of the searched range: {}. Larger "
+                             "ones might be better, but the errors are large for a flank "
+                             "modification.",
                              list),
                  0};
 }
@@ -196,8 +197,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, int curves) {
   if (!can_minimise()) {
     return Error{"compensate", "",
-                 "this build cannot look for corrections, it has no minimiser (NLopt); the program "
-                 "that is installed has one",
+                 "this build has no minimiser (NLopt) and cannot compute corrections; use the "
+                 "installed program",
                  FailureKind::not_in_build};
   }
   if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
@@ -263,8 +264,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (answer.result.after.lost &&
       std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
     job.warnings.push_back({WarningCode::contact_lost,
-                            "Contact is lost at some positions, and no correction within reach "
-                            "brings it back: the error is told of the others.",
+                            "Contact is lost at some positions, and no correction in the searched "
+                            "range restores it; the error covers the remaining positions.",
                             0});
   }
   if (load) answer.loads = aimed_loads(*load, task, answer.result.value);
@@ -272,8 +273,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the corrected teeth are without an answer at a position: nothing "
-                       "touches there, or the forces come to no end.",
+           fmt::format("At {} N m the corrected teeth have no result at a position, because no "
+                       "teeth touch there or the forces do not converge.",
                        format_number(l.torque / kMmPerM)),
            0});
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {

@@ -63,8 +63,10 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
     if (a.result.value[i] != 0.0) row("  in the spec: " + a.spec_keys[i], "");
   }
   if (a.result.nothing_to_correct())
-    out +=
-        fmt::format("  nothing to correct: none within reach is better by {}\n", least_gain(a.aim));
+    out += fmt::format(
+        "  nothing to correct: no correction in the searched range improves the result "
+        "by {}\n",
+        least_gain(a.aim));
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
     head(fmt::format("Under {} N m", format_number(l.torque / kMmPerM)).c_str());

@@ -32,8 +32,8 @@ void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& wa
   constexpr Angle kTouching = Angle::radians(1e-12);  // teeth without backlash do not jam
   if (!(least_play < -kTouching)) return;
   warnings.push_back({WarningCode::jam,
-                      fmt::format("The gears jam: {} touched at once, gear 2 would have to give "
-                                  "way by {:.6f} degrees.",
+                      fmt::format("The gears jam: {} in contact at once, and gear 2 would have to "
+                                  "yield by {:.6f} degrees.",
                                   touched, -least_play.deg()),
                       0});
 }
@@ -53,20 +53,20 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
     if (!below[i] || gear.undercut) continue;
     warn(WarningCode::contact_below_form,
          fmt::format(
-             "Contact reaches the end of gear {}'s usable flank, {:.4f} mm diameter, where "
-             "the tooth goes on as a root fillet: the mating gear's tip works into it, and the "
-             "transmission error there is less than the true one.",
+             "Contact reaches the end of the usable flank of gear {}, {:.4f} mm diameter, where "
+             "the root fillet begins. The tip of the mating gear enters the fillet, and the true "
+             "transmission error there is larger than the computed one.",
              i + 1, 2 * *gear.root_form_radius()),
          i + 1);
   }
   if (answer.driving.contact_lost)
     warn(WarningCode::contact_lost,
-         "Contact is lost at some positions: no tooth pair touches there.");
+         "Contact is lost at some positions, where no tooth pair touches.");
   if (answer.min_play) warn_of_jam(*answer.min_play, "both flanks of a tooth space are", warnings);
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
     warn(WarningCode::contact_search_unfinished,
-         fmt::format("{} searches for a contact point did not end; their positions took the next "
-                     "best one.",
+         fmt::format("{} searches for a contact point did not converge; their positions use the "
+                     "best point found.",
                      answer.driving.unfinished + answer.other.unfinished));
   }
 }
@@ -78,7 +78,7 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
                    "mm before the {}flanks do, at {:.3f}° of gear 1, on {:.4f} mm diameter: {}.",
                    3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
                    touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
-                   other ? "it takes that much of the play"
+                   other ? "this reduces the backlash by that amount"
                          : "the transmission error is not that of the flanks there"),
        touch.gear});
 }
@@ -99,9 +99,9 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   if (!driving_outlines || !other_outlines) {
     warnings.push_back(
         {WarningCode::fillets_not_asked,
-         "Whether a tip meets a root fillet under these errors was not looked at: with a changed "
-         "lead of the cutter that is done for roots that a rack cuts, not for those of a pinion "
-         "cutter or circular fillets."});
+         "Contact of tips with root fillets under these errors was not checked. With a changed "
+         "lead of the cutter, this check is available for roots cut by a rack, not for those of a "
+         "pinion cutter or circular fillets."});
     return;
   }
   // A pitch is like the other; of several at once those that are looked at might be of one phase.

@@ -204,7 +204,7 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!any) {
     job.warnings.push_back(
         {WarningCode::no_contact,
-         "No contact analysis: at none of the positions of a pitch do teeth touch.", 0});
+         "There is no contact analysis, because no teeth touch at any position of a pitch.", 0});
     return std::optional<ContactPart>();
   }
   return std::optional(ContactPart{std::move(answer), std::move(report)});

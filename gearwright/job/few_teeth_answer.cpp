@@ -37,7 +37,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   for (const GearInput* g : {&pinion, &wheel}) {
     if (g->cylindrical.thickness_allowance != 0.0) {
       return fail(gear_field(g == &pinion ? 1 : 2, "thickness_allowance"),
-                  "the backlash is made by `fit.backlash`; leave this out");
+                  "`fit.backlash` determines the backlash; leave this out");
     }
   }
   if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
@@ -48,11 +48,10 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   if (wheel.helix_given) return fail("gear2.helix_angle", "follows from gear 1; leave it out");
   if (wheel.face_width_given) return fail("gear2.face_width", "is that of gear 1; leave it out");
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
-    return fail(
-        spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
-        "gears of few teeth (`fit.few_teeth` = true) get their tips and distance; leave this out");
+    return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
+                "`fit.few_teeth` = true computes tips and centre distance; leave this out");
   if (spec.fit.working_normal_pressure_angle)
-    return fail("fit.working_normal_pressure_angle", "has no place beside `few_teeth` = true");
+    return fail("fit.working_normal_pressure_angle", "cannot be combined with `few_teeth` = true");
   if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
     return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
   if (wheel.cylindrical.root_fillet)
@@ -147,8 +146,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
   FitAnswer answer;
   if (!found->design) {
     answer.fit.reason = fmt::format(
-        "of {} pairs of profile shifts none will do. What got furthest "
-        "was stopped by {}",
+        "none of {} pairs of profile shifts is feasible; the best of them is ruled out by {}",
         found->candidates, spelled(found->limit, spec.given, "gear1"));
     return answer;
   }

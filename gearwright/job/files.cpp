@@ -77,8 +77,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
   for (const ToothedBody& body : bodies) {
     if (body.pose.linear()(2, 2) == 1.0) continue;
     return Error{"pair.shaft_angle", "",
-                 "a drawing is one plane section, and gears on crossed axes "
-                 "have none in common; draw each of them, --gear 1 and --gear 2"};
+                 "gears on crossed axes have no common plane section; draw each of them, --gear 1 "
+                 "and --gear 2"};
   }
   const auto style =
       options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
@@ -161,9 +161,8 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   const std::string name = gear_name(which);
   if (!gear.tooth) {
     return absent_input(name + ".cut_by",
-                        "; an internal gear's outline is cut by a pinion cutter: give one with "
-                        "its teeth, "
-                        "or name the mating gear, gear1");
+                        "; a pinion cutter generates the outline of an internal gear; give its "
+                        "number of teeth, or name the mating gear, gear1");
   }
   if (!gear.exists() && !gear.involute()) {
     return Error{name + ".rack", "", gear.warnings.back().message};

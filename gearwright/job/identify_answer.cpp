@@ -59,8 +59,9 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
   if (!problem)
     return absent_input("gear1.measured",
-                        "; identify takes the readings of an unknown gear: its teeth in [gear1], "
-                        "spans, balls and diameters in [gear1.measured]");
+                        "; identify needs readings of an unknown gear: its number of teeth in "
+                        "[gear1], and spans, dimensions over balls and diameters in "
+                        "[gear1.measured]");
   auto found = identify(*problem);
   if (!found) return of_gear(which, found.error());
   IdentifyAnswer answer{which, std::move(found).take(), {}};
@@ -79,8 +80,8 @@ std::string identify_listing(const IdentifyAnswer& answer) {
   if (const auto& c = found.contradiction) {
     const std::string unit = unit_of(c->reading);
     text += fmt::format(
-        "\nThe {} disagrees with the other readings: it is {}{}, and they want "
-        "{}{}. The gears below are those of the others.\n",
+        "\nThe {} disagrees with the other readings: it is {}{} instead of {}{}. The gears below "
+        "agree with the others.\n",
         tool_text(c->reading, c->tool), format_number(c->value), unit,
         format_number(c->expected, c->value), unit);
   }

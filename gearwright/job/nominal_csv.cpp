@@ -44,8 +44,7 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
     const int which = static_cast<int>(i) + 1;
     const Gear& gear = job.gears[i];
     const auto ranges = evaluation_ranges(gear);
-    if (!ranges)
-      return Error{gear_field(which), "", "has no usable involute flank to take points of"};
+    if (!ranges) return Error{gear_field(which), "", "has no usable involute flank for points"};
     for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
       const bool right = side == FlankSide::right;
       const char* const flank = right ? "right" : "left";
@@ -55,8 +54,7 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
       append(text, which, flank, nominal_points(gear, *field, side, *ranges, grid));
       if (!fillet) continue;
       const auto points = fillet_points(gear, side, *ranges, {*fillet, grid.helix});
-      if (points.empty())
-        return Error{gear_field(which), "", "has no root fillet to take points of"};
+      if (points.empty()) return Error{gear_field(which), "", "has no root fillet for points"};
       append(text, which, std::string(flank) + "_fillet", points);
     }
   }

@@ -61,7 +61,7 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     const double m = *question.normal_module;
     if (!(m > m_cos)) {
       return bad(format_number(m, m_cos) + ",",
-                 fmt::format("no rack of this module has the gear: m_n cos α_n is {} mm, and the "
+                 fmt::format("no rack of this module fits the gear; m_n cos α_n is {} mm, and the "
                              "module must be greater",
                              format_number(m_cos, m)));
     }
@@ -69,8 +69,8 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
     if (m > m_max) {
       return bad(format_number(m, m_max) + ",",
-                 fmt::format("at this base pitch the angle would be {}°; it is at most {}°, of a "
-                             "module of {} mm",
+                 fmt::format("at this base pitch the angle would be {}°; at most {}° is allowed, "
+                             "with a module of {} mm",
                              format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
                              format_number(m_max, m)));
     }
@@ -79,16 +79,16 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
       return bad(
           fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
-          fmt::format("this rack has another base pitch: at {:.9g}° the module is {:.9g} mm, "
-                      "and at {:.9g} mm the angle is {:.9g}°",
+          fmt::format("this rack has another base pitch; at {:.9g}° the module is {:.9g} mm, and "
+                      "at {:.9g} mm the angle is {:.9g}°",
                       deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
     }
   }
   if (!has_rack(base, alpha)) {
     const double limit = 90 - std::abs(deg(base.helix_angle));
     return bad("," + format_number(deg(alpha), limit),
-               fmt::format("no rack of this angle has the gear; it must be less than {}°, 90° less "
-                           "the base helix angle",
+               fmt::format("no rack of this angle fits the gear; it must be less than {}°, 90° "
+                           "minus the base helix angle",
                            format_number(limit, deg(alpha))));
   }
   return as_rack(base, alpha);

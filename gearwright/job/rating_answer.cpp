@@ -15,8 +15,8 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   for (const int which : {1, 2}) {
     if (!job.gear(which).spec.root_fillet) continue;
     job.warnings.push_back({WarningCode::rating_root_fillet,
-                            "The root's circular arc is not in the standard: Y_F and Y_S are those "
-                            "of the root that the rack would have cut.",
+                            "The standard does not cover a circular root fillet; Y_F and Y_S are "
+                            "those of the root that the rack would cut.",
                             which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);

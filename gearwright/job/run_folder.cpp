@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kHeading =
-    "What the last gearwright run wrote here: checksum, bytes, name. The next run removes of "
-    "these\n"
-    "what it does not write itself and what nobody has changed.\n";
+    "Files written by the last gearwright run: checksum, bytes, name. The next run removes "
+    "those\nthat it does not write again and that were not changed.\n";
 
 struct Listed {
   unsigned long checksum = 0;

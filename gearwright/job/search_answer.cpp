@@ -63,11 +63,11 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
   for (const std::string& line : change_lines(run))
-    lines.push_back("One change that would let something through: " + line + ".");
+    lines.push_back("One change that would make designs feasible: " + line + ".");
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
   } else if (run.changes.empty()) {
-    lines.emplace_back("No change of one number alone would help.");
+    lines.emplace_back("No change of a single number would help.");
   }
   return lines;
 }
@@ -119,23 +119,24 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   };
   if (a.cut) {
     warn(WarningCode::designs_cut,
-         fmt::format("Of {} feasible designs the best {} are listed; search.parquet "
-                     "in --out DIR holds all.",
+         fmt::format("The best {1} of {0} feasible designs are listed; search.parquet in --out DIR "
+                     "contains all.",
                      a.counts.feasible, a.designs.size()));
   }
   if (run.pair_not_read) {
     warn(WarningCode::not_read,
-         "[pair] is of one pair: a search has center_distance_mm and mounting of its own.");
+         "[pair] has no effect on a search, which uses center_distance_mm and mounting of "
+         "[search].");
   }
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
-         "[rating] says nothing to this search: safety_flank_min, safety_root_min or "
-         "objective = \"safety\" in [search] asks for it.");
+         "[rating] has no effect on this search; safety_flank_min, safety_root_min or objective = "
+         "\"safety\" in [search] would use it.");
   }
   if (!edges) {
     warn(WarningCode::edges_left_out,
-         fmt::format("With more than {} designs the regions come without their edges; --top N asks "
-                     "for fewer designs.",
+         fmt::format("With more than {} designs the borders of the regions are omitted; use --top "
+                     "N for fewer designs.",
                      kMaxBoundaries));
   }
   if (!run.changes_left_out.empty())
@@ -175,7 +176,7 @@ std::string margin_line(const SearchLimits& limits) {
       limits.avoid_interference
           ? fmt::format("every design runs without interference, form clearance >= {:g} modules",
                         limits.form_clearance)
-          : "designs that interfere are listed too";
+          : "designs with interference are listed too";
   if (limits.tip_clearance)
     text += fmt::format(", tip clearance >= {:g} modules", *limits.tip_clearance);
   return text;
@@ -218,12 +219,12 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   if (a.counts.feasible == 0) {
     if (run.safest) text += safest_line(*run.safest) + "\n";
     if (!run.changes.empty()) {
-      text += "\nNothing is feasible. One of these alone would let something through:\n";
+      text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
       for (const std::string& line : change_lines(run)) text += "  " + line + "\n";
       if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
     } else {
       text += run.changes_left_out.empty()
-                  ? "\nNothing is feasible, and no change of one number alone would help.\n"
+                  ? "\nNo design is feasible, and no change of a single number would help.\n"
                   : "\nNothing is feasible; " + run.changes_left_out + ".\n";
     }
     return text;
@@ -251,9 +252,10 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
         r.interference ? ", interference" : "");
   }
   if (a.counts.feasible > static_cast<std::int64_t>(most)) {
-    text +=
-        fmt::format("  … {} more; --out DIR writes them all, --take N one as a spec of a pair\n",
-                    a.counts.feasible - static_cast<std::int64_t>(most));
+    text += fmt::format(
+        "  … {} more; --out DIR writes all of them, and --take N writes one as the "
+        "spec of a pair\n",
+        a.counts.feasible - static_cast<std::int64_t>(most));
   }
   return text;
 }

@@ -6,8 +6,8 @@ namespace gearwright {
 
 std::optional<Error> refuse_folder() {
   return Error{"--out", "",
-               "this build keeps no folder of a search, it has neither SQLite nor Parquet; leave "
-               "--out away and take the designs from --json, or run the program itself"};
+               "this build has neither SQLite nor Parquet and cannot write the folder of a search; "
+               "leave out --out and use --json, or use the installed program"};
 }
 
 std::optional<Error> refuse_other_search(const std::filesystem::path&, const JobSpec&) {

@@ -27,7 +27,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   if (run.answer.counts.feasible > 0) return true;
   if (*search.space().size() > kMaxForChange) {
     run.changes_left_out = fmt::format(
-        "with more than {} candidates the nearest change is not looked for", kMaxForChange);
+        "with more than {} candidates the nearest change is not searched", kMaxForChange);
     return true;
   }
   SearchProgress progress{.stage = SearchProgress::Stage::changes};
@@ -41,8 +41,8 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   if (found.safest) run.safest = search.whole(*found.safest);
   if (!found.bounded.empty()) {
     run.changes_left_out = fmt::format(
-        "the smallest change of {} was looked for with {} questions to candidates "
-        "each; with more of them it may be smaller, or there may be one",
+        "the search for the smallest change of {} ended after {} trials each; a smaller change may "
+        "exist",
         spelled_list(found.bounded), kMaxChangeQuestions);
   }
   return !run.stopped;

@@ -177,7 +177,7 @@ std::string pack(const ChunkFinds& finds) {
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {
   const auto size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   constexpr unsigned long long kMax = 1ULL << 36;
-  if (size > kMax || size < 16) throw IoError(where + " does not hold designs of this version");
+  if (size > kMax || size < 16) throw IoError(where + " does not contain designs of this version");
   std::string plain(size, '\0');
   const std::size_t got = ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(got) || got != size) throw IoError(where + " cannot be unpacked");
@@ -191,7 +191,7 @@ ChunkFinds unpack(std::string_view bytes, const std::string& where) {
   if (designs < 0 || points < 0 || designs > most || points > most ||
       size != 8 * (2 + static_cast<std::size_t>(designs) * kNumbers +
                    static_cast<std::size_t>(points) * kPointNumbers)) {
-    throw IoError(where + " does not hold designs of this version");
+    throw IoError(where + " does not contain designs of this version");
   }
   ChunkFinds finds;
   finds.designs.resize(static_cast<std::size_t>(designs));

@@ -40,13 +40,13 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
-                        "; the spec has the readings of an unknown gear. gearwright identify "
-                        "finds it, and its --take 1 writes the spec that this verb takes");
+                        "; the spec contains readings of an unknown gear; run gearwright identify, "
+                        "whose --take 1 writes a spec for this verb");
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
-                        "; the spec describes a search. gearwright search finds the "
-                        "gears, and its --take 1 writes the pair that this verb takes");
+                        "; the spec describes a search; run gearwright search, whose --take 1 "
+                        "writes a spec for this verb");
   }
   if (spec.rack && scope != Scope::gears) {
     return Error{"gear2.form", "rack",
@@ -60,8 +60,8 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
     Error error = arranged.error();
     if (finder_of(spec, error) == "fit")
       error.rule +=
-          ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 "
-          "writes the pair that this verb takes";
+          "; the spec leaves values open; run gearwright fit, whose --take 1 writes a spec for "
+          "this verb";
     return error;
   }
   SolvedJob job{std::move(arranged).take(), spec};

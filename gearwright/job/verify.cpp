@@ -57,14 +57,16 @@ const Json* follow(const Json& root, const std::string& path) {
 
 std::string compare(const std::string& path, const Json* got, const Json& want,
                     const Tolerance& tolerance) {
-  if (!got) return fmt::format("{}: there is no such value, want {}", path, json_text(want));
+  if (!got) return fmt::format("{}: there is no such value; expected {}", path, json_text(want));
   if (want.is_number() && got->is_number()) {
     const double w = want.get<double>();
     const double g = got->get<double>();
     const double allowed = std::max(tolerance.relative * std::abs(w), tolerance.absolute);
     if (std::abs(g - w) <= allowed) return {};
-    return fmt::format("{}: got {}, want {}, off by {:.3g}, allowed {:.3g}", path, g, w, g - w,
-                       allowed);
+    return fmt::format(
+        "{}: got {}, expected {}, difference {:.3g}, allowed "
+        "{:.3g}",
+        path, g, w, g - w, allowed);
   }
   if (*got == want) return {};
   return fmt::format("{}: got {}, want {}", path, json_text(*got), json_text(want));
@@ -113,7 +115,7 @@ Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
     return Error{"", "", "the case file cannot be read: " + why};
   };
   if (json_depth(json_text) > kDeepest)
-    return unreadable(fmt::format("it nests more than {} levels", kDeepest));
+    return unreadable(fmt::format("it has more than {} nested levels", kDeepest));
   try {
     const Json file = parse_json(json_text);
     if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||

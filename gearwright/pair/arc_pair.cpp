@@ -51,11 +51,13 @@ std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
   }
   if (!(std::abs(s_2.normal_module / s_1.normal_module - 1.0) <= kNearModule)) {
     return refused(gear_field(2, "normal_module"), s_2.normal_module, {s_1.normal_module},
-                   "must be gear 1's, {} mm: racks of different pitch do not fit into each other");
+                   "must equal that of gear 1, {} mm, because racks of different pitch do not "
+                   "mesh");
   }
   if (!(std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kNearHelix.rad())) {
     return refused(gear_field(2, "helix_angle"), s_2.helix_angle.deg(), {-s_1.helix_angle.deg()},
-                   "must be {}°: circular-arc gears run on parallel axes, with opposite hands");
+                   "must be {}°, because circular-arc gears run on parallel axes with opposite "
+                   "hands");
   }
   return std::nullopt;
 }
@@ -151,8 +153,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
   if (!pair.contacts.empty()) return std::nullopt;
   if (reason) return reason;
   return Error{gear_field(2, "rack"), "",
-               "no convex flank of one gear meets a concave one of the other; F goes "
-               "with P, a double circular arc with itself"};
+               "no convex flank of one gear meets a concave flank of the other; combine racks F "
+               "and P, or use the same double-arc rack for both"};
 }
 
 // The longest way along z without a contact point, with those of both flanks' points repeated by
@@ -237,17 +239,17 @@ void warn_about_pair(ArcPair& pair) {
   const CylindricalSpec &s_1 = pair.gears[0].spec, &s_2 = pair.gears[1].spec;
   if (pair.contacts.empty()) {
     warn(pair, WarningCode::unequal_lead,
-         fmt::format("The gears are not of one lead (modules {} and {} mm, helix angles {}° and "
-                     "{}°): they touch in no point that stays on the teeth, and what follows from "
-                     "it is left out.",
+         fmt::format("The gears do not have matching leads (modules {} and {} mm, helix angles {}° "
+                     "and {}°). They have no contact point that moves along the teeth, and results "
+                     "that depend on it are omitted.",
                      s_1.normal_module, s_2.normal_module, s_1.helix_angle.deg(),
                      s_2.helix_angle.deg()));
   }
   const double face = std::min(s_1.face_width, s_2.face_width);
   if (!pair.contacts.empty() && face < pair.face_for_contact) {
     warn(pair, WarningCode::contact_ratio,
-         fmt::format("Contact is not continuous: the common face is {:.4f} mm, and a point of "
-                     "contact comes only every {:.4f} mm.",
+         fmt::format("Contact is not continuous: the common face width is {:.4f} mm, less than the "
+                     "spacing of the contact points, {:.4f} mm.",
                      face, pair.face_for_contact));
   }
   constexpr double kRounding = 1e-9;  // modules: of a backlash-free distance as people write it

@@ -26,8 +26,8 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
     p.warnings.push_back(
         {WarningCode::contact_lost_to_undercut,
          fmt::format(
-             "The tip of gear {} reaches {:.4f} mm {} of gear {}: contact is lost there, the "
-             "undercut has taken the flank.",
+             "The tip of gear {} reaches {:.4f} mm {} of gear {}: contact is lost there, because "
+             "undercut has removed the flank.",
              mate, -amount, where, gear),
          gear});
     return;
@@ -81,8 +81,8 @@ void find_tip_clearance(InvolutePair& p) {
       p.warnings.push_back(
           {WarningCode::no_tip_clearance,
            fmt::format(
-               "The tip of gear {} runs on the root of gear {} without clearance; 0.2 m_n + "
-               "0.05 mm = {:.3f} mm is usual.{}",
+               "The tip of gear {} has no clearance to the root of gear {}; 0.2 m_n + 0.05 mm = "
+               "{:.3f} mm is usual.{}",
                i + 1, 2 - i, 0.2 * m + 0.05,
                p.gears[1 - i].cut_by
                    ? fmt::format(" If this tip has cut gear {}, name a longer cutter in `{}`.",
@@ -138,15 +138,15 @@ void find_internal_margins(InvolutePair& p) {
   if (p.trochoid_margin && p.trochoid_margin->rad() < 0.0) {
     p.interference.push_back(
         {WarningCode::trochoid, 2, *p.trochoid_margin,
-         "Trochoid interference: the pinion's tip strikes the internal gear's tip on its way "
-         "out."});
+         "Trochoid interference: the tip of the pinion collides with the tip of the internal "
+         "gear."});
   }
   if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
     // Of assembly only: once in place nothing strikes.
     p.warnings.push_back(
         {WarningCode::trimming,
-         "Trimming interference: the pinion cannot be put into the internal gear radially with a "
-         "space on the centre line; slide it in along the axis.",
+         "Trimming interference: the pinion cannot be mounted radially with a tooth space on the "
+         "centre line; mount it axially.",
          2});
   }
 }

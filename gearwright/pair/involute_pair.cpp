@@ -50,20 +50,20 @@ void warn_about_contact(InvolutePair& p) {
   if (ratio == 0.0) {
     warn(p, WarningCode::no_contact,
          p.flanks_meet()
-             ? (p.crossed() ? "No contact: what the tips reach of the line of action lies outside "
-                              "the usable flanks or the faces."
-                            : "No contact: what the tips reach of the line of action lies outside "
-                              "the usable flanks.")
-             : "No contact: at this centre distance the teeth do not reach each other's flanks.");
+             ? (p.crossed() ? "No contact: the part of the line of action within the tips lies "
+                              "outside the usable flanks or the faces."
+                            : "No contact: the part of the line of action within the tips lies "
+                              "outside the usable flanks.")
+             : "No contact: at this centre distance the teeth do not reach each other.");
   } else if (ratio < 1.0) {
     warn(p, WarningCode::contact_ratio,
-         fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.",
+         fmt::format("{} {:.3f}: contact is not continuous below 1.",
                      p.crossed() ? "Contact ratio" : "Total contact ratio", ratio));
   } else if (p.mesh.true_ratio < 1.0) {
     warn(p, WarningCode::transverse_contact_ratio,
          fmt::format(
-             "Transverse contact ratio {:.3f}: these run only as helical gears; a face width of at "
-             "least {:.2f} mm is needed.",
+             "Transverse contact ratio {:.3f}: contact is continuous only through the overlap of "
+             "helical teeth; a face width of at least {:.2f} mm is needed.",
              p.mesh.true_ratio, *face_width_needed(p)));
   }
 }

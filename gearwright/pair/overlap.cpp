@@ -88,7 +88,7 @@ std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
   return fmt::format(
-      " The tip of gear {} stands out beyond its involute from {:.4f} mm diameter on.", cause.gear,
+      " The tip of gear {} projects beyond its involute above a diameter of {:.4f} mm.", cause.gear,
       gear.tip_bulge->from_diameter);
 }
 

@@ -21,7 +21,7 @@ constexpr double kSamePitch = 1e-9;
 // Beyond, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches there.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
-constexpr const char* kReach = "these gears can cross at more than {}° and less than {}°";
+constexpr const char* kReach = "these gears need a shaft angle greater than {}° and less than {}°";
 
 // `rule` says kReach.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
@@ -54,8 +54,8 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
     if (helix <= kMaxWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
     return beyond(
         range, sigma,
-        fmt::format("too near an end of what these gears reach (the working helix angle of "
-                    "gear {} would be {:.6g}°, at most {} is allowed); {}",
+        fmt::format("too close to a limit of these gears (the working helix angle of gear {} would "
+                    "be {:.6g}°; at most {} is allowed); {}",
                     g + 1, helix, kMaxWorkingHelix, kReach));
   }
   const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
@@ -115,9 +115,9 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   if (z2 < 0 && !axes_are_parallel(gears)) {
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
-        fmt::format("the axes of this internal pair would cross ({:.6g}°), and an internal gear "
-                    "touches its pinion along the flanks on parallel axes only; {}° (the "
-                    "same hand) is allowed on an internal gear of the same module",
+        fmt::format("the axes of this internal pair would cross ({:.6g}°), and internal pairs need "
+                    "parallel axes; {}° (the same hand) is allowed for an internal gear of the "
+                    "same module",
                     deg(gears[0].helix_angle - gears[1].helix_angle),
                     format_number(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }
@@ -144,9 +144,9 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
   } else {
     Error error = beyond(
         shaft_angle_range(nominal), 0.0,
-        fmt::format("is missing, and there is no minimum centre distance to take it from: the "
-                    "teeth are too thin by {:.6g} mm on the base cylinders (normal); give the "
-                    "shaft angle, or more profile shift. {}",
+        fmt::format("is missing, and the pair has no minimum centre distance that would determine "
+                    "it, because the teeth are too thin by {:.6g} mm on the base cylinders "
+                    "(normal); give the shaft angle, or more profile shift. {}",
                     -excess, kReach));
     error.value.clear();
     return error;
@@ -161,10 +161,9 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
   return Error{
       "profile_shift", "",
       fmt::format(
-          "the teeth are so thin that no centre distance is free "
-          "of backlash at this shaft angle (working normal pressure angle "
-          "{:.4f}°); more profile shift of either gear would help, or a centre distance with "
-          "backlash in `pair.center_distance`",
+          "the teeth are too thin for any backlash-free centre distance at this shaft angle "
+          "(working normal pressure angle {:.4f}°); more profile shift of either gear would help, "
+          "or a centre distance with backlash in `pair.center_distance`",
           deg(rack.normal_pressure_angle))};
 }
 

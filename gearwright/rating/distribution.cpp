@@ -68,9 +68,9 @@ FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
   out.F_betay = Factor{f_betay, "ISO 6336-1, 7.5.2", ""};
   const double r = f_betay * c_gamma_beta / (2 * mean_load);
   out.K_Hbeta = r >= 1.0 ? Factor{2 * std::sqrt(r), "ISO 6336-1, 7.5.1, (41)",
-                                  "part of the face bears: F_βy c_γβ/(2 F_m/b) ≥ 1"}
+                                  "part of the face carries load: F_βy c_γβ/(2 F_m/b) ≥ 1"}
                          : Factor{1.0 + r, "ISO 6336-1, 7.5.1, (43)",
-                                  "the whole face bears: F_βy c_γβ/(2 F_m/b) < 1"};
+                                  "the whole face carries load: F_βy c_γβ/(2 F_m/b) < 1"};
   return out;
 }
 
@@ -93,7 +93,9 @@ TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, doub
   const auto limited = [&](double most) {
     if (k < 1.0) return Factor{1.0, "ISO 6336-1, 8.3", "below 1: taken as 1"};
     if (k > most)
-      return Factor{std::max(1.0, most), "ISO 6336-1, 8.3", "all of the load on one pair of teeth"};
+      return Factor{std::max(1.0, most), "ISO 6336-1, 8.3",
+                    "one tooth pair carries the whole "
+                    "load"};
     return Factor{k, "ISO 6336-1, 8.3", low ? "ε_γ ≤ 2" : "ε_γ > 2"};
   };
   return {limited(e / (pair.epsilon_alpha * Z_epsilon * Z_epsilon)),

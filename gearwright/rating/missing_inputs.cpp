@@ -10,25 +10,24 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
   if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
     missing.push_back(absent_input(
         "rating.quality",
-        "; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are off, for "
-        "K_v and K_Hα: give them, `quality` = 6 for example, or both factors"));
+        "; K_v and K_Hα depend on the accuracy grade of ISO 1328, 0 to 12; give it, `quality` = 6 "
+        "for example, or give both factors"));
   } else if (!in.quality && !in.face_load_factor && in.mounting && !in.mounting->manufacture) {
     missing.push_back(
         absent_input("rating.quality",
-                     "; the face load factor takes the helix slopes from it: give the "
-                     "accuracy grades of ISO 1328, `quality` = 6 for example, or the "
-                     "misalignment"));
+                     "; the face load factor needs the helix slopes; give the accuracy grade of "
+                     "ISO 1328, `quality` = 6 for example, or the misalignment"));
   }
   if (!in.speed && !in.dynamic_factor) {
     missing.push_back(
         absent_input("rating.speed",
-                     "; the dynamic factor needs it: give the speed, `speed` = 1500 for "
-                     "example, or the factor itself"));
+                     "; the dynamic factor needs it; give the speed, `speed` = 1500 for example, "
+                     "or the factor itself"));
   }
   if (!in.face_load_factor && !in.mounting) {
     missing.push_back(absent_input("rating.face_load_factor",
-                                   "; give it, `face_load_factor` = 1.2 for example, or how the "
-                                   "pinion is mounted, `mounting`"));
+                                   "; give it, `face_load_factor` = 1.2 for example, or the "
+                                   "arrangement of the pinion, `mounting`"));
   }
   return missing;
 }

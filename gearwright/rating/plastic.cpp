@@ -49,7 +49,9 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
 
 Factor given_or_one(const std::optional<double>& factor) {
   return factor ? Factor{*factor, "", kGivenFactor}
-                : Factor{1.0, "VDI 2736-2", "not given: 1; the guideline has 1 … 1.25 in all"};
+                : Factor{1.0, "VDI 2736-2",
+                         "not given: 1; the guideline gives 1 … 1.25 for the "
+                         "product"};
 }
 
 // Those of ISO 6336 that the guideline has not.
@@ -63,7 +65,7 @@ void leave_out(Rating& r) {
 }
 
 const char* strength_branch(const Material& m, const ByTemperature& list) {
-  if (!plastic(m)) return "metal beside a plastic: its reference strength, ISO 6336 rates it";
+  if (!plastic(m)) return "metal with a plastic mating gear: reference strength of ISO 6336";
   return list.empty() ? "as given, for this life and temperature" : "as given, at its temperature";
 }
 
@@ -114,8 +116,8 @@ ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& 
 std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
   if (!plastic(in.materials[0]) && !plastic(in.materials[1])) {
     return {Error{"rating.edition", std::string(name(in.edition)),
-                  "rates plastics, and neither gear is of one; give a `kind` of \"plastic\" in "
-                  "[gearN.material], or an edition of ISO 6336"}};
+                  "rates plastics, and neither gear is made of plastic; give a `kind` of "
+                  "\"plastic\" in [gearN.material], or an edition of ISO 6336"}};
   }
   const PlasticInput& p = in.plastic;
   if (p.flank_temperature && p.root_temperature) return {};
@@ -123,21 +125,22 @@ std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
   if (!p.ambient_temperature || !p.friction) {
     missing.push_back(absent_input(
         p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
-        "; how warm the teeth run decides what a plastic bears: give "
-        "`flank_temperature` and `root_temperature`, or `ambient_temperature` = 23 and "
-        "`friction` = 0.2 for example"));
+        "; the strength of a plastic depends on the temperature of the teeth; give "
+        "`flank_temperature` and `root_temperature`, or `ambient_temperature` = 23 and `friction` "
+        "= 0.2 for example"));
   }
   if (!in.speed)
     missing.push_back(
         absent_input("rating.speed",
-                     "; the warmth of the teeth comes of it: give it, `speed` = 1500 for example"));
+                     "; the temperature of the teeth depends on it; give it, `speed` = 1500 for "
+                     "example"));
   return missing;
 }
 
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
   if (pair.internal()) {
     return Error{"rating.edition", std::string(name(in.edition)),
-                 "is here for external pairs; gear 2 is internal"};
+                 "covers external pairs only; gear 2 is internal"};
   }
   const auto materials = turned(pair, in.materials);
   const RatedGear& driven_by = pair.gears[pair.place(1)];
@@ -197,7 +200,7 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     const auto section = critical_section(pair, g, LoadPoint::tip);
     if (!section) {
       return Error{gear_field(gear_at(pair, i), "rack"), "",
-                   "leaves a root that no tangent at 30° touches: there is no form factor for it"};
+                   "has a root without a tangent at 30°, for which there is no form factor"};
     }
     r.section[i] = *section;
     r.Y_F[i] = form_factor(RatingEdition::iso_2006, pair, *section);
@@ -213,8 +216,8 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     r.S_F[i] = {r.sigma_FG[i].value / r.sigma_F[i].value, kRootStress, ""};
   }
   r.limits.push_back({WarningCode::rating_plastic,
-                      "VDI 2736 also asks for the wear and the deformation of plastic teeth and "
-                      "for static peaks: they are not rated here."});
+                      "VDI 2736 also covers wear, deformation and static peaks of plastic teeth; "
+                      "these are not rated."});
   return r;
 }
 

@@ -85,11 +85,11 @@ Result<RatedPair> rated_pair(const InvolutePair& pair) {
 
 Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore) {
   if (pair.crossed())
-    return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes, these cross"};
+    return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes; these axes cross"};
   if (!pair.flanks_meet()) {
     return Error{"pair.center_distance", "",
-                 "the flanks do not meet: there is no load to rate; a smaller distance or longer "
-                 "tips would help"};
+                 "the flanks do not touch, so they carry no load; a smaller centre distance or "
+                 "greater tip diameters would help"};
   }
   RatedPair r;
   const Gear& first = pair.gears[0];

@@ -179,8 +179,8 @@ std::optional<Error> Rater::root() {
     const auto section = critical_section(pair, g);
     if (!section) {
       return Error{gear_field(pair.place(1) == i ? 1 : 2, "rack"), "",
-                   "leaves a root that no tangent at 30° (internal: 60°) touches: the standard has "
-                   "no form factor for it"};
+                   "has a root without a tangent at 30° (internal gear: 60°), for which the "
+                   "standard has no form factor"};
     }
     r.section[i] = *section;
     const Life life = root_life(m.kind, cycles[i], in.life);
@@ -218,32 +218,31 @@ void Rater::check_limits() {
     if (bad) r.limits.push_back({code, text, gear});
   };
   say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), WarningCode::rating_contact_ratio,
-      "ISO 6336 is stated for a transverse contact ratio between 1 and 2.5; this one is outside.");
+      "ISO 6336 applies to transverse contact ratios between 1 and 2.5; this one is outside.");
   say(pair.beta > 30 * kRadPerDeg, WarningCode::rating_helix_angle,
       "ISO 6336 is confirmed up to a helix angle of 30°; this one is steeper.");
   say(pair.alpha_n < 15 * kRadPerDeg || pair.alpha_n > 25 * kRadPerDeg,
       WarningCode::rating_pressure_angle,
       "ISO 6336 is confirmed for normal pressure angles of 15° to 25°; this one is outside.");
   say(!r.stiffness.in_range, WarningCode::rating_stiffness,
-      "The formula of the tooth stiffness c' is stated for x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2; these "
+      "The formula of the tooth stiffness c' applies to x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2; these "
       "shifts are outside.");
   say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor,
       WarningCode::rating_resonance,
-      "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 asks for a "
-      "closer analysis there.");
+      "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 requires a "
+      "detailed analysis there.");
   say(!r.face.offset_in_range, WarningCode::rating_mounting,
       "The offset s of the pinion is greater than the mounting's figure allows.");
   for (const int which : {1, 2}) {
     const std::size_t i = pair.place(which);
     const double q = r.section[i].q_s;
     say(!(q >= 1.0 && q < 8.0), WarningCode::rating_notch,
-        "The stress correction Y_S is stated for 1 ≤ q_s < 8; this fillet is outside.", which);
+        "The stress correction factor Y_S applies to 1 ≤ q_s < 8; this fillet is outside.", which);
     const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
     const RatedGear& g = pair.gears[i];
     const bool thin =
         rim && (g.internal() ? *rim <= 1.75 * pair.normal_module : *rim <= 0.5 * g.tooth_height);
-    say(thin, WarningCode::rating_rim, "The rim is thinner than the rim factor Y_B is stated for.",
-        which);
+    say(thin, WarningCode::rating_rim, "The rim is thinner than the rim factor Y_B allows.", which);
   }
 }
 

@@ -112,7 +112,7 @@ std::string pattern_figure(const ContactReport& report, const std::vector<PathPi
   draw_path(svg, pieces, which, f);
   const Seen seen = seen_in(pieces);
   std::string keys = caption_key("marked", "marking rubbed off") + " ";
-  if (seen.inside) keys += caption_key("action", "way of the contact point") + " ";
+  if (seen.inside) keys += caption_key("action", "path of contact") + " ";
   if (seen.edge) keys += caption_key("edge-way", "touched by an edge") + " ";
   if (seen.ellipse) keys += caption_key("instant", "contact ellipse") + " ";
   if (seen.line) keys += caption_key("instant-line", "contact line") + " ";

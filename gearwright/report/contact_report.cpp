@@ -84,10 +84,10 @@ std::string contact_words(const ContactResult& contact) {
   const double edges = count(is_edge) / all;
   const bool lines = count([](TouchKind k) { return k == TouchKind::line; }) == all;
   if (contact.peak_to_peak.arcsec() < kConjugate && edges == 0.0)
-    return lines ? "Rotation is passed on exactly, without any error, and the flanks touch as they "
-                   "should, along lines across the face."
-                 : "Rotation is passed on exactly, without any error, and the flanks touch as they "
-                   "should.";
+    return lines
+               ? "Motion is transmitted exactly, and the flanks touch along lines across the face, "
+                 "as intended."
+               : "Motion is transmitted exactly, and the flanks touch as intended.";
   std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
                                  shown_arcsec(contact.peak_to_peak.arcsec()));
   if (lines) return text + "The flanks touch along lines across the face: no edge carries.";

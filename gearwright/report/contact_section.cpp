@@ -85,7 +85,7 @@ std::string te_part(const ContactReport& report) {
                                     ? "There is no spectrum, for contact is lost."
                                     : "The curve is flat: it has no waves.");
   return curves + beside(spectrum,
-                         "A curve that repeats is a sum of waves. The first bar is one wave per "
+                         "A periodic curve is a sum of harmonics. The first bar is one wave per "
                          "tooth: the tooth frequency, teeth × revolutions per second. The next are "
                          "its overtones. One tall bar at the left is a pure, low tone; bars that "
                          "fall off slowly come from sharp corners, where one tooth pair hands over "

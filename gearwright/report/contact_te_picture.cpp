@@ -263,8 +263,10 @@ std::string te_spectrum_figure(const ContactReport& report) {
   const int n = static_cast<int>(arcsec.size());
   const Axis x = kSpectrum.across(0.3, n + 0.7);
   const Axis y = kSpectrum.up(0.0, 1.15 * std::max(most, kFlat / 2));
-  Svg svg("spectrum", kWidth, kSpectrum.height(), "Spectrum of the transmission error",
-          "Bars: amplitudes of one, two, three waves per pitch and so on, in arc seconds.");
+  Svg svg(
+      "spectrum", kWidth, kSpectrum.height(), "Spectrum of the transmission error",
+      "Bars: amplitudes at the first, second, third order of the mesh frequency and so on, in arc "
+      "seconds.");
   svg.text({12, 22}, "amplitude, arc seconds", Anchor::start, "panel");
   draw_rows(svg, x, y, 5);
   const double wide = 0.7 * (x(2) - x(1));
@@ -276,8 +278,7 @@ std::string te_spectrum_figure(const ContactReport& report) {
       svg.text({x(h), y(0.0) + 17}, std::to_string(h), Anchor::middle, "tick");
     by_size.push_back(h);
   }
-  svg.text({(x.from + x.to) / 2, y(0.0) + 38}, "waves per pitch (1: the tooth frequency)",
-           Anchor::middle, "tick");
+  svg.text({(x.from + x.to) / 2, y(0.0) + 38}, "order of mesh frequency", Anchor::middle, "tick");
   // Values of peaks, where no bar stands in the words' way: the tallest three.
   const auto amplitude = [&](int h) {
     return h < 1 || h > n ? 0.0 : arcsec[static_cast<std::size_t>(h - 1)];
@@ -297,8 +298,8 @@ std::string te_spectrum_figure(const ContactReport& report) {
              {h == 1 ? -wide / 2 : 0.0, -6.0});
   }
   return captioned(svg.str(),
-                   "<strong>Its spectrum</strong>: the same curve as a sum of waves, how high each "
-                   "of them is.");
+                   "<strong>Spectrum</strong> of the transmission error: amplitude of each "
+                   "harmonic.");
 }
 
 }  // namespace gearwright

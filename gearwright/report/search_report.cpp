@@ -61,7 +61,7 @@ std::string rejected_table(const SearchCounts& counts) {
     rows.push_back({std::string(words_of(static_cast<Limit>(i))), counted(n),
                     fixed(share, share < 1.0 ? 3 : 1) + "\u00a0%"});
   }
-  return value_table("What they fell to: the first limit that leaves no profile shift",
+  return value_table("Ruled out by: the first limit that leaves no profile shift",
                      {"Limit", "Trials", "Share of all"}, rows, "tally");
 }
 

@@ -240,10 +240,10 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     return Error{std::string(path), std::string(value), "is no value of JSON"};
   }
   if (wished.is_structured() && has_null(wished))
-    return Error{std::string(path), "null", "is no value of a spec; leave the key out"};
+    return Error{std::string(path), "null", "is not a value of a spec; leave out the key"};
   Json wanted = *before;
   if (!set_in(wanted, parts, wished))
-    return Error{std::string(path), "", "leads through something that is no table"};
+    return Error{std::string(path), "", "leads through a value that is not a table"};
   if (same(wanted, *before)) return std::string(toml);
   Editor editor(toml);
   if (wished.is_null()) {

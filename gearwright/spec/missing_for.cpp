@@ -21,7 +21,7 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   std::vector<Error> missing;
   if (!spec.rating.given)
     missing.push_back(absent_input("rating",
-                                   "; a rating needs this table with the load, the making of the "
+                                   "; a rating needs this table with the load, the accuracy of the "
                                    "gears and their mounting"));
   std::array<MaterialInput, 2> materials;
   std::array<std::string, 2> tables;
@@ -100,10 +100,8 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
     missing.push_back(
         absent_input("gear2", "; a pair needs a second gear, [gear2] with teeth = 40 for example"));
   if (under_torque && !torque)
-    missing.push_back(
-        absent_input("load.torque_Nm",
-                     ": teeth under load want a torque on gear 1, in N m, torque_Nm = "
-                     "100 for example"));
+    missing.push_back(absent_input(
+        "load.torque_Nm", ": enter a torque on gear 1, in N m, torque_Nm = 100 for example"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

@@ -53,11 +53,13 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   } else if (by->is_object()) {
     const std::string path = gear.name("cut_by");
     for (const auto& [key, why] :
-         {std::pair{"cut_by", "a cutter of its own is cut by a rack; leave this out"},
-          std::pair{"profile_shift_pair", "belongs to the gear that is cut, beside cut_by"},
+         {std::pair{"cut_by", "the cutter itself is cut by a rack; leave this out"},
+          std::pair{"profile_shift_pair",
+                    "belongs into the table of the gear that is cut, not "
+                    "into cut_by"},
           std::pair{"modifications",
-                    "a cutter has no flank modifications; those of the gear that it cuts stand "
-                    "beside cut_by"}}) {
+                    "a cutter has no flank modifications; write those of the gear into the gear's "
+                    "own table"}}) {
       if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
     }
     GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
@@ -66,8 +68,8 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
     if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
       gear.fail("cut_by.tip_fillet",
-                "a cutter has no mating gear to keep clear of; give corner_radius_mm, radius_mm or "
-                "l_mm");
+                "a cutter has no mating gear that could determine it; give corner_radius_mm, "
+                "radius_mm or l_mm");
     }
     cut.cutter = std::make_shared<GearInput>(std::move(cutter));
   } else {
@@ -76,13 +78,14 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
     if (gear.has(key)) {
       gear.fail(key,
-                "has no place beside cut_by: the cutter and the generating centre distance "
-                "decide the tooth");
+                "cannot be combined with cut_by, because the cutter and the generating centre "
+                "distance determine the tooth");
     }
   }
   if (total && g.profile_shift) {
     gear.fail("profile_shift_pair",
-              "and profile_shift both say how deep the cutter goes; leave one of them out");
+              "cannot be combined with profile_shift; both determine the depth of the cutter; "
+              "leave one of them out");
   }
   g.cut_by = std::move(cut);
 }

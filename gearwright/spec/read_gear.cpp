@@ -28,7 +28,7 @@ std::optional<double> read_helix(TableReader& t) {
   const auto of_lead = lead ? std::optional((90.0 - *lead) * sign) : std::nullopt;
   if (beta && of_lead && std::abs(*of_lead - *beta) > kSameInput * std::abs(*beta)) {
     t.fail("lead_angle_deg",
-           "contradicts helix_angle_deg: both say the helix angle, leave one out");
+           "contradicts helix_angle_deg; both give the helix angle; leave one of them out");
   }
   const auto value = beta ? beta : of_lead;
   if (hand && value && *value != 0.0 && (*value > 0.0) != (*hand == "right")) {
@@ -51,8 +51,8 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                             : g.tolerance.over_balls ? "over_balls_mm"
                                                      : nullptr;
   if (given && gear.has("thickness_allowance_mm"))
-    t.fail(given, fmt::format("has no place beside {}: both say how thick the teeth are; leave one "
-                              "out",
+    t.fail(given, fmt::format("cannot be combined with {}; both give the tooth thickness; leave "
+                              "one of them out",
                               gear.name("thickness_allowance_mm")));
 }
 
@@ -71,7 +71,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   if (gear.has("thickness_allowance_mm")) {
     gear.fail("thickness_allowance_mm",
               "has no place beside [" + gear.name("basic") +
-                  "], whose thickness is that of the tooth as cut; leave it out");
+                  "], which gives the thickness of the tooth as cut; leave it out");
   }
   const BaseGear<double> base{g.cylindrical.teeth, in.base_diameter / 2, in.base_tooth_thickness,
                               in.base_helix_angle.rad()};

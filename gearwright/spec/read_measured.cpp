@@ -22,8 +22,8 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), k);
     if (error != std::errc() || end != key.data() + key.size() || k < 1 || k > 100000)
       t.fail("span_mm", "\"" + printable(key, 20) +
-                            "\" counts no teeth; the readings stand by the number of teeth: "
-                            "{ 3 = 19.751 }");
+                            "\" is not a number of teeth; write each reading after its number of "
+                            "teeth, { 3 = 19.751 } for example");
     if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > kMaxInput)
       t.fail("span_mm", "the span over " + key + " teeth must be a length in mm");
     p.spans.push_back({k, value.get<double>()});

@@ -40,7 +40,7 @@ void check_used(TableReader& t, const std::string& key, const std::string& amoun
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;
   if (t.has(right) && t.has(left) && t.has(key))
-    t.fail(key, fmt::format("has no effect beside {} and {}; leave it out", right, left));
+    t.fail(key, fmt::format("has no effect together with {} and {}; leave it out", right, left));
   for (const std::string& one : {key, right, left}) {
     if (!t.has(one) || amount.empty()) continue;
     const bool used = std::any_of(kFlanks.begin(), kFlanks.end(), [&](std::size_t flank) {
@@ -154,14 +154,14 @@ std::vector<double> lines_of(const std::vector<Row>& rows, double Row::*column) 
 
 std::optional<Error> check_lines(const char* what, const std::vector<double>& x) {
   if (x.size() < 2) {
-    return Error{"", "", fmt::format("there must be two {} or more, here are {}", what, x.size())};
+    return Error{"", "", fmt::format("two {} or more are needed, not {}", what, x.size())};
   }
   const double least = kMinStep * (x.back() - x.front());
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] - x[i - 1] >= least) continue;
     return Error{"", "",
-                 fmt::format("the {} {} and {} lie nearer to each other than a ten-thousandth of "
-                             "their range; write one number where one line of the grid is meant",
+                 fmt::format("the {} {} and {} are closer together than a ten-thousandth of their "
+                             "range; if they mean one line of the grid, write the same number",
                              what, x[i - 1], x[i])};
   }
   return std::nullopt;
@@ -184,8 +184,8 @@ std::string read_whole(const TableReader& t, const std::string& key, const fs::p
   if (file.bad()) throw IoError("cannot read " + shown + ": " + std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxTopography) {
-    t.fail(key, fmt::format("has more than {} bytes; a coarser grid will do, a cubic spline runs "
-                            "between its points",
+    t.fail(key, fmt::format("has more than {} bytes; use a coarser grid, because a cubic spline "
+                            "interpolates between its points",
                             kMaxTopography));
   }
   return text;
@@ -203,7 +203,7 @@ Result<Topography> topography_from_csv(std::string_view csv) {
   std::stable_sort(rows.begin(), rows.end(), by_place);
   for (std::size_t k = 1; k < rows.size(); ++k) {
     if (by_place(rows[k - 1], rows[k])) continue;
-    return at_line(rows[k].line, fmt::format("the point {}, {} stands in line {} already",
+    return at_line(rows[k].line, fmt::format("the point {}, {} is already in line {}",
                                              rows[k].diameter, rows[k].z, rows[k - 1].line));
   }
   Topography t{lines_of(rows, &Row::diameter), lines_of(rows, &Row::z), {}};

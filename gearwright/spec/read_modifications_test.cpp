@@ -161,7 +161,7 @@ TEST(TopographyCsv, refusals_say_where) {
   EXPECT_TRUE(says(good + "48,1e400,2\n", "line 5"));
   EXPECT_TRUE(says(good + "48,1e300,2\n", "line 5"));
   EXPECT_TRUE(says(good + "-48,1,2\n", "greater than 0"));
-  EXPECT_TRUE(says(good + "42.0001,-1,0\n42.0001,1,0\n", "nearer to each other"));
+  EXPECT_TRUE(says(good + "42.0001,-1,0\n42.0001,1,0\n", "closer together"));
 }
 
 class TopographyFile : public ::testing::Test {

@@ -13,14 +13,15 @@ namespace {
 
 // Keys of an involute gear, which mean nothing here.
 void refuse_involute_keys(TableReader& gear) {
-  const std::string why = "has no place beside a rack of arcs";
+  const std::string why = "cannot be combined with a rack of arcs";
   for (const char* key : {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}) {
-    gear.refuse(key, why + ": the arcs' pressure angle stands in [" + gear.name("rack") + "]");
+    gear.refuse(key,
+                why + "; write the pressure angle of the arcs into [" + gear.name("rack") + "]");
   }
   for (const char* key : {"basic", "root_fillet", "tip_fillet"}) gear.refuse(key, why);
   const auto shift = gear.number("profile_shift");
   if (shift && *shift != 0.0)
-    gear.fail("profile_shift", why + ": the place of the arcs' centres says how deep they lie");
+    gear.fail("profile_shift", why + "; the positions of the arc centres determine the depth");
 }
 
 // The one of a key's tables that the word `kind` chooses; none: the first.

@@ -53,11 +53,15 @@ std::vector<double> read_modules(TableReader& t) {
 
 void check_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
-    t.fail("ratio", "must not pass 0: positive for external pairs, negative for internal ones");
+    t.fail("ratio", "must not contain 0; positive for external pairs, negative for internal pairs");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
-    t.fail("ratio", "must reach 1: the ratio is z2/z1, and gear 2 is the one with more teeth");
+    t.fail("ratio",
+           "must contain values of 1 or more, because the ratio is z2/z1 and gear 2 has "
+           "more teeth");
   if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
-    t.fail("ratio", "must pass -1: an internal gear has more teeth than its pinion");
+    t.fail("ratio",
+           "must contain values below -1, because an internal gear has more teeth than "
+           "its pinion");
   const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * p.pinion_teeth[1];
   if (!(most <= kMaxSearchTeeth)) {
     t.fail("ratio",
@@ -81,13 +85,14 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     const double h = step.value_or(1.0);
     const double count = std::floor((b->back() - b->front()) / h + 1e-9);
     if (!(count < kMaxAngles))
-      t.fail("helix_step_deg",
-             fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMaxAngles));
+      t.fail("helix_step_deg", fmt::format("gives {:.6g} angles in the band; at most {} are "
+                                           "allowed",
+                                           count + 1, kMaxAngles));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back(b->front() + i * h);
     // The band's own end, unless a step has just reached it.
     if (degrees.back() < b->back() - 1e-9 * h) degrees.push_back(b->back());
   } else if (step) {
-    t.fail("helix_step_deg", "belongs to a band, helix_angle_deg = [least, greatest]");
+    t.fail("helix_step_deg", "needs a band, helix_angle_deg = [least, greatest]");
   }
   const char* key = list ? "helix_angles_deg" : "helix_angle_deg";
   auto sorted = degrees;
@@ -122,16 +127,18 @@ void read_limits(TableReader& t, SearchProblem& p) {
     t.fail("form_clearance_min", "needs interference = \"exclude\"");
   }
   if (l.sliding && p.crossed())
-    t.fail("sliding_max", "is not known on crossed axes, where teeth slide along each other too");
+    t.fail("sliding_max", "is not available on crossed axes, where teeth also slide lengthwise");
 }
 
 void check_objectives(const TableReader& t, const SearchProblem& p) {
   if (!p.crossed()) return;
   for (const Objective objective : p.objectives) {
     if (objective == Objective::sliding)
-      t.fail("objective", "sliding is not known on crossed axes");
+      t.fail("objective", "sliding is not available on crossed axes");
     if (objective == Objective::safety)
-      t.fail("objective", "safety is not known on crossed axes: ISO 6336 rates parallel ones");
+      t.fail("objective",
+             "safety is not available on crossed axes, because ISO 6336 covers "
+             "parallel axes only");
   }
 }
 
@@ -150,8 +157,8 @@ Blank read_blank(const Json* node, const std::string& path) {
       const std::string name(key.key);
       if (blank_keys().find(name) || !node->contains(name)) continue;
       TableReader(gear_keys(), *node, path)
-          .fail(name, fmt::format("is found by the search, or belongs to a gear with teeth; beside "
-                                  "[search], [{}] may say {}",
+          .fail(name, fmt::format("is determined by the search, or belongs to a gear with a number "
+                                  "of teeth; together with [search], [{}] may contain {}",
                                   path, fmt::join(blank_keys().names(), ", ")));
     }
   }
@@ -162,14 +169,16 @@ Blank read_blank(const Json* node, const std::string& path) {
   t.table("material");  // of a rated search: read_search_rating
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
-    t.fail("rack.kind", "must be \"straight\" (or absent): a search is about involute gears");
+    t.fail("rack.kind",
+           "must be \"straight\" or absent, because a search covers involute gears "
+           "only");
   }
   if (t.has("rack")) b.rack = read_straight_rack(t);
   if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
                  b.rack->semi_topping_angle)) {
     t.fail("rack",
-           "has a protuberance, tip rounding or chamfer, which a search does not know: it "
-           "takes straight flanks up to the tip. Search without, then put it into the pair");
+           "has a protuberance, tip rounding or chamfer, which a search does not support; search "
+           "without it and add it to the pair afterwards");
   }
   if (!whole) t.finish();
   return b;
@@ -237,16 +246,14 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
     throw SpecError{
         {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
-         fmt::format("both gears of a search have one pressure angle, gear1 has {}", alpha)}};
+         fmt::format("both gears of a search need the same pressure angle; gear1 has {}", alpha)}};
   }
   p.normal_pressure_angle = Angle::degrees(alpha);
   t.require_all();
   check_teeth(t, p);
   p.modules = read_modules(t);
   if (p.shaft_angle && p.internal())
-    t.fail("shaft_angle_deg",
-           "has no place in an internal pair: its axes are "
-           "parallel");
+    t.fail("shaft_angle_deg", "cannot be used with internal pairs, whose axes are parallel");
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
@@ -257,8 +264,8 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   p.mounting = tight ? Mounting::tight : Mounting::extended;
   if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
     t.fail("shorten_tips",
-           "needs mounting = \"tight\" on parallel axes: at extended centres the "
-           "clearance is whole");
+           "needs mounting = \"tight\" on parallel axes, because the extended centre distance "
+           "keeps the full clearance");
   }
   read_limits(t, p);
   check_objectives(t, p);

@@ -39,11 +39,9 @@ std::string rating_key(const Json& search) {
 }
 
 constexpr const char* kNeedsRating =
-    "needs a table [rating] with the load, the making and the mounting, torque_Nm = 50, speed_rpm "
-    "= "
-    "1500, quality = 6 and face_load_factor = 1.2 for example (or power_kW, [rating.mounting]), "
-    "and "
-    "[gear1.material] with name = \"16MnCr5\" for example";
+    "needs a table [rating] with the load, the accuracy and the mounting, torque_Nm = 50, "
+    "speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 for example (or power_kW, "
+    "[rating.mounting]), and [gear1.material] with name = \"16MnCr5\" for example";
 
 }  // namespace
 
@@ -84,15 +82,19 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
                    : problem.limits.safety_root ? "safety_root_min"
                                                 : "objective";
   if (problem.crossed())
-    t.fail(by, "has no place beside shaft_angle_deg: ISO 6336 rates gears on parallel axes");
+    t.fail(by,
+           "cannot be combined with shaft_angle_deg, because ISO 6336 rates gears on parallel "
+           "axes");
   if (!rating.given) t.fail(by, kNeedsRating);
   if (!rating.spectrum.empty()) {
     t.fail(by,
-           "has no place beside [[rating.spectrum]], which a search does not go through: give one "
-           "load that stands for it, torque_Nm with life_h");
+           "cannot be combined with [[rating.spectrum]], which a search does not support; give one "
+           "equivalent load, torque_Nm with life_h");
   }
   if (problem.shift_step)
-    t.fail(by, "has no place beside shift_step, whose points are not rated; leave one out");
+    t.fail(by,
+           "cannot be combined with shift_step, whose points are not rated; leave one of them "
+           "out");
   SearchRating wanted;
   wanted.input = rating.input;
   wanted.power_kW = rating.power;

@@ -49,8 +49,8 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
     for (const char* other : {"thickness_allowance_mm", "cut_by", "basic", "tolerance"}) {
       if (!tree[gear].contains(other)) continue;
       if (other == std::string("tolerance") && !says_thickness(tree[gear][other])) continue;
-      t.fail(key, fmt::format("has no place beside {}.{}: both say how thick the teeth are; leave "
-                              "one out",
+      t.fail(key, fmt::format("cannot be combined with {}.{}; both give the tooth thickness; leave "
+                              "one of them out",
                               gear, other));
     }
   }

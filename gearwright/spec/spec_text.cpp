@@ -30,7 +30,12 @@ constexpr int kDeepest = 32;  // tables in tables; a spec has three
 
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
-Error too_deep() { return syntax_error(fmt::format("it nests more than {} tables", kDeepest)); }
+Error too_deep() {
+  return syntax_error(
+      fmt::format("it has more than {} nested "
+                  "tables",
+                  kDeepest));
+}
 
 // Members are put at the end of an object without a look for their like, which would take a time
 // that grows with the square of their number: both parsers give every key once.
@@ -75,7 +80,9 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     if (!open_.back().keys.insert(name).second)
-      throw SpecError{{printable(name, 60), "", "stands twice in one table; leave one out"}};
+      throw SpecError{{printable(name, 60), "",
+                       "occurs twice in one table; leave one of them "
+                       "out"}};
     open_.back().key = name;
     return true;
   }
@@ -157,7 +164,7 @@ std::string comma_hint(std::string_view text, const toml::source_position& at) {
     std::size_t begin = i, end = i + 1;
     while (begin > 0 && digit(text[begin - 1])) --begin;
     while (end < text.size() && digit(text[end])) ++end;
-    return fmt::format("; a decimal point is a point: {}.{}", text.substr(begin, i - begin),
+    return fmt::format("; use a point as the decimal mark: {}.{}", text.substr(begin, i - begin),
                        text.substr(i + 1, end - i - 1));
   }
   return "";
@@ -222,7 +229,7 @@ std::optional<Error> check_tree(const Json& tree) {
 
 Result<Json> parse_spec(std::string_view text, SpecFormat format) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    return syntax_error("it is empty; the least is [gear1] with teeth and normal_module_mm");
+    return syntax_error("it is empty; at least [gear1] with teeth and normal_module_mm is needed");
   try {
     if (format == SpecFormat::json) {
       TreeBuilder builder;
@@ -231,7 +238,7 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
       return std::move(builder.tree);
     }
     if (const auto line = deep_line(text))
-      return syntax_error(fmt::format("line {} nests more than {} tables", *line, kDeepest));
+      return syntax_error(fmt::format("line {} has more than {} nested tables", *line, kDeepest));
     return to_json(toml::parse(text));
   } catch (const SpecError& e) {
     return e.error;
@@ -271,7 +278,7 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
   read.text.resize(static_cast<std::size_t>(in.gcount()));
   if (read.text.size() > kMaxSpec) {
     return syntax_error(
-        fmt::format("{} has more than {} bytes, which no gear needs", name, kMaxSpec));
+        fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
   }
   const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);
   if (in_folder) read.folder = path.parent_path();

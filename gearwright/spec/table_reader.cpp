@@ -222,7 +222,8 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
 
 void TableReader::lacks_one_of(const std::string& key, const std::string& what) {
   lacking_.push_back(
-      absent_input(name(key), fmt::format("; the {} is needed, {} = 2 for example, by one of: {}",
+      absent_input(name(key), fmt::format("; the {} is needed, {} = 2 for example; it can be given "
+                                          "by one of: {}",
                                           what, key, fmt::join(keys_.ways(key), ", "))));
 }
 
@@ -281,7 +282,9 @@ std::optional<double> TableReader::one_of(const std::string& key, const std::str
     const KeyAlias& alias = entry(way).alias;
     const double here = alias.value ? alias.value(*given, cos_beta) : *given;
     if (value && std::abs(here - *value) > kSameInput * std::abs(*value))
-      fail(way, fmt::format("contradicts {}: both say the {}, leave one out", first, what));
+      fail(way, fmt::format("contradicts {}; both give the {}; leave one of them "
+                            "out",
+                            first, what));
     if (value) continue;
     value = here;
     first = way;

@@ -85,7 +85,9 @@ void ChunkJournal::fail() const {
     why += fmt::format(" ({})", std::strerror(reason));
   }
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
-    why += "; move it away and go on with --resume: the chunks beside it are whole without it";
+    why +=
+        "; move it away and continue with --resume, because the chunk files are complete "
+        "without it";
   }
   throw IoError(fmt::format("the journal {}: {}", path_.string(), why));
 }

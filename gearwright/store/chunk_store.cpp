@@ -76,14 +76,14 @@ std::string campaign_differences(const std::string& was, const std::string& is) 
   std::vector<std::string> found;
   for (const auto& [key, value] : old_lines) {
     const auto now = value_of(new_lines, key);
-    if (!now) found.push_back(fmt::format("{} was {}, is not set now", key, value));
+    if (!now) found.push_back(fmt::format("{} was {} and is not set now", key, value));
     if (now && *now != value) found.push_back(fmt::format("{} was {}, is {}", key, value, *now));
   }
   for (const auto& [key, value] : new_lines) {
     if (!value_of(old_lines, key))
       found.push_back(fmt::format("{} was not set, is {}", key, value));
   }
-  if (found.empty()) return "the same lines stand in another order or number";
+  if (found.empty()) return "the same lines are in another order or number";
   std::string text;
   for (std::size_t i = 0; i < std::min(found.size(), kNamedDifferences); ++i) {
     text += (i > 0 ? "; " : "") + found[i];
@@ -107,7 +107,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
   const std::vector<std::int64_t> chunks = files.list();
   if (old.empty() && chunks.empty()) {
     if (as != OpenAs::resume) return std::nullopt;
-    return refused_folder(folder, "there is no search to resume; without --resume one begins");
+    return refused_folder(folder, "there is no search to resume; start one without --resume");
   }
   std::string changed;
   if (!old.empty() && text_of(old) != text_of(now))
@@ -115,7 +115,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
   for (std::size_t i = 0; i < chunks.size() && old.empty() && changed.empty(); ++i) {
     const auto read = files.read(chunks[i], Depth::header);
     if (!read || read->state != ChunkRead::State::foreign) continue;
-    changed = fmt::format("{} is of another search, and no journal says of which",
+    changed = fmt::format("{} belongs to another search, and there is no journal",
                           files.path(chunks[i]).filename().string());
   }
   // Begun and killed before its first chunk: nothing is lost by beginning again.
@@ -125,16 +125,16 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
     return refused_folder(
         folder,
         changed.empty()
-            ? fmt::format("a search is here already, {} of {} chunks done; --resume goes on with "
-                          "it, or take another folder",
+            ? fmt::format("this folder contains a search with {} of {} chunks done; continue it "
+                          "with --resume, or use another folder",
                           chunks.size(), all)
-            : fmt::format("another search is here already, {} of {} chunks done ({}); take another "
-                          "folder: --resume goes on only with the spec that it was begun with",
+            : fmt::format("this folder contains another search with {} of {} chunks done ({}); use "
+                          "another folder, because --resume needs the original spec",
                           chunks.size(), all, changed));
   }
   if (changed.empty()) return std::nullopt;
-  return refused_folder(folder, "the search here is another one: " + changed +
-                                    "; give it the spec it was begun with, or take another folder");
+  return refused_folder(folder, "this folder contains another search: " + changed +
+                                    "; use its original spec, or another folder");
 }
 
 void make_folder(const fs::path& folder) {
@@ -209,7 +209,7 @@ ChunkRead ChunkStore::Impl::read(std::int64_t chunk, Depth depth) {
     if (!read) throw IoError("cannot read " + path + ": there is no such chunk");
     if (read->state == ChunkRead::State::whole) return *std::move(read);
     if (const auto damage = retire(chunk)) {
-      throw IoError(path + " " + *damage + "; it is set aside, and --resume computes it again");
+      throw IoError(path + " " + *damage + "; it was renamed, and --resume computes it again");
     }
   }
 }
@@ -238,7 +238,7 @@ void ChunkStore::Impl::square_accounts() {
       add(chunk, read->counts);
       if (rows.count(chunk) == 0) without_row.push_back({chunk, read->counts, read->size});
     } else if (const auto damage = retire(chunk)) {
-      notes.push_back(fmt::format("{} {}: set aside as .damaged, to be computed again",
+      notes.push_back(fmt::format("{} {}; it was renamed to .damaged and will be computed again",
                                   files.path(chunk).string(), *damage));
     }
   }
@@ -248,8 +248,10 @@ void ChunkStore::Impl::square_accounts() {
   for (const std::int64_t chunk : lost) {
     if (files.there(chunk)) continue;
     journal.forget(chunk);
-    notes.push_back(fmt::format("{} is in the journal and not in the folder: to be computed again",
-                                files.path(chunk).string()));
+    notes.push_back(
+        fmt::format("{} is in the journal but not in the folder; it will be computed "
+                    "again",
+                    files.path(chunk).string()));
   }
   transaction.commit();
 }

@@ -97,12 +97,12 @@ TEST_F(ChunkStoreTest, a_fresh_search_takes_no_other_ones_place) {
     for (const std::int64_t k : {7, 8, 9}) put(store, k);
   }
   EXPECT_EQ(refusal(OpenAs::fresh, campaign(40)),
-            "a search is here already, 3 of 40 chunks done; --resume goes on with it, or take "
-            "another folder");
+            "this folder contains a search with 3 of 40 chunks done; continue it with --resume, or "
+            "use another folder");
   EXPECT_EQ(refusal(OpenAs::fresh, campaign(41, "1.3")),
-            "another search is here already, 3 of 40 chunks done (search.contact_ratio_min was "
-            "1.2, is 1.3; chunks was 40, is 41); take another folder: --resume goes on only with "
-            "the spec that it was begun with");
+            "this folder contains another search with 3 of 40 chunks done "
+            "(search.contact_ratio_min was 1.2, is 1.3; chunks was 40, is 41); use another folder, "
+            "because --resume needs the original spec");
   EXPECT_EQ(opened(OpenAs::join, campaign(40)).missing().size(), 37u);
 }
 
@@ -110,8 +110,8 @@ TEST_F(ChunkStoreTest, a_changed_campaign_is_told_by_its_lines) {
   { opened(OpenAs::join, campaign(40)); }
   for (const OpenAs as : {OpenAs::resume, OpenAs::join}) {
     EXPECT_EQ(refusal(as, campaign(40, "1.3")),
-              "the search here is another one: search.contact_ratio_min was 1.2, is 1.3; give it "
-              "the spec it was begun with, or take another folder");
+              "this folder contains another search: search.contact_ratio_min was 1.2, is 1.3; use "
+              "its original spec, or another folder");
   }
   const auto changed = [&](const std::string& text) { return refusal(OpenAs::resume, {text, 40}); };
   EXPECT_TRUE(contains(changed(fingerprint("1.2") + "search.beta = 1 = 2\n"),
@@ -168,7 +168,7 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
                                                          {4, "has a wrong checksum in its header"},
                                                          {5, "is chunk 2"},
                                                          {7, "is only 0 bytes long"},
-                                                         {6, "is in the journal and not in"}};
+                                                         {6, "is in the journal but not in"}};
   ASSERT_EQ(store.notes().size(), told.size());
   for (std::size_t i = 0; i < told.size(); ++i) {
     const auto& [k, what] = told[i];
@@ -226,7 +226,7 @@ TEST_F(ChunkStoreTest, the_chunks_outlive_the_journal) {
   const std::string message = message_of([&] { opened(OpenAs::resume, campaign(5)); });
   EXPECT_TRUE(contains(message, (folder_ / "journal.sqlite").string() + ": file is not a database"))
       << message;
-  EXPECT_TRUE(contains(message, "move it away and go on with --resume")) << message;
+  EXPECT_TRUE(contains(message, "move it away and continue with --resume")) << message;
   for (const bool empty : {false, true}) {
     fs::remove(folder_ / "journal.sqlite");
     if (empty) write(folder_ / "journal.sqlite", "");  // killed before the first row

@@ -71,7 +71,7 @@ std::optional<Error> check_joint(const ArcRack& rack) {
   }
   if (!is_F(rack) && !(s > 0.0)) {
     return refused("rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
-                   "the flank's arc does not reach so high; the radius must be less than {}");
+                   "the arc of the flank ends below it; the radius must be less than {}");
   }
   if (!is_F(rack) && !(s < 1.0)) {
     return refused("rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
@@ -147,7 +147,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
                ? refused("rack.root_fillet_radius", rho, {greatest},
                          "does not fit into the cutter's tip; the greatest (full radius) is {}")
                : refused("rack.dedendum", rack.dedendum,
-                         "the cutter's tooth is pointed before it gets that deep");
+                         "the tooth of the cutter is pointed above this depth");
   }
   if (rack.pressure_angle) {
     const auto [lo, hi] = std::minmax({flank.begin.rad(), flank.end.rad()});

@@ -61,9 +61,9 @@ Result<DoubleArcRack> gbt12759_rack(double m) {
   }
   return Error{
       "rack", "GBT12759",
-      fmt::format("for a normal module of {} mm the standard's numbers are not known here (known: "
-                  "1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); give the numbers "
-                  "themselves, of a rack of the kind double_circular_arc",
+      fmt::format("the standard's numbers for a normal module of {} mm are not available "
+                  "(available: 1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); give them "
+                  "in a rack of the kind double_circular_arc",
                   format_number(m))};
 }
 
@@ -109,7 +109,7 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
     return refused("rack.space_width", r.space_width,
                    "leaves no step between the concave and the convex arc; a narrower space or a "
-                   "greater `convex_offset` would");
+                   "greater `convex_offset` would help");
   }
 
   const double depth = r.concave_height + r.dedendum;  // of the tip under the concave arc's centre
@@ -120,9 +120,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
     const double deepest = std::sqrt(std::max(0.0, (r.concave_radius - d.concave_offset) *
                                                        (r.concave_radius + d.concave_offset))) -
                            r.concave_height;
-    return refused(
-        "rack.dedendum", r.dedendum, {deepest},
-        "the cutter's tooth is pointed before it gets that deep; it must be less than {}");
+    return refused("rack.dedendum", r.dedendum, {deepest},
+                   "the tooth of the cutter is pointed above this depth; it must be less than {}");
   }
   return d;
 }

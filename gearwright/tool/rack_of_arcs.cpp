@@ -34,8 +34,9 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
                                  format_number(tau.deg(), 90.0)));
   }
   if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
-    return bad_arc(i, fmt::format("from {}° to {}° it falls towards the gear's axis; an edge rises "
-                                  "from the cutter's tip on, a radius > 0 with growing angle",
+    return bad_arc(i, fmt::format("from {}° to {}° the arc turns back towards the axis of the "
+                                  "gear; an edge must rise from the tip of the cutter, and an arc "
+                                  "with radius > 0 needs a growing angle",
                                   format_number(arc.begin.deg(), arc.end.deg()),
                                   format_number(arc.end.deg(), arc.begin.deg())));
   }
@@ -124,7 +125,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
                                format_number(rack.addendum), kMaxModules));
   }
   if (rack.arcs.empty())
-    return Error{"rack.arcs", "", "is empty; an edge has one arc at least, a flank"};
+    return Error{"rack.arcs", "", "is empty; an edge needs at least one arc, the flank"};
   auto joined_arcs = joined(rack);
   if (!joined_arcs) return joined_arcs.error();
   std::vector<RackArc> chain = std::move(joined_arcs).take();
@@ -168,7 +169,8 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   edge.bottom_height = point_at(chain.back(), chain.back().end).x() * m;
   if (!(rack.addendum * m <= edge.bottom_height)) {
     return refused("rack.addendum", rack.addendum, {edge.bottom_height / m},
-                   "the arcs end {} modules above the datum line, no tooth reaches higher");
+                   "the arcs end {} modules above the datum line, which is the limit for the "
+                   "tooth");
   }
   return edge;
 }

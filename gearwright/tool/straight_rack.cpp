@@ -62,8 +62,8 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
     if (rack.tip_fillet_radius > 0.0) {
       return refused(
           "rack.semi_topping_angle", a,
-          "stands beside `tip_fillet_radius`: a cutter's bottom has a ramp or a rounding, "
-          "leave one out");
+          "cannot be combined with `tip_fillet_radius`; the bottom of the cutter has a ramp or a "
+          "rounding; leave one of them out");
     }
     if (!rack.tool_addendum) {
       return refused(
@@ -121,8 +121,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     const double deepest = (std::numbers::pi / 4 * c + rack.protuberance) / s;
     return refused(
         "rack.dedendum", rack.dedendum, {deepest},
-        fmt::format("the cutter's tooth is pointed before it gets that deep; the greatest at "
-                    "α_n = {}° is {{}}",
+        fmt::format("the tooth of the cutter is pointed above this depth; the limit at α_n = {}° "
+                    "is {{}}",
                     format_number(normal_pressure_angle.deg())));
   }
   StraightRackEdge result;
@@ -208,7 +208,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (y_end < 0.0) {
     return refused("rack.tool_addendum", edge.flank_end_height / m,
                    {std::numbers::pi / 4 / std::tan(alpha)},
-                   "the two flanks of the cutter's space meet below; the greatest is {}");
+                   "the two flanks of the cutter's tooth space meet below it; at most {} is "
+                   "allowed");
   }
   if (rho_1 > 0.0) {
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);

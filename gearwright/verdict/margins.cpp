@@ -92,8 +92,8 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
         {WarningCode::edge_contact,
          Level::amber,
          0,
-         fmt::format("An edge touches during {:.0f} % of the rotation: pressure there "
-                     "is high and the teeth wear.",
+         fmt::format("An edge is in contact during {:.0f} % of the rotation; edge contact causes "
+                     "high pressure and wear.",
                      std::max(1.0, 100 * share)),
          "",
          {{"share", share, false}}});
@@ -105,7 +105,8 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
           {WarningCode::contact_place,
            Level::amber,
            0,
-           fmt::format("The contact lies at {:.0f} % of half the face, near its end.",
+           fmt::format("The contact lies near the end of the face, at {:.0f} % of half the face "
+                       "width.",
                        100 * std::abs(place)),
            "",
            {{"share_of_half_face", place, false}}});

@@ -31,12 +31,14 @@ std::string rating_remedy(const JudgedRating& rating) {
   }
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
   if (!text.empty()) return text + " would hold.";
-  text = fmt::format("No face width up to {:g} modules and no steel of the list alone holds.",
-                     kMostFaceModules);
+  text = fmt::format(
+      "Neither a face width up to {:g} modules nor a steel of the list is "
+      "sufficient alone.",
+      kMostFaceModules);
   const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
   // Rounded down, so that it holds as printed.
   if (torque)
-    text += fmt::format(" The greatest torque on gear 1 that holds is {:g} N m.",
+    text += fmt::format(" The greatest permissible torque on gear 1 is {:g} N m.",
                         rounded_down(*torque));
   return text;
 }
@@ -48,7 +50,7 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
                          double wanted) {
     if (safety >= wanted) return;
     const std::string less =
-        safety < 1.0 ? "less than 1" : fmt::format("less than the wanted {:g}", wanted);
+        safety < 1.0 ? "less than 1" : fmt::format("less than the required {:g}", wanted);
     findings.push_back(
         {code,
          safety < 1.0 ? Level::red : Level::amber,

@@ -41,7 +41,7 @@ constexpr const char* kBacklash = "the normal backlash is {:.4f} mm";
 const std::vector<Cure>& cures() {
   static const std::vector<Cure> kAll{
       {C::through_axis, "gear {} can be cut", kGearGrows},
-      {C::severed, "the teeth of gear {} hold at their roots", kGearGrows},
+      {C::severed, "the teeth of gear {} are not cut off at their roots", kGearGrows},
       {C::no_flank,
        "gear {} has a usable flank",
        {{A::profile_shift, W::own, +1}, {A::tip_diameter, W::own, +1}, {A::teeth, W::own, +1}}},
@@ -72,7 +72,7 @@ const std::vector<Cure>& cures() {
         {A::tip_diameter, W::own, -1},
         {A::profile_shift, W::own, +1},
         {A::center_distance, W::pair, +1}}},
-      {C::contact_lost_to_undercut, "undercut takes no part of the path of contact on gear {}",
+      {C::contact_lost_to_undercut, "undercut removes no part of the path of contact on gear {}",
        kGearGrows},
       {C::undercut, "gear {} is not undercut", kGearGrows},
       {C::no_tip_clearance, "the tip of gear {} has a clearance", kOwnTipShorter},
@@ -263,7 +263,7 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
   const InvolutePair* p = judged.pair ? judged.pair->involute() : nullptr;
   if (judged.shifts_follow && p && !p->crossed() && change.what == A::center_distance) {
     because = fmt::format(
-        "The centre distance {:.6g} mm asks for a sum of profile shifts of {:.4f}; the reference "
+        "The centre distance {:.6g} mm requires a sum of profile shifts of {:.4f}; the reference "
         "centre distance is {:.6g} mm. ",
         p->center_distance, p->gears[0].spec.profile_shift + p->gears[1].spec.profile_shift,
         p->reference_center_distance);

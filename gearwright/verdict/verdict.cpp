@@ -63,7 +63,7 @@ std::string backlash_words(double j, double center_distance, double normal_modul
 
 std::string running(const ArcPair& pair) {
   if (pair.contacts.empty())
-    return "The gears are not of one lead: where they touch is a matter of contact analysis.";
+    return "The gears do not have matching leads; the verb contact computes where they touch.";
   return fmt::format(
       "The pair runs: contact is continuous (overlap ratio {:.5f}), with {} per tooth and {}.",
       pair.overlap_ratio,
@@ -75,7 +75,7 @@ std::string running(const ArcPair& pair) {
 bool uncut_ring(const Gear* gear) { return gear->internal() && !gear->tooth; }
 
 constexpr const char* kNoCutter =
-    " The internal gear’s cutter is not given: its root fillet is not checked.";
+    " The cutter of the internal gear is not given, so its root fillet is not checked.";
 
 std::string running(const InvolutePair& p) {
   const std::optional<double> face = face_width_needed(p);
@@ -98,8 +98,8 @@ std::string gears_alone(const Judged& judged) {
   const char* who = judged.gears.size() == 1 ? "The gear" : "Each gear";
   if (std::any_of(judged.gears.begin(), judged.gears.end(), uncut_ring)) {
     return fmt::format(
-        "{} has the data below; an internal gear’s outline is what its pinion cutter leaves, which "
-        "is not given, and is not checked.",
+        "{} has the data below. Its outline is not checked, because its pinion cutter is not "
+        "given.",
         who);
   }
   return fmt::format("{} can be cut as specified.", who);
@@ -110,7 +110,9 @@ std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); });
   if (!judged.contact || !judged.errors) return nominal;
-  return "Under its errors a tooth pair touches in every position. Without them: " + nominal;
+  return "Under the errors, a tooth pair is in contact at every position. Without "
+         "errors: " +
+         nominal;
 }
 
 std::string not_running(const Judged& judged, const Verdict& verdict) {
@@ -121,15 +123,15 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
                        against);
   }
   if (worst.code == WarningCode::root_safety || worst.code == WarningCode::flank_safety)
-    return "The pair does not hold its load. " + worst.whole();
+    return "The pair does not withstand its load. " + worst.whole();
   std::string text = fmt::format("The pair does not run as specified: {}.", against);
   if (!worst.at.empty()) return text + " " + worst.whole();
   const InvolutePair* p = judged.pair->involute();
   const auto face = p ? face_width_needed(*p) : std::nullopt;
   if (face && p->contact_ratio_true() < 1.0) {
     text += fmt::format(
-        " With a transverse contact ratio of {:.3f} contact is continuous only on helical gears, "
-        "from b ≥ {:.2f} mm on.",
+        " With a transverse contact ratio of {:.3f}, contact is continuous only for helical gears "
+        "with b ≥ {:.2f} mm.",
         p->mesh.true_ratio, *face);
   }
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
@@ -149,7 +151,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
     if (gear.exists()) continue;
     const std::string text =
         fmt::format("Gear {} cannot be made as specified: {}.", i + 1,
-                    gear.tooth->through_axis ? "the cutter passes its axis"
+                    gear.tooth->through_axis ? "the cutter passes through its axis"
                                              : "its teeth are cut off at their roots");
     const std::string& remedy = verdict.findings.front().remedy;
     return remedy.empty() ? text : text + " " + remedy;
@@ -159,8 +161,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   const Finding& worst = verdict.findings.front();
   const bool unnamed = worst.gear > 0 && worst.at.empty() && meaning_of(worst.code).gear_unnamed;
   const std::string where = unnamed ? fmt::format("Gear {}: ", worst.gear) : "";
-  return fmt::format("{} To look at: {}{}{}", standing(judged), where, worst.whole(),
-                     besides(verdict));
+  return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
 }
 
 // The number that a warning is about, where the pair or the gear has it.

@@ -191,7 +191,7 @@ class Pairs(Asked):
         self.assertEqual(codes(PAIR), [])
         self.assertIn("pressure_angle", codes(PAIR.replace("pressure_angle_deg = 30", "pressure_angle_deg = 29")))
         off = Run("pair", PAIR.replace("pressure_angle_deg = 30", "pressure_angle_deg = 29"), "--json").json
-        self.assertIn("To look at: Gear 1: The rack's pressure angle", off["verdict"]["headline"])
+        self.assertIn("Check: Gear 1: The rack's pressure angle", off["verdict"]["headline"])
         self.assertIn("contact_ratio", codes(PAIR.replace("face_width_mm = 60", "face_width_mm = 30")))
         self.assertIn("contact_off_flank", codes(PAIR + "[pair]\ncenter_distance_mm = 115.91\n"))
         self.assertIn("unequal_lead", codes(PAIR.replace("helix_angle_deg = 18", "helix_angle_deg = 18.09")))
@@ -201,7 +201,7 @@ class Pairs(Asked):
         involute = "[gear2]\nteeth = 40\nnormal_module_mm = 4\nhelix_angle_deg = -18\n"
         self.refused(F + involute, "gear2.rack", "involute")
         self.refused(F + involute.replace("40", "-40"), "gear2.rack", "involute")
-        self.refused(F + F.replace("gear1", "gear2").replace("= 18", "= -18"), "gear2.rack", "F goes with P")
+        self.refused(F + F.replace("gear1", "gear2").replace("= 18", "= -18"), "gear2.rack", "combine racks F and P")
         self.refused(PAIR.replace("helix_angle_deg = -18", "helix_angle_deg = 18"), "gear2.helix_angle_deg", "opposite")
         self.refused(PAIR.replace("helix_angle_deg = -18", "helix_angle_deg = 0").replace("helix_angle_deg = 18", "helix_angle_deg = 0"),
                      "gear1.helix_angle_deg", "helix")

@@ -112,7 +112,7 @@ class Fillets(Asked):
     def test_clearance_to_a_gear_that_this_tip_cuts(self):
         for line in ("clearance_mm = 0.4", ""):
             spec = PINION.replace("radius_mm = 0.332", line) + CUT
-            self.refused(spec, "gear1.tip_fillet.clearance_mm", "cut by this very tip")
+            self.refused(spec, "gear1.tip_fillet.clearance_mm", "this tip cuts gear 2")
 
     def test_rings_have_what_their_cutter_leaves(self):
         for table in ("root_fillet]\noffset_mm = 0.1", "tip_fillet]\nradius_mm = 0.3"):
@@ -227,12 +227,12 @@ class CutByErrors(Asked):
         for lines, key in (("rack = \"ISO53-A\"\n", "rack"), ("thickness_allowance_mm = -0.1\n", "thickness_allowance_mm"),
                            ("[gear2.root_fillet]\noffset_mm = 0.1\n", "root_fillet"), ("[gear2.tip_fillet]\nradius_mm = 0.1\n", "tip_fillet"),
                            ("[gear2.rack]\naddendum = 1\n", "rack")):
-            self.refused(PINION + CUT + lines, "gear2." + key, "no place beside cut_by")
+            self.refused(PINION + CUT + lines, "gear2." + key, "cannot be combined with cut_by")
         self.refused(PINION + WHEEL.replace("face", "profile_shift_pair = -0.7\nnormal_module_mm = 1.75\nface"), "gear2.profile_shift_pair", "cut_by")
         self.refused(PINION + CUT + "[pair]\nshorten_tips = true\n", "pair.shorten_tips", "tip_diameter_mm")
 
     def test_both_shifts(self):
-        self.refused(PINION + CUT + "profile_shift = -1.4\nprofile_shift_pair = -0.7\n", "gear2.profile_shift_pair", "profile_shift both")
+        self.refused(PINION + CUT + "profile_shift = -1.4\nprofile_shift_pair = -0.7\n", "gear2.profile_shift_pair", "profile_shift; both")
 
     def test_a_shift_out_of_reach(self):
         for key in ("profile_shift", "profile_shift_pair"):

@@ -106,7 +106,7 @@ class Slips(Asked):
     """What a first spec gets wrong, and the sentence that leads on."""
 
     def test_a_decimal_comma(self):
-        self.assertIn("a decimal point is a point: 2.5", Run("gear", "[gear1]\nteeth = 17\nnormal_module_mm = 2,5\n").err)
+        self.assertIn("use a point as the decimal mark: 2.5", Run("gear", "[gear1]\nteeth = 17\nnormal_module_mm = 2,5\n").err)
 
     def test_a_table_is_no_key_of_a_gear(self):
         self.assertEqual(hint("pair", "gear2"), "[pair] is a table of its own, not a part of [gear2]")

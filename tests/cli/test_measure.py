@@ -39,10 +39,10 @@ class Measuring(Asked):
 
     def test_what_cannot_be_measured_is_named(self):
         for line, key, word in (("span_teeth = 9", "span_teeth", "1 to 4 teeth"), ("span_teeth = 21", "span_teeth", "1 to 20"),
-                                ("ball_diameter_mm = 1", "ball_diameter_mm", "falls between the teeth"),
+                                ("ball_diameter_mm = 1", "ball_diameter_mm", "too small to touch both flanks"),
                                 ("ball_diameter_mm = 9", "ball_diameter_mm", "rests on the tips"),
-                                ("ball_diameter_mm = 2.6", "ball_diameter_mm", "stand out"),
-                                ("pin_diameter_mm = 1", "pin_diameter_mm", "falls between"), ("span_teeth = 2.5", "span_teeth", "whole"),
+                                ("ball_diameter_mm = 2.6", "ball_diameter_mm", "does not project"),
+                                ("pin_diameter_mm = 1", "pin_diameter_mm", "too small"), ("span_teeth = 2.5", "span_teeth", "whole"),
                                 ("ball_diameter_mm = -1", "ball_diameter_mm", "greater than 0")):
             self.refused(with_tools(line), "gear1.measure." + key, word, verb="measure")
         ring = GEAR.replace("20\nnormal", "-60\nhelix_angle_deg = 12\nnormal")

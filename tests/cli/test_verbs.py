@@ -161,7 +161,7 @@ class Verbs(unittest.TestCase):
         self.assertEqual(Run("export", PAIR, "--drawing", "a.pdf", "--sheet", "A5").status, 2)
         title = 'title = "pair of 歯車"\n' + PAIR.replace('title = "helical pair"', "")
         note = Run("export", title, "--drawing", "a.pdf", "--json").json["files"][0]["note"]
-        self.assertIn("4 letters are in no font of a PDF", note)
+        self.assertIn("4 letters are not in the fonts of a PDF", note)
         bore = PAIR + "[gear2.bore]\ndiameter_mm = 200\n"
         r = Run("export", bore, "--drawing", "a.pdf", "--json")
         self.assertEqual((r.status, r.json["error"]["key"], r.files()), (1, "gear2.bore.diameter_mm", ["case.toml"]))
@@ -180,8 +180,8 @@ class Verbs(unittest.TestCase):
     def test_verify_refuses_what_is_no_case_file(self):
         case = '{"cases": [{"id": "a", "source": "b", "expected": {"x": 1}, "spec": %s}]}'
         where = new_folder()
-        for text, words in ((case % ('{"a": ' * 50_000 + "1" + "}" * 50_000), "nests more than 64 levels"),
-                            (case % ("[" * 50_000 + "]" * 50_000), "nests more than 64 levels"),
+        for text, words in ((case % ('{"a": ' * 50_000 + "1" + "}" * 50_000), "more than 64 nested levels"),
+                            (case % ("[" * 50_000 + "]" * 50_000), "more than 64 nested levels"),
                             ("{", "line 1")):
             (where / "cases.json").write_text(text)
             p = raw("verify", where / "cases.json")

@@ -65,7 +65,7 @@ class VerdictTest(unittest.TestCase):
     def test_a_remedy_has_the_numbers_of_the_pair(self):
         near = "[gear1]\nteeth = 12\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[pair]\ncenter_distance_mm = 50.5\n"
         said = Run("pair", near, "--json").json["verdict"]
-        self.assertIn("asks for a sum of profile shifts of -0.65", said["headline"])
+        self.assertIn("requires a sum of profile shifts of -0.65", said["headline"])
         self.assertIn("reference centre distance is 52 mm", said["headline"])
         # The tip diameter that is named is the greatest, in hundredths, at which all is well.
         long = GREEN.replace("teeth = 41", "teeth = 41\ntip_diameter_mm = 88")
@@ -170,8 +170,8 @@ center_distance_mm = 60
 
     def test_numbers_without_the_errors_are_called_so(self):
         wide = GREEN + "[errors]\ncenter_distance_mm = 0.5\n"
-        self.assertIn("Without them: The pair runs", Run("contact", wide, "--json").json["verdict"]["headline"])
-        self.assertNotIn("Without them", Run("pair", wide, "--json").json["verdict"]["headline"])
+        self.assertIn("Without errors: The pair runs", Run("contact", wide, "--json").json["verdict"]["headline"])
+        self.assertNotIn("Without errors", Run("pair", wide, "--json").json["verdict"]["headline"])
 
     def test_axes_that_cross_unasked_are_no_green(self):
         slip = GREEN.replace("teeth = 41", "helix_angle_deg = -14\nteeth = 41").replace(
@@ -184,7 +184,7 @@ center_distance_mm = 60
         page = (ran.folder / "case_out/report.html").read_text()
         level = result["verdict"]["level"]
         self.assertIn(f'<p class="verdict {level}"><b>{level}</b>', page)
-        self.assertIn("An edge touches during", page)
+        self.assertIn("An edge is in contact during", page)
 
 
 if __name__ == "__main__":

@@ -116,7 +116,7 @@ def test_answers_copy_and_travel():
     assert again[0].to_numpy().tobytes() == searches[0].to_numpy().tobytes()
     assert pickle.loads(pickle.dumps(contact)).report() == contact.report()
     for error in (gw.SpecError("key", "1", "allowed", "message"), gw.FileError("disk full"),
-                  gw.ContractViolation("a mistake")):
+                  gw.ContractViolation("a defect")):
         assert pickle.loads(pickle.dumps(error)).args == error.args
 
 

@@ -134,7 +134,7 @@ class OneMachine(Campaign):
         process.send_signal(signal.SIGINT)
         status, out, err = end(process)
         self.assertEqual(status, 3, err)
-        self.assertIn("nothing was kept", err)
+        self.assertIn("nothing was saved", err)
         self.assertEqual([json.loads(out)["search"][key] for key in ("finished", "stopped")], [False, True])
 
     def test_a_damaged_and_a_lost_chunk_are_computed_again(self):
@@ -147,7 +147,7 @@ class OneMachine(Campaign):
         status, _, err = end(self.begin("--resume"))
         self.assertEqual(status, 0, err)
         self.assertIn("000003.chunk", err)
-        self.assertIn("000007.chunk is in the journal and not in the folder", err)
+        self.assertIn("000007.chunk is in the journal but not in the folder", err)
         (self.out / "chunks/000003.chunk.damaged").unlink()
         self.check()
 

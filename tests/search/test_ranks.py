@@ -79,8 +79,8 @@ class Ranks(Campaign):
         def ask(out, *args):
             return end(start(small, out, *args, program=MPI, env=AS_ROOT), 60)
 
-        for wanted, words, *args in ((1, "a search is here already", "o", *SMALL_CHUNK),
-                                     (1, "the search here is another one", "o", "--resume", "--chunk", 90),
+        for wanted, words, *args in ((1, "this folder contains a search", "o", *SMALL_CHUNK),
+                                     (1, "this folder contains another search", "o", "--resume", "--chunk", 90),
                                      (2, "--shard", "none", "--shard", "1/2"), (2, "--top", "none", "--top", 0),
                                      (3, "/proc/none", "/proc/none")):
             status, out, err = ask(*args)

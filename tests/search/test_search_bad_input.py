@@ -31,19 +31,19 @@ class Refused(Asked):
     def test_bands(self):
         for key, least, most in (("ratio", 2.1, 1.9), ("center_distance_mm", 101, 99), ("pinion_teeth", 40, 12),
                                  ("profile_shift", 1.0, -0.6), ("helix_angle_deg", 20, 10)):
-            self.no(spec(**{key: [least, most]}), f"search.{key}", f"{most:g}", f"{least:g}", "the least value comes first")
+            self.no(spec(**{key: [least, most]}), f"search.{key}", f"{most:g}", f"{least:g}", "write the least value first")
             self.no(spec(**{key: []}), f"search.{key}", "empty list")
             self.no(spec(**{key: [1, 2, 3]}), f"search.{key}", "3 values")
             self.no(spec(**{key: "two"}), f"search.{key}", "two", "[least, greatest]" if key != "profile_shift" else "number")
             self.no(spec(**{key: True}), f"search.{key}", "no number")
         for word in ("nan", "inf", "-inf"):
             self.no(spec(ratio=None, after=f"ratio = [1.9, {word}]\n"), "search.ratio", word)
-        self.no(spec(profile_shift=0.3), "search.profile_shift", "[floor, ceiling]")
+        self.no(spec(profile_shift=0.3), "search.profile_shift", "[lower limit, upper limit]")
 
     def test_ratios_and_teeth(self):
-        self.no(spec(ratio=[-1, 1]), "search.ratio", "pass 0", "negative for internal")
-        self.no(spec(ratio=[0.5, 0.9]), "search.ratio", "reach 1")
-        self.no(spec(ratio=[-0.9, -0.5]), "search.ratio", "pass -1")
+        self.no(spec(ratio=[-1, 1]), "search.ratio", "must not contain 0", "negative for internal")
+        self.no(spec(ratio=[0.5, 0.9]), "search.ratio", "contain values of 1 or more")
+        self.no(spec(ratio=[-0.9, -0.5]), "search.ratio", "contain values below -1")
         self.no(spec(ratio=[1.0001, 1.0002]), "search.ratio", "widen")
         self.no(spec(pinion_teeth=[12.5, 40]), "search.pinion_teeth", "whole numbers")
         self.no(spec(pinion_teeth=[2, 40]), "search.pinion_teeth", "between 3 and 20000")
@@ -115,10 +115,10 @@ class Refused(Asked):
         self.no(spec(shaft_angle_deg=90, mounting="tight", shorten_tips=True), "search.shorten_tips", "parallel")
         self.no(spec(shorten_tips=True), "search.shorten_tips", "tight")
         for table in TABLES.values():
-            self.no(spec(after=table), re.search(r"gear\d.rack", table)[0], "protuberance", "straight flanks")
+            self.no(spec(after=table), re.search(r"gear\d.rack", table)[0], "protuberance", "does not support")
         for kind in ("double_circular_arc", "bogus"):
             self.no(spec(after=f'[gear1.rack]\nkind = "{kind}"\n'), "gear1.rack.kind", "straight")
-        self.no(spec(after="[gear1]\nnormal_module_mm = 2\n"), "gear1.normal_module_mm", "found by the search")
+        self.no(spec(after="[gear1]\nnormal_module_mm = 2\n"), "gear1.normal_module_mm", "determined by the search")
         self.no(spec(racks=["ISO53-A"], after='[gear1]\nrack = "ISO53-C"\n'), "search.racks", "contradicts")
         self.no(spec(after="[gear1]\nnormal_pressure_angle_deg = 20\n[gear2]\nnormal_pressure_angle_deg = 25\n"),
                 "gear2.normal_pressure_angle_deg", "25", "20")
@@ -197,7 +197,7 @@ class Large(Asked):
         where = folder(spec(SMALL | self.WIDEST))
         r = Run("search", None, "--json", "--out", "o", "--yes-large", folder=where)
         self.assertEqual(r.status, 1, r.err)
-        self.assertIn("split the list of modules", r.json["error"]["message"])
+        self.assertIn("divide the list of modules", r.json["error"]["message"])
         self.assertEqual(r.files(), ["case.toml"])
 
     def test_as_large_as_can_be_asked_for(self):
@@ -229,15 +229,15 @@ class Campaigns(Asked):
         self.assertEqual(end(start(where, "o", *self.CHUNK))[0], 0)
         for changed, words in (({"contact_ratio_min": 1.3}, ("contact_ratio_min was not set, is 1.3",)),
                                ({"pinion_teeth": [12, 41]}, ("pinion_teeth was [12,40], is [12,41]",)),
-                               ({"profile_shift": None}, ("profile_shift was [-0.6,1.0], is not set now",)),
+                               ({"profile_shift": None}, ("profile_shift was [-0.6,1.0] and is not set now",)),
                                ({"ratio": [1.8, 2.1], "modules_mm": [2], "coprime": True, "lambda": 0.75},
                                 ("ratio was", "modules_mm was", "more"))):
             (where / "case.toml").write_text(spec(**changed))
             for how in (("--resume",), ("--shard", "1/2")):
                 err = self.no(where, "o", *how, *self.CHUNK)
-                for word in ("the search here is another one", *words):
+                for word in ("this folder contains another search", *words):
                     self.assertIn(word, err)
-            self.assertIn("another search is here already", self.no(where, "o", *self.CHUNK))
+            self.assertIn("this folder contains another search", self.no(where, "o", *self.CHUNK))
         (where / "case.toml").write_text(spec(after="[gear1]\nface_width_mm = 30\n"))
         self.assertIn("gear1.face_width_mm was not set, is 30", self.no(where, "o", "--resume", *self.CHUNK))
         (where / "case.toml").write_text(spec())
@@ -248,7 +248,7 @@ class Campaigns(Asked):
         where = folder(spec())
         self.assertEqual(end(start(where, "o", *self.CHUNK))[0], 0)
         err = self.no(where, "o", *self.CHUNK)
-        for word in ("a search is here already", "5 of 5 chunks", "--resume", "another folder"):
+        for word in ("this folder contains a search", "5 of 5 chunks", "--resume", "another folder"):
             self.assertIn(word, err)
 
     def test_take_says_nothing_while_shards_are_left(self):

@@ -39,7 +39,7 @@ class Stopping(unittest.TestCase):
         self.first_word(MANY, "candidates a second")
 
     def test_questions(self):
-        self.first_word(ASKED, "questions for the smallest change", "candidates a second")
+        self.first_word(ASKED, "trials for the smallest change", "candidates a second")
 
     def test_what_seemed_to_hang(self):
         began = time.monotonic()
