@@ -22,7 +22,7 @@ SinCos sincos_turn(long long k, long long n) {
   if (swap) std::swap(s, c);
   switch (q) {
     case 0: return {s, c};
-    // 0.0 − s, not −s: the quarter turns have no negative zeros.
+    // 0.0 − s is used instead of −s, because quarter turns must not give negative zeros.
     case 1: return {c, 0.0 - s};
     case 2: return {0.0 - s, -c};
     default: return {-c, s};

@@ -1,4 +1,4 @@
-// Angle: radians that say so. Public interfaces take angles as Angle, formulas inside use rad().
+// Angle: a strong type for radians. Public interfaces take an Angle, and formulas inside use rad().
 #pragma once
 
 #include <cmath>
@@ -15,11 +15,11 @@ class Angle {
   static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
   static constexpr Angle arcseconds(double value) { return Angle(value * kRadPerArcsec); }
   constexpr double rad() const { return rad_; }
-  /// Degrees of at most ten decimals come back as they were given: 60° are not 59.99999999999999°.
+  /// Degrees with at most ten decimals are returned as given: 60°, not 59.99999999999999°.
   constexpr double deg() const {
     constexpr double kDecimals = 1e10;
     const double x = rad_ * kDegPerRad;
-    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;  // 1e15 units are counted exactly
+    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;  // up to 1e15 units the count is exact
     const double units = x * kDecimals + (x < 0.0 ? -0.5 : 0.5);
     const double given = static_cast<double>(static_cast<long long>(units)) / kDecimals;
     return given * kRadPerDeg == rad_ ? given : x;

@@ -1,19 +1,19 @@
-// Contracts: a mistake in our own code ends the work at hand where it happens.
+// Contracts end the current task where a defect in our own code is found.
 //
-// A fact about a gear (undercut, no contact) is never a contract, it is a Result (base/result.hpp).
-// Contracts stay on in every build: they cost a compare, a wrong gear costs a machine.
+// A fact about a gear (undercut, no contact) is a Result (base/result.hpp), never a contract.
+// Contracts are checked in every build, because a comparison costs less than a wrong gear.
 //
-// What is violated is thrown, and no room catches it: the state of the work goes with the stack.
-// The doors (the program, its batch, Python, the page's engine) answer with the sentence and go on
-// with the next spec. A build with GEARWRIGHT_STOP_AT_VIOLATIONS (presets `dev` and `fuzz`) aborts
-// at the place instead, where a debugger or a sanitizer sees the stack.
+// A violation is thrown, and no room catches it, so the state of the task is discarded with the
+// stack. The interfaces (the program, its batch, Python, the engine of the page) report the message
+// and continue with the next spec. A build with GEARWRIGHT_STOP_AT_VIOLATIONS (presets `dev` and
+// `fuzz`) aborts at that point instead, so that a debugger or a sanitizer shows the stack.
 #pragma once
 
 #include <stdexcept>
 
 namespace gearwright {
 
-/// A mistake in Gearwright itself; what() names the condition and its place, and asks for a report.
+/// A defect in Gearwright; what() contains the condition and its place, and requests a report.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -29,7 +29,7 @@ class ContractViolation : public std::logic_error {
   ((condition) ? static_cast<void>(0) \
                : ::gearwright::contract_failed(kind, #condition, __FILE__, __LINE__))
 
-/// What the caller must have made true.
+/// A precondition, which the caller must satisfy.
 #define GW_EXPECTS(condition) GW_CONTRACT_("precondition", condition)
-/// What this code has made true.
+/// A postcondition or invariant of this code.
 #define GW_ENSURES(condition) GW_CONTRACT_("postcondition", condition)

@@ -13,11 +13,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSame = 1e-12;  // relative: a decimal that a double holds as well as it can
+constexpr double kSame = 1e-12;  // relative: a decimal that a double represents well
 
 enum class Side { down, up };
 
-// Rounded to the side on which everything is allowed, unless the decimal is the number.
+// Rounds towards the allowed side, unless the decimal equals the number.
 std::string limit_text(double limit, int digits, Side side) {
   const std::string nearest = with_digits(limit, digits);
   const double read = std::strtod(nearest.c_str(), nullptr);

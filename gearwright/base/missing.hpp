@@ -1,5 +1,5 @@
-// Inputs that are missing, told together: who starts from an almost empty input learns at once what
-// all is wanted, not one thing after another.
+// Missing inputs are reported together, so that a user with an almost empty input learns all of
+// them at once.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace gearwright {
 
-/// The first, whose rule goes on with the others: "…; also missing: rating.quality (the accuracy
-/// grades …), …". A field counts once, and what is wanted is said once. Where one of them is another
-/// kind of error it is told alone.
+/// The first error, with the others appended to its rule: "…; also missing: rating.quality (the
+/// accuracy grades …), …". Each field and each explanation occurs once. If one of them is another
+/// kind of error, that error is returned alone.
 ///
 /// Domain    at least one (contract)
 Error all_missing(const std::vector<Error>& errors);

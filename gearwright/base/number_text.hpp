@@ -5,7 +5,7 @@
 
 namespace gearwright {
 
-/// So many decimals, never "-0.00".
+/// The number with this many decimals, never "-0.00".
 ///
 /// Domain    finite, decimals ≥ 0
 std::string fixed_decimals(double x, int decimals);

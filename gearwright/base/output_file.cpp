@@ -18,7 +18,8 @@ namespace {
 }
 
 fs::path beside(const fs::path& path) {
-  // Same folder, so that the rename stays on one file system; the process id keeps two runs apart.
+  // The temporary file is in the same folder, so that renaming stays on one file system. The
+  // process id separates two runs.
   return path.parent_path() /
          ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
 }
@@ -33,10 +34,10 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
   }
 }
 
-// Where the bytes go in the end: a link leads to its target, which keeps its place and its link.
+// The file that is finally written. A link is followed to its target, so the link is kept.
 struct Target {
   fs::path path;
-  bool straight;  // a device or a pipe: there is nothing to rename over, bytes go in as they come
+  bool straight;  // a device or a pipe cannot be replaced by renaming, so it is written directly
 };
 
 Target target_of(const fs::path& path) {

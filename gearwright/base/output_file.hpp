@@ -1,4 +1,5 @@
-// Output files appear whole or not at all: written beside their place, then renamed.
+// Output files appear completely or not at all: each is written to a temporary file and then
+// renamed.
 #pragma once
 
 #include <filesystem>
@@ -9,19 +10,20 @@
 
 namespace gearwright {
 
-/// The outside world failed: disk full, no permission. Exit status 3 in the program.
+/// A failure of the system, such as a full disk or a missing permission. The program ends with
+/// status 3.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Writes `content` to `path`, whole or not at all.
+/// Writes `content` to `path`, completely or not at all.
 /// Throws    IoError naming the path and the system's reason; nothing is left behind then
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// For writers that want a path of their own (Parquet): calls `write` with a temporary path in the
-/// same folder, then renames. Whatever `write` throws passes through after the temporary is
-/// removed.
+/// For writers that need a path (Parquet): calls `write` with a temporary path in the same folder,
+/// then renames the file. If `write` throws, the temporary file is removed and the exception passes
+/// through.
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path&)>& write);
 

@@ -1,4 +1,5 @@
-// One function object of several lambdas, for std::visit: a case for each alternative of a variant.
+// Combines several lambdas into one function object for std::visit, one lambda for each alternative
+// of a variant.
 #pragma once
 
 namespace gearwright {

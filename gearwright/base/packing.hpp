@@ -1,7 +1,7 @@
-// Checksum and compression of files: CRC-32 and deflate (RFC 1951), as ZIP has both.
+// Checksum and compression of files: CRC-32 and deflate (RFC 1951), as in ZIP.
 //
-// By zlib; a build without it packs with the small compressor of stb_image_write.h, whose bytes are
-// others and more, but unpack to the same: packing_without.cpp.
+// zlib does both. A build without zlib uses the small compressor of stb_image_write.h
+// (packing_without.cpp), whose output is larger but unpacks to the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// CRC-32 of ISO 3309, what ZIP, PNG and zlib call crc32.
+/// CRC-32 of ISO 3309, called crc32 by ZIP, PNG and zlib.
 std::uint32_t crc32_of(std::string_view bytes);
 
 /// A raw deflate stream, without zlib's header.

@@ -1,8 +1,8 @@
-// Work on many items at once: the one place that knows threads.
+// Work on many items at once. No other file uses threads.
 //
-// No result depends on how many threads there are: items do not look at each other, and what must
-// come in order is handed on in order. A build without oneTBB (the browser's) runs the same items
-// one after the other: parallel_without.cpp.
+// No result depends on the number of threads, because items are independent and ordered results are
+// delivered in order. A build without oneTBB (the browser's) runs the items one after the other
+// (parallel_without.cpp).
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace gearwright {
 
-/// Threads that `threads` stands for; 0: as many as the machine has.
+/// The number of threads that `threads` means; 0 means as many as the machine has.
 int thread_count(int threads);
 
-/// f(0) … f(n − 1), each once, in any order and from several threads. What one throws is thrown
-/// here, after the others have ended.
+/// Calls f(0) … f(n − 1) once each, in any order and from several threads. If a call throws, the
+/// exception is thrown again after the other calls have ended.
 void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int threads = 0);
 
-/// Work on many items at once, each handed on in the order in which it came. At most a few items a
-/// thread are held.
+/// Processes many items at once and delivers the results in the order of the items. It holds only a
+/// few items per thread.
 ///
 ///   next   gives the next item, false at the end     work   is called from many threads at once
 void in_order(const std::function<bool(std::string&)>& next,

@@ -1,4 +1,4 @@
-// Without oneTBB: one item after the other.
+// The version without oneTBB runs one item after the other.
 #include "gearwright/base/parallel.hpp"
 
 namespace gearwright {

@@ -12,7 +12,7 @@ std::string printable(const std::string& text, std::size_t most) {
       out += fmt::format("\\x{:02x}", byte);
       continue;
     }
-    // A whole character or nothing: its length stands in the first byte (UTF-8).
+    // Takes whole characters only. The first byte of a character gives its length (UTF-8).
     const std::size_t length = byte < 0x80   ? 1
                                : byte < 0xC0 ? 0
                                : byte < 0xE0 ? 2
@@ -25,7 +25,7 @@ std::string printable(const std::string& text, std::size_t most) {
     bool whole = true;
     for (std::size_t k = 1; k < length; ++k)
       whole = whole && (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-    // U+0080 to U+009F: the second byte says it all.
+    // For U+0080 to U+009F the second byte is sufficient.
     const bool control = byte == 0xC2 && whole && static_cast<unsigned char>(text[i + 1]) < 0xA0;
     if (whole && !control) {
       out += text.substr(i, length);

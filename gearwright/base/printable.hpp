@@ -1,4 +1,4 @@
-// Text of somebody else's where people read it: in a sentence, in a terminal.
+// Prepares foreign text, such as titles and file names, for sentences and terminals.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +6,11 @@
 
 namespace gearwright {
 
-constexpr std::size_t kLongText = 400;  ///< bytes of a title or a file's name that are shown
+constexpr std::size_t kLongText = 400;  ///< most shown bytes of a title or a file name
 
-/// Control characters (those of ISO 6429 above 0x7F too) and bytes that are no UTF-8 are escaped, so
-/// that a terminal shows them and does not obey; cut at a character after `most` bytes.
+/// Escapes control characters (including those of ISO 6429 above 0x7F) and invalid UTF-8, so that a
+/// terminal shows them instead of executing them. The text is cut after the character at `most`
+/// bytes.
 std::string printable(const std::string& text, std::size_t most = kLongText);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
-// How far a long work is: counted by whoever does it, read by whoever waits, from any thread.
+// The progress of a long computation: the computation counts, and any thread may read the count.
 //
-// Work that can be watched takes a `Progress*`; null means that nobody waits. Counting changes no
-// result and needs no lock. Who waits may stop the work: its next step throws `WorkStopped`, which
-// passes through everything that works and reaches who called it.
+// A computation with progress takes a `Progress*`, which may be null. Counting changes no result
+// and needs no lock. A caller may stop the computation: its next step then throws `WorkStopped`,
+// which passes through the computation to the caller.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// Out of a step after `Progress::stop`. No fault of the work and no answer to it.
+/// Thrown by a step after `Progress::stop`. It is neither an error nor a result.
 struct WorkStopped {};
 
 class Progress {
@@ -20,13 +20,13 @@ class Progress {
     std::int64_t done, of;
   };
 
-  /// A stage of about so many steps. The words live as long as the program.
+  /// Starts a stage of about this many steps. The words must have static lifetime.
   void begin(const char* stage, std::int64_t steps) {
     done_ = 0;
     of_ = steps;
     stage_ = stage;
   }
-  /// Throws WorkStopped once it has been stopped.
+  /// Throws WorkStopped after `stop` was called.
   void step() {
     if (stopped_.load(std::memory_order_relaxed)) throw WorkStopped();
     done_.fetch_add(1, std::memory_order_relaxed);
@@ -35,7 +35,7 @@ class Progress {
   void stop() { stopped_ = true; }
   State state() const { return {stage_, done_, of_}; }
 
-  /// From here on files are written: who wants to stop waits until they are whole.
+  /// Marks the start of writing files. A request to stop then waits until they are complete.
   void begin_writing() { writing_ = true; }
   bool writing() const { return writing_; }
 

@@ -1,7 +1,7 @@
 // Result<T>: a value, or the reason why there is none.
 //
-// Facts about gears (no working angle, a tooth that cannot exist) are answers, not accidents. The
-// error carries what a person needs to mend the input: base/error.hpp.
+// Facts about gears (no working pressure angle, an impossible tooth) are regular results. The error
+// contains the information that a user needs to correct the input (base/error.hpp).
 #pragma once
 
 #include <utility>

@@ -1,7 +1,8 @@
-// Conversions between the units of inside (mm, rad) and those of drawings, files and people.
+// Conversions between the internal units (mm, rad) and the units of drawings, files and users.
 //
-// A name says what it gives per what: x rad are x * kDegPerRad degrees, c µm are c * kMmPerUm mm.
-// 1/1000 is no double: x * kMmPerUm and x / kUmPerMm differ in the last bit, hence both are here.
+// A name gives target unit per source unit: x rad are x * kDegPerRad degrees, and c µm are c *
+// kMmPerUm mm. Because 1/1000 is not exact in double, x * kMmPerUm and x / kUmPerMm differ in the
+// last bit, and both constants exist.
 #pragma once
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// UTF-8, one code point after the other: what files with an alphabet of their own are written from.
+// Reads UTF-8 one code point at a time, for writers of files with other encodings.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,14 @@
 
 namespace gearwright {
 
-/// One code point and how many bytes it took.
+/// One code point and its number of bytes.
 struct Utf8Point {
   char32_t code;
   std::size_t bytes;
 };
 
-/// The first code point of a text that is not empty; U+FFFD, one byte, for a byte that begins none.
+/// The first code point of a text that is not empty; U+FFFD with one byte if the byte does not
+/// start a code point.
 Utf8Point first_of_utf8(std::string_view text);
 
 std::u32string code_points(std::string_view utf8);

@@ -1,4 +1,4 @@
-// The version that reports, files and `--version` name; the build checks it against CMake's.
+// The version in reports, files and `--version`; the build compares it with that of CMake.
 #pragma once
 
 namespace gearwright {

@@ -78,7 +78,7 @@ class Fitter {
     return {arc_.point(u), {std::cos(angle), std::sin(angle)}};
   }
 
-  // Greatest distance of the exact curve between u0 and u1 from the biarc. What lies behind the
+  // Greatest distance of the exact curve between u0 and u1 from the biarc. The part behind the
   // normal of the joint belongs to the second arc.
   double deviation(const Biarc& biarc, const End& a, const End& b, double u0, double u1,
                    int looks) const {

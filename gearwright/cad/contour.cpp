@@ -75,7 +75,8 @@ Result<Contour> closed_contour(const Outline& outline) {
       const Vec2 p = arc.point(static_cast<double>(i) / kArcLooks);
       contour.inner_radius = std::min(contour.inner_radius, p.norm());
       contour.outer_radius = std::max(contour.outer_radius, p.norm());
-      // One tooth has no neighbour: its space's middle is the x axis again, which y < 0 tells.
+      // A single tooth has no neighbour, so the middle of its space is the negative x axis,
+      // detected by y < 0.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
         return Error{"teeth", std::to_string(outline.teeth),
                      "the outline of the tooth crosses the middle of the tooth or of the space, so "
@@ -145,7 +146,7 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   for (const Vec2& p : root_to_tip)
     points.push_back(tidy_turned(piece.mirrored ? mirrored(p) : p, turn));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
-  // Slivers and the middles of tooth and space move ends, at most by what is allowed them.
+  // Slivers and the middles of tooth and space move ends, at most by their tolerance.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);
   GW_EXPECTS((points.back() - piece.end).norm() < 3 * kShortestArc);
   points.front() = piece.begin;

@@ -1,5 +1,5 @@
-// What the drawings of a transverse section share: options, facts, the closed outlines of a body, and
-// the fits of its arcs.
+// Parts common to drawings of a transverse section: options, facts, the closed outlines of a body,
+// and the fits of its arcs.
 //
 // A drawing is the section z = 0 in the gear frame, in millimetres; `body.pose` does not apply. It
 // is returned as text with the numbers a program prints beside it ("320 segments, within 0.9 µm").
@@ -31,7 +31,7 @@ struct ContourOptions {
 inline constexpr double kBiarcTolerance_mm = 0.001;
 /// A drawing that is measured in CAD agrees in all digits that CAD shows.
 inline constexpr double kSplineTolerance_mm = 1e-6;
-/// A tenth of what a plotter or a browser at the greatest zoom resolves.
+/// A tenth of the resolution of a plotter or of a browser at the greatest zoom.
 inline constexpr double kSvgTolerance_mm = 1e-4;
 
 struct Drawing {

@@ -24,8 +24,8 @@ namespace gearwright {
 /// Laws      (1) same body, same options, same bytes   (2) segments grow in proportion to |z|
 Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options = {});
 
-/// Several bodies in one drawing, each at its pose (a turn about z and a shift); one body alone
-/// stands in its own frame.
+/// Several bodies in one drawing, each at its pose (a turn about z and a shift); a single body is
+/// in its own frame.
 Result<Drawing> dxf_drawing(const std::vector<ToothedBody>& bodies,
                             const ContourOptions& options = {});
 

@@ -1,4 +1,5 @@
-// The frame of a DXF file: what every reader of AutoCAD 2000 drawings wants around the entities.
+// The frame of a DXF file: the sections that readers of AutoCAD 2000 drawings need around the
+// entities.
 //
 // DXF is a list of pairs, a group code on one line and its value on the next. Every object carries
 // a handle (code 5, hexadecimal) and names its owner (330); entities belong to *Model_Space.
@@ -17,7 +18,8 @@ namespace gearwright {
 /// Collects entities; coordinates in mm, in the xy plane, angles in degrees in the file only.
 class DxfEntities {
  public:
-  /// Where what follows stands: a turn about z and a shift in the plane. Absent: where it is.
+  /// The position of the following entities: a rotation about z and a shift in the plane. Absent:
+  /// unchanged.
   void place(const Eigen::Isometry3d& pose);
   /// LWPOLYLINE; bulges[i] leads from points[i] to the next. With as many bulges as points it is
   /// closed, the last one leads to the first; else it has one fewer.

@@ -7,7 +7,7 @@
 
 namespace gearwright::dxf {
 
-// Handles of the frame. Owners come before what they own.
+// Handles of the frame. Owners come before their objects.
 enum DxfHandle : int {
   kNone = 0x0,
   kVports = 0x1,

@@ -1,4 +1,4 @@
-// Pieces of text that the writers of files share. Internal to cad/.
+// Text functions common to the writers of files. Internal to cad/.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-// What fits of arcs by simpler curves share. Internal to cad/.
+// Functions common to the fits of arcs by simpler curves. Internal to cad/.
 //
-// How far a point lies from a circle that is given where it touches, good for lines too:
+// Distance of a point from a circle given by a tangent point, also valid for lines:
 //
 //   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
 //   N    unit normal there, to the left: the centre is N/κ away

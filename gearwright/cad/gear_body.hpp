@@ -1,4 +1,4 @@
-// A gear as the writers of files take it.
+// A gear in the form that the writers of files need.
 #pragma once
 
 #include <optional>

@@ -18,8 +18,9 @@ namespace gearwright {
 namespace {
 
 constexpr auto kOutline = SheetLayer::outline;
-// mm on paper: axes stand out of what they are of; dimension lines from the view and each other;
-// between the views; within the frame; the leader's shelf beyond the gear.
+// mm on paper: projection of centre lines beyond the part; distance of dimension lines from the
+// view and from each other; distances between the views and within the frame; projection of the
+// leader beyond the gear.
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
 constexpr double kCaption = 9;  // below the transverse view: the base line of its words
 constexpr const char* kWhere = "Section in the middle of the face";
@@ -70,7 +71,7 @@ class Views {
     width_ = k_ * input.body.face_width;
   }
 
-  /// What the views need about the origin.
+  /// The space that the views need around the origin.
   SheetBox box() const {
     const double up = std::max(k_ * body_ + kAxis, keyed() ? shelf() + kUsual + 2 : 0.0);
     return {{-left_, -k_ * body_ - kFirst - 4}, {axial_ + width_ + right_, up}};

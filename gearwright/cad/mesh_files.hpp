@@ -1,4 +1,5 @@
-// Files of triangle meshes: STL, 3MF and GLB. Same parts, same bytes (3MF: of one zlib release).
+// Files of triangle meshes: STL, 3MF and GLB. The same parts give the same bytes (3MF: with the
+// same zlib release).
 #pragma once
 
 #include <string>

@@ -5,8 +5,9 @@
 // An instance refers to others by their numbers. Here every instance is written after those that it
 // names, so a file is one pass over the gears and its only memory is its text. Internal to cad/.
 //
-//   Laws  (1) a real reads back to the same double: it has the fewest digits that do
-//         (2) text reads back: what is not printable ASCII is escaped as the standard says
+//   Laws  (1) a real reads back to the same double and has the fewest digits that do (2) text reads
+//         back, because other characters than printable ASCII are escaped by the rules of the
+//         standard
 #pragma once
 
 #include <cstdint>

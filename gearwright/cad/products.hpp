@@ -1,10 +1,11 @@
-// Products of a STEP file: what a CAD system's tree shows, and where each solid stands.
-// Internal to cad/.
+// Products of a STEP file: the tree in a CAD system, and the position of each solid. Internal to
+// cad/.
 //
 // A single solid in its own frame is one product, a part. Otherwise there is an assembly, whose
-// components are the parts, each placed by its pose: product structure and geometry say it twice, as
-// the application protocols want (NEXT_ASSEMBLY_USAGE_OCCURRENCE, ITEM_DEFINED_TRANSFORMATION). Every
-// representation has a context of its own, all with the same units: mm, rad.
+// components are the parts, each placed by its pose: product structure and geometry both contain
+// the pose, as the application protocols require (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
+// ITEM_DEFINED_TRANSFORMATION). Every representation has a context of its own, all with the same
+// units: mm, rad.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,5 @@
-// Areas of the transverse section: what the exact solid weighs, whatever renders it.
+// Areas of the transverse section, which give the volume of the exact solid independently of any
+// kernel.
 //
 //   A    area enclosed by the outline of all teeth, mm²
 //   r    bore radius, w keyway width, t keyway depth from the bore circle, mm

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kArrow = 2.5;      // mm, its length
 constexpr double kArrowHalf = 0.4;  // mm, half its width
-// Of an index: its size, and how far its base line lies below or above.
+// An index: its size, and the offset of its base line.
 constexpr double kIndex = 0.7, kBelow = 0.3, kAbove = 0.45;
 
 using Place = SymbolPiece::Place;

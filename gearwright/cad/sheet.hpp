@@ -14,7 +14,7 @@
 
 namespace gearwright {
 
-/// What a line or a word is for.
+/// The purpose of a line or a word.
 enum class SheetLayer { outline, hatch, axis, dimension, data, frame };
 inline constexpr int kSheetLayers = 6;
 
@@ -55,7 +55,7 @@ struct SheetBox {
   Vec2 lo, hi;  ///< mm
 };
 
-/// How words stand about a point.
+/// The alignment of words at a point.
 enum class Along { start, middle, end };
 
 struct Sheet {
@@ -81,7 +81,7 @@ struct Sheet {
 /// Units  mm
 double symbol_width(std::string_view symbol, double height);
 
-/// What the words cover: capitals and what hangs below the base line.
+/// The box of the words: capitals and descenders.
 SheetBox box_of(const SheetText& text);
 
 }  // namespace gearwright

@@ -104,7 +104,7 @@ class Content {
   bool chain_ = false;
 };
 
-// Of the document's information: UTF-16 with its mark, in hexadecimal.
+// Text of the document information: UTF-16 with byte order mark, in hexadecimal.
 std::string information(const std::string& utf8) {
   std::string text = "<FEFF";
   for (const char32_t code : code_points(utf8)) {

@@ -1,4 +1,5 @@
-// Sheets of paper as files. Same sheets, same bytes: no clock, no name of a machine.
+// Sheets of paper as files. The same sheets give the same bytes, because the files contain no time
+// and no host name.
 //
 //   PDF   1.4, a page for each sheet; Helvetica and Symbol, which no file needs to carry
 //   SVG   in mm, the sheets side by side; every word has its width, so that another font of the

@@ -26,7 +26,7 @@ constexpr std::array<short, 224> kHelvetica{
     556,  556, 556, 556, 556, 556,  889,  500,  556, 556,  556, 556, 278,  278, 278, 278,  //
     556,  556, 556, 556, 556, 556,  556,  584,  611, 556,  556, 556, 556,  500, 556, 500};
 
-// What WinAnsi has from 0x80 to 0x9F; 0: nothing.
+// The characters of WinAnsi from 0x80 to 0x9F; 0 means none.
 constexpr std::array<char32_t, 32> kWindows{
     0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,

@@ -1,8 +1,8 @@
 // The letters of a sheet: Helvetica, and Symbol for Greek and a few signs, of the 14 fonts that every
 // reader of PDF has (PDF 1.4, 5.5.1); their widths are published with them (Adobe, Core 14 AFM files).
 //
-// A letter that neither font has, in a title somebody wrote, is a question mark in PDF; SVG and DXF
-// carry the text itself, and the widths here are those of a layout.
+// A letter of a title that neither font contains is a question mark in PDF. SVG and DXF contain the
+// text itself, and the widths here are used for the layout only.
 #pragma once
 
 #include <string_view>

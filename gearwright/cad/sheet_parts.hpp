@@ -1,5 +1,4 @@
-// What a workshop drawing is put together from: frame, title block, table of data, dimensions.
-// Internal to cad/.
+// The parts of a workshop drawing: frame, title block, table of data, dimensions. Internal to cad/.
 //
 // Frame and margins follow ISO 5457, the fields of the title block ISO 7200, dimensions ISO 129-1:
 // words are above their line and are read from below or from the right.
@@ -53,7 +52,7 @@ void draw_dimension(Sheet& sheet, const Dimension& dimension);
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 
-/// Whether they fit a box of that size whole.
+/// True if they fit completely into a box of that size.
 bool words_fit(const Vec2& size, std::string_view words, double largest);
 
 /// Lines of 45° through a box, as the section of a body.

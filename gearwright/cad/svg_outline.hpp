@@ -22,8 +22,8 @@ struct SvgOptions {
 /// Accuracy  deviation_mm ≤ tolerance_mm
 Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options = {});
 
-/// Several bodies in one picture, each at its pose (a turn about z and a shift), a path each; one
-/// body alone stands in its own frame.
+/// Several bodies in one picture, each at its pose (a turn about z and a shift), a path each; a
+/// single body is in its own frame.
 Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOptions& options = {});
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// What the CAD rooms need of a gear: one outline, screwed along the face, with an optional bore.
+// The data of a gear for CAD files: one outline in a screw motion along the face, with an optional
+// bore.
 //
 //   τ    twist, rad/mm: 2π/lead, signed, > 0 right hand, 0 spur
 //   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, the outline is its section z = 0
@@ -32,12 +33,12 @@ struct ToothedBody {
 inline constexpr std::array<std::array<double, 3>, 4> kPartColours{
     {{0.45, 0.49, 0.53}, {0.55, 0.34, 0.14}, {0.12, 0.26, 0.48}, {0.2, 0.42, 0.24}}};
 
-/// Of the part with this index; after the last colour comes the first.
+/// The colour of the part with this index; the colours repeat.
 constexpr const std::array<double, 3>& part_colour(std::size_t index) {
   return kPartColours[index % kPartColours.size()];
 }
 
-/// Of `teeth`, for the reason `why`.
+/// The error of `teeth`, with the reason `why`.
 inline Error not_a_body(int teeth, const std::string& why) {
   return {"teeth", std::to_string(teeth),
           "the outline bounds no body, " + why + "; more teeth or more profile shift help"};

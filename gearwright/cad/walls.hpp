@@ -56,7 +56,7 @@ struct WallLoop {
   int slices = 1;
 };
 
-/// What one arc of the half outline has become.
+/// The result for one arc of the half outline.
 struct ArcFit {
   ArcName name;
   std::optional<SectionSpline> spline;  ///< none: a true circle

@@ -18,7 +18,8 @@ constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff announces
 
 }  // namespace
 
-// What the local header and the directory share, from the version to the length of the extra field.
+// The fields common to the local header and the directory, from the version to the length of the
+// extra field.
 void ZipWriter::append_common(const Entry& entry) {
   append_u16(bytes_, kZipVersion);
   append_u16(bytes_, 0);  // flags

@@ -47,7 +47,7 @@ double lagrange_slope(int i, double x) {
 
 }  // namespace
 
-// What elements of one length share: the inner nodes eliminated.
+// The stiffness shared by elements of one length, with the inner nodes eliminated.
 struct Face::Kind {
   double length;
   Eigen::LLT<MatrixXd> inner;  // 2r × 2r
@@ -153,7 +153,7 @@ void Face::solve(MatrixXd& x) const {
   const auto node = [&](Index i) { return x.middleRows(i * r, r); };
   const auto n = static_cast<Index>(kind_of_.size());
   GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
-  // Inner nodes: their own answer stands in their place, its reaction goes to the ends.
+  // The inner nodes are solved in place, and their reaction is transferred to the ends.
   for (Index e = 0; e < n; ++e) {
     const Kind& k = *kinds_[kind_of_[e]];
     auto inner = x.middleRows((e * kDegree + 1) * r, 2 * r);

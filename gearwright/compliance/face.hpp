@@ -4,7 +4,7 @@
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element
 //
 // The two inner nodes of an element are eliminated first, which leaves a chain of blocks. Elements
-// of one length share that work. Nothing is imposed at the ends: they are free faces z = const.
+// of one length share that work. The ends are free faces z = const without conditions.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 

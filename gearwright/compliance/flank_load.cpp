@@ -59,8 +59,8 @@ FlankPlace flank_place(const SectionMesh& mesh, double s) {
   const auto [arc, u] = mesh.arc_at(t);
   Complex tangent = std::polar(1.0, arc->at(u).tangent_angle);
   if (arc->end < arc->begin) tangent = -tangent;
-  // The outline runs from space to tip on the side y > 0: matter lies on its right where that is
-  // outwards, on its left in an internal gear.
+  // The outline runs from space to tip on the side y > 0: the material lies on its right for an
+  // external gear and on its left for an internal gear.
   return {mesh.outline(t), tangent * Complex(0, -mesh.outward), tangent};
 }
 

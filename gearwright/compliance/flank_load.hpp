@@ -1,5 +1,5 @@
-// A load on the flank of one tooth, and the reading of it: one smooth bump along the flank, the
-// same functional for both, so that Betti's symmetry holds.
+// A load on the flank of one tooth and the displacement under it. Both use the same smooth bump
+// along the flank, so Betti's symmetry holds.
 //
 //   s    arc length along the outline from the middle of the space, m_n
 //   c    half width of the bump b(s) = 15/(16c) (1 − s²/c²)²
@@ -21,7 +21,8 @@ struct Functional {
   Eigen::VectorXd vector(Eigen::Index n) const;
 };
 
-/// Where on the flank: the point, the inward normal of the section, and the tangent towards the tip.
+/// A position on the flank: the point, the inward normal of the section, and the tangent towards
+/// the tip.
 struct FlankPlace {
   std::complex<double> point, normal, tangent;
 };
@@ -29,7 +30,7 @@ FlankPlace flank_place(const SectionMesh& mesh, double s);
 /// The arc length at which the outline of tooth 0 has a radius, in modules.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
-/// Where a bump is and how wide.
+/// The position and the width of a bump.
 struct BumpPlace {
   double s, c;
 };

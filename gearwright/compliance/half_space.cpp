@@ -10,8 +10,8 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr int kGraded = 40;      // points towards the logarithm
-constexpr double kTiny = 1e-12;  // modules: a distance of no meaning, so that asinh has a number
+constexpr int kGraded = 40;      // number of points, concentrated at the logarithm
+constexpr double kTiny = 1e-12;  // modules, an arbitrary distance that keeps asinh finite
 
 double bump_at(double x, double c) {
   const double q = 1 - x * x / (c * c);

@@ -1,4 +1,4 @@
-// The half space that osculates the flank: what a bump or a Hertz strip presses in by itself.
+// The half space that osculates the flank: the indentation by a bump or a Hertz strip.
 //
 //   H(R) = (1 − ν²)/(π E R)   displacement at a distance R of a unit force      E = 1
 //   R² = Δs² + 2g Δs Δz + G Δz²   metric of the flank; spur: g = 0, G = 1
@@ -12,7 +12,7 @@
 
 namespace gearwright::detail {
 
-/// Of the surface that a section draws as it rises: by arc length and by height.
+/// Metric of the surface that a section generates along the axis, by arc length and by height.
 struct FlankMetric {
   double sz = 0.0;  ///< g
   double zz = 1.0;  ///< G

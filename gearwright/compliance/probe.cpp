@@ -11,8 +11,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kElement = 0.5;        // modules along the face
-constexpr double kHalfWidth = 0.05;     // modules, of a strip that nobody names
-constexpr double kOnFace = 1e-9;        // of half the face: a decimal of its end
+constexpr double kHalfWidth = 0.05;     // modules, default width of the strip
+constexpr double kOnFace = 1e-9;        // relative to half the face, for a decimal at its end
 constexpr double kNearestToTip = 0.02;  // modules
 
 using detail::FlankMetric;

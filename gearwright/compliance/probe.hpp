@@ -1,7 +1,7 @@
-// A tooth's own compliance at one place: unit line force, normal to the flank.
+// The compliance of a single tooth at one position, under a unit line force normal to the flank.
 //
-// What comparisons with finite elements and with measurements ask for, and the smallest user of the
-// section, its modes and the kernel at the contact.  theory: docs/theory/12-loaded-contact.md, [T12.9]
+// It is used for comparisons with finite elements and measurements, and is the smallest user of the
+// section, its modes and the contact kernel.  theory: docs/theory/12-loaded-contact.md, [T12.9]
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Square elements with nine nodes and nine Gauss points: what a section mesh is made of.
+// Square elements with nine nodes and nine Gauss points: the elements of a section mesh.
 //
 //   x, y   place in an element, −1 … 1      N   its nine functions
 //

@@ -1,4 +1,4 @@
-// Stress at the root of the teeth, as readings of the modes and of their slopes along the face.
+// Stress at the root of the teeth, computed from the modes and their slopes along the face.
 //
 //   σ = D (A f + B f′)   xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.15]

@@ -12,7 +12,7 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // of the area in the middle of an element: less has no slopes
+constexpr double kPoint = 1e-4;  // least relative area of an element with slopes
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -23,8 +23,8 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// Where the 3 × 3 block of two nodes stands: all nodes that share an element with a column's node,
-// in order.
+// The position of the 3 × 3 block of two nodes, among all nodes that share an element with the node
+// of the column.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -182,7 +182,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
     const double middle = (shape9(0.0, 0.0).slope * x).determinant();
     for (int a = 0; a < 9; ++a) {
       Shape9 s = shape9(kX[a], kY[a]);
-      // The tip of a pointed tooth is a whole side of its element: the middle's slopes stand for it.
+      // The tip of a pointed tooth is a degenerate side of its element, so the slopes of the
+      // element's middle are used.
       if ((s.slope * x).determinant() < kPoint * middle) s = shape9(0.0, 0.0);
       const Slope9 slope = (s.slope * x).inverse() * s.slope;
       for (int k = 0; k < 9; ++k) {

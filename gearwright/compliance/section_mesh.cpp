@@ -14,9 +14,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLengthSteps = 64;    // per element: chords are short by 1e-6 of the length
-constexpr double kSameNode = 1e-7;  // modules: one place, come from two sides
-constexpr double kNoArc = 1e-6;     // modules: an arc shorter than this is none
+constexpr int kLengthSteps = 64;    // per element; the error of the chord length is 1e-6
+constexpr double kSameNode = 1e-7;  // modules: one point, computed from two sides
+constexpr double kNoArc = 1e-6;     // modules: shorter arcs are ignored
 constexpr double kMinRim = 0.3;     // modules of body behind the teeth
 
 struct Part {
@@ -97,7 +97,7 @@ class Builder {
         std::array<int, 9> e{at(i, j),         at(i + 2, j), at(i + 2, j + 2),
                              at(i, j + 2),     at(i + 1, j), at(i + 2, j + 1),
                              at(i + 1, j + 2), at(i, j + 1), at(i + 1, j + 1)};
-        // The other way round in blocks that run clockwise: the side y = −1 stays one.
+        // Blocks that run clockwise are reversed, and the side y = −1 stays the same.
         if (jacobian(mesh_, e, 0, 0) < 0.0)
           e = {e[1], e[0], e[3], e[2], e[4], e[7], e[6], e[5], e[8]};
         mesh_.elements.push_back(e);

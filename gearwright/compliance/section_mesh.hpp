@@ -1,6 +1,6 @@
-// The transverse section of a gear in elements: some teeth with their exact outline, the rest of
-// the rim smooth at the root circle, down to the bore, which is held; of an internal gear, whose
-// teeth point inwards, out to the outside of its rim, which is held.
+// Finite elements of the transverse section of a gear: some teeth with their exact outline, and the
+// rest of the rim smooth at the root circle. The section is held at the bore. An internal gear,
+// whose teeth point inwards, is held at the outside of its rim.
 //
 //   t    place along half an outline: element by element, from the middle of the space (0) to the
 //        end of the side at the tip land (n)
@@ -20,7 +20,7 @@
 
 namespace gearwright {
 
-/// How finely a section is cut; along the outline and across in elements.
+/// The fineness of a section mesh, as numbers of elements along the outline and across.
 struct SectionMeshOptions {
   int side_teeth = 1;  ///< real teeth on either side of tooth 0
   int fillet = 6;
@@ -45,7 +45,7 @@ struct SectionMesh {
     bool forward;
   };
   std::vector<Edge> edges;
-  std::vector<std::vector<Edge>> tooth_edges;  ///< the same of every tooth, from −side_teeth on
+  std::vector<std::vector<Edge>> tooth_edges;  ///< the same for each tooth, from −side_teeth
   int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< elements of the outline
   /// Nodes of tooth k in one order for all teeth, k from −side_teeth on.
   std::vector<std::vector<int>> teeth;
@@ -54,7 +54,7 @@ struct SectionMesh {
   double root_radius = 0.0;  ///< normal modules
   double bore_radius = 0.0;  ///< where the body is held
 
-  /// The exact outline of tooth 0: the arc there and the place on it, 0 … 1; the point.
+  /// The exact outline of tooth 0: the arc, the position on it, 0 … 1, and the point.
   struct OnArc {
     const Arc* arc;
     double u;

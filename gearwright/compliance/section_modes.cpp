@@ -14,7 +14,7 @@ namespace {
 // Wave numbers along the face, per module, k = 0 apart: 0.3 is a wave of 21 modules, 13 one of half
 // a module, shorter than any bump.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
-// Of waves that follow the helix; without them the root stress of 17:43, β = 20°, is 6 % too high.
+// Waves that follow the helix. Without them the root stress of 17:43, β = 20°, is 6 % too high.
 constexpr std::array kHelixWaves{0.5, 2.0, 6.0};
 constexpr double kNoEnergy = 1e-20;
 
@@ -24,7 +24,8 @@ Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   return m;
 }
 
-// Of dof of the plane, or of those along the axis: in the energy E of waves these do not meet.
+// Degrees of freedom of the plane, or along the axis. They are not coupled in the energy E of
+// waves.
 RowMajor part(const RowMajor& fields, bool in_plane) {
   const Eigen::Index nodes = fields.rows() / 3;
   RowMajor out(in_plane ? 2 * nodes : nodes, fields.cols());

@@ -1,5 +1,5 @@
-// Shapes that a loaded section takes, from waves along the face and from its free ends, and the
-// same tooth along its face as a beam of these shapes.
+// Modes of a loaded section, from waves along the face and from its free ends. They reduce the
+// tooth to a beam along its face.
 //
 //   Φ   modes: u,v-fields first, w-fields after them      f(z)  their amplitudes along the face
 //                                    theory: docs/theory/12-loaded-contact.md, [T12.6], [T12.7]
@@ -24,8 +24,8 @@ struct SectionModes {
 };
 
 /// Modes for loads at these places of the flank, of a helical gear (τ ≠ 0) for waves along its helix
-/// too. Singular values below `tolerance` of the greatest are dropped. Every wave and every part is a
-/// step of the progress.
+/// too. Singular values below `tolerance` of the greatest are dropped. Every wave and every part
+/// counts as one step of the progress.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);

@@ -11,9 +11,9 @@ namespace {
 constexpr int kPlaces = 8;
 constexpr int kRadii = 400;          // chords of 1e-5 modules along a flank
 constexpr double kBump = 0.3;        // modules
-constexpr double kFromRoot = 0.12;   // modules: the lowest place above the flank's beginning
-constexpr double kFromTip = 0.16;    // modules: nearer to the tip, tables are extrapolated
-constexpr double kInsideTip = 0.98;  // of the distance to the tip: a bump does not hang over it
+constexpr double kFromRoot = 0.12;   // modules: lowest position above the flank's start
+constexpr double kFromTip = 0.16;    // modules: tables are extrapolated closer to the tip
+constexpr double kInsideTip = 0.98;  // relative: a bump must not pass the tip
 
 }  // namespace
 
@@ -49,8 +49,9 @@ SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccura
     o.to_tip = 1.75;
     o.to_outline = 1.6;
   }
-  // The flanks of an internal gear are longer, and what yields low on them is little: the mesh above
-  // errs there by 2.4 % of 40 teeth, this one by 1 %, a fifth of the flank higher by 0.4 %.
+  // The flanks of an internal gear are longer, and the deflection near their root is small. The
+  // mesh above has an error of 2.4 % there for 40 teeth, and this one has 1 %, and 0.4 % a fifth of
+  // the flank higher.
   if (gear.internal()) {
     o.flank += 2;
     o.rim = 3;

@@ -1,5 +1,5 @@
-// A tooth as its compliance sees it: the section mesh of a gear, the places on its flank at which
-// tables are made, and its modes. What follows from the outline alone; the face comes later.
+// The section of a tooth for its compliance: the mesh, the positions on the flank for tables, and
+// the modes. It depends on the outline only, not on the face.
 //
 //   Lengths in normal modules, E = 1: a compliance is E·u·m_n/F, in plane strain E·u/F′.
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -39,13 +39,13 @@ struct ToothSection {
   std::vector<double> radius_lengths;  ///< arc length at even radii of the flank
   double radius_lo = 0.0, radius_hi = 0.0;
 
-  /// Arc length at a radius, in modules; beyond the flank it goes on evenly.
+  /// Arc length at a radius, in modules; beyond the flank it continues linearly.
   double length_at_radius(double radius) const;
   /// Metric of the flank at a place.
   FlankMetric metric(double s) const;
 };
 
-/// For the section of a gear that turns by `twist` per mm: its own, or what a probe asks for.
+/// For the section of a gear that turns by `twist` per mm, its own value or that of a probe.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
@@ -56,7 +56,8 @@ double bump_width(double s, double flank_hi);
 
 /// `twist` is the turn per mm of the section whose loaded flank lies at y > 0.
 ///
-/// `also`: one more place along the flank for whose load there are modes. `progress`: as section_modes.
+/// `also`: one more position along the flank for which modes are computed. `progress`: as in
+/// section_modes.
 ///
 /// Domain    a gear with teeth (contract)
 /// Errors    as make_section_mesh

@@ -19,7 +19,8 @@ using Eigen::VectorXd;
 constexpr double kElement = 0.5;     // modules along the face
 constexpr double kImageReach = 2.0;  // modules: beyond it the image of a bump is that of a strip
 
-// Reads slices, mirrored where the load was: of a spur gear, slice n−1−j loads as j does.
+// Reads slices, mirrored if the load was mirrored; for a spur gear slice n−1−j is equivalent to
+// slice j.
 int mirrored(int j, int n) { return n - 1 - j; }
 
 }  // namespace
@@ -55,7 +56,7 @@ ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double 
   return w;
 }
 
-// The answers of the modes to a unit force on each slice at each place.
+// The response of the modes to a unit force on each slice at each position.
 void ToothTable::make(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -153,8 +154,8 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
   });
-  // Betti: of one tooth exactly; of neighbours the mean of both ways, for beyond the real teeth the
-  // rim is smooth.
+  // Betti's symmetry: exact for one tooth. For neighbouring teeth the mean of both directions is
+  // used, because the rim beyond the real teeth is smooth.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {
@@ -173,7 +174,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   }
 }
 
-// Takes the half space under the bumps away, and makes that under the strip along the line.
+// Removes the half space under the bumps and computes that under the strip along the line.
 void ToothTable::make_local(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -218,7 +219,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
     }
   });
-  // Along the line, a wider place of the grid's middle standing for all in how it meets the end.
+  // Along the line, a wider position in the middle of the grid represents all positions at the free
+  // end.
   const Offsets o = hertz_offsets(request.half_width);
   const double per = request.line_per_height;
   const FlankMetric along{0.0, per * per};
@@ -292,7 +294,8 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
 MatrixXd ToothTable::on_grid(const TablePlace& place) const {
   MatrixXd grid = MatrixXd::Zero(n_, places_);
   const Weights along = weights(place.s);
-  // What yields rises steeply at an end of the face: beyond the last middle it is that of the middle.
+  // The compliance rises steeply at an end of the face, so the value of the last slice's middle is
+  // used beyond it.
   const Weights across = cubic(middles_, std::clamp(place.z, middles_.front(), middles_.back()));
   for (int j = 0; j < 4; ++j)
     for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];

@@ -1,5 +1,5 @@
-// How the places of a tooth's flank yield to each other: tables over slices of the face and places
-// along the flank, which all positions, torques and errors read.
+// Influence coefficients of the positions on a tooth's flank: tables over slices of the face and
+// positions along the flank, used for all rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
 //   The first two terms are the table, by cubic interpolation in s and s′; the third lives along
@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// The slices of the face on which places lie, in normal modules from the middle of the face.
+/// The slices of the face, in normal modules from the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
@@ -23,8 +23,8 @@ struct FaceSlices {
   double middle(int j) const { return lo + (j + 0.5) * width(); }
 };
 
-/// Where the contact line of a tooth crosses each slice: arc length along the flank. A slice that
-/// it does not cross has any number there.
+/// The arc length along the flank at which the contact line of a tooth crosses each slice;
+/// arbitrary for slices that it does not cross.
 using LinePlaces = std::vector<double>;
 
 /// A place of the flank and the face, normal modules.
@@ -46,10 +46,11 @@ class ToothTable {
   ToothTable(std::shared_ptr<const detail::ToothSection> section, const ToothTableRequest& request);
 
   const detail::ToothSection& section() const { return *section_; }
-  /// Of the places of one line among themselves; symmetric.
+  /// Coefficients between the positions of one line; symmetric.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
   /// Displacements on the line of tooth `k` under forces on a line of tooth 0, k not 0. Beyond
-  /// side_teeth() those of the last real tooth: what reaches so far is the turn of the body.
+  /// side_teeth() those of the last real tooth, because only the rotation of the body reaches that
+  /// far.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
@@ -59,8 +60,8 @@ class ToothTable {
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
   /// Displacement on tooth `k`, as the mean that `read` weighs, under forces on tooth 0, without the
-  /// contact itself: the first two terms of [T12.9], of H the half space alone. Its mirror image at a
-  /// free end stays in C_FE, for no H[a, a] brings it back.
+  /// contact itself: the first two terms of [T12.9], of H the half space alone. Its mirror image at
+  /// a free end stays in C_FE, because no H[a, a] restores it.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
 
   /// Stress at the root points of tooth k, −1 … 1, under forces on the grid of tooth 0: adds to

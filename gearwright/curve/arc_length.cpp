@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kDeepest = 10;  // halvings: 1024 panels at worst
 
-// Relative to the size of the curve. Rounding leaves about 1e-16 in a coefficient of the points
-// and, after differentiation (degree² = 256), 3e-14 in one of the speed; both limits lie well
-// above.
+// Relative to the size of the curve. Rounding causes errors of about 1e-16 in a coefficient of the
+// points and, after differentiation (degree² = 256), 3e-14 in one of the speed. Both limits are
+// well above these values.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
 // Two spacings of doubles at 1, of a panel's own parameter −1 … 1: Newton's last step.
@@ -106,7 +106,7 @@ void ArcLength::add(const Curve& curve, double t_begin, double t_end, double sca
 
 ArcLength::ArcLength(const Curve& curve, double t0, double t1) : t0_(t0), t1_(t1) {
   GW_EXPECTS(t0 != t1);
-  // The size that rounding of the points refers to.
+  // The size to which the rounding of the points is relative.
   double scale = 0.0;
   for (int i = 0; i <= 4; ++i) {
     scale = std::max(scale, curve.point(t0 + 0.25 * i * (t1 - t0)).norm());
@@ -132,7 +132,7 @@ double ArcLength::parameter(double s) const {
                        [](double wanted, const Panel& p) { return wanted < p.s_end; });
   const double target = s - panel->s_begin;
   const double extent = panel->s_end - panel->s_begin;
-  // Newton, kept inside a bracket that every step shrinks: s grows with x.
+  // Newton's method within a bracket that every step narrows, because s grows with x.
   double lo = -1.0;
   double hi = 1.0;
   double x = extent > 0.0 ? -1.0 + 2.0 * (target / extent) : 0.0;

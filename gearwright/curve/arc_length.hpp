@@ -1,15 +1,16 @@
-// A curve by its own length: how far along is t, and which t lies s millimetres along.
+// Arc length of a curve: the length up to the parameter t, and the parameter at the length s.
 //
 //   W(t)   point of the curve, mm           s(t) = ∫ |W'| dt from t0, mm       L = s(t1)
 //
-// A Curve gives points, not speeds, so the speed comes from the points: on panels of [t0, t1],
-// halved until the series stops, W is interpolated at Chebyshev points (degree 16), differentiated,
-// and |W'| is integrated term by term (Trefethen, Approximation Theory and Approximation Practice,
-// ch. 19, 21).
+// A Curve provides points but no speed, so the speed is computed from points. On panels of [t0,
+// t1], which are halved until the series converges, W is interpolated at Chebyshev points (degree
+// 16), differentiated, and |W'| is integrated term by term (Trefethen, Approximation Theory and
+// Approximation Practice, ch. 19, 21).
 //
-// Why by length: the trochoid of a rounded cutter tip runs by the angle of a rack normal, which
-// crowds its speed towards one end; a quintic with uniform knots to 1e-6 mm takes 25 poles there,
-// by length 13 (20 teeth, module 2). A curve with a cusp at its end is the other way round.
+// Arc length reduces the number of poles: the trochoid of a rounded cutter tip is parametrised by
+// the angle of a rack normal, which concentrates its speed at one end. A quintic with uniform knots
+// and an error of 1e-6 mm needs 25 poles there, and 13 by arc length (20 teeth, module 2). For a
+// curve with a cusp at its end the opposite is true.
 //
 //   Laws  (1) parameter(0) = t0 and parameter(L) = t1, bit for bit
 //         (2) parameter(length_to(t)) = t up to rounding divided by the speed
@@ -32,10 +33,10 @@ class ArcLength {
 
   double length() const { return length_; }  ///< L  mm
 
-  /// t at the distance s from the start; s outside [0, L] gives the nearer end.
+  /// t at the distance s from the start; an s outside [0, L] is moved to the nearer end.
   double parameter(double s) const;
 
-  /// s at t; t outside [t0, t1] gives the nearer end.
+  /// s at t; a t outside [t0, t1] is moved to the nearer end.
   double length_to(double t) const;
 
   /// mm: the first neglected terms of all panels, summed.

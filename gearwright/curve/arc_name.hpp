@@ -1,4 +1,5 @@
-// The five parts of half a tooth, root to tip (ISO 21771): every arc of a cutter cuts one of them.
+// The five parts of half a tooth, root to tip (ISO 21771): each arc of a cutter generates one of
+// them.
 #pragma once
 
 #include <string_view>

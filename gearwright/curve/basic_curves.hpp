@@ -1,5 +1,5 @@
-// The curves every gear has: circles about its axis, involutes of its base circle, and fillets that
-// are circles about another point.
+// The curves common to all gears: circles about the axis, involutes of the base circle, and
+// circular fillets about another point.
 //
 //   r     radius, mm              W(t)   point as a complex number, mm
 //   r_b   base radius, mm         ξ      roll angle, rad: the way on the base circle is r_b ξ
@@ -75,7 +75,7 @@ class OffsetCircle final : public Curve {
   double direction() const { return direction_; }
   double radius() const { return radius_; }
   /// cos(t − γ) = −r/D: where the ray from the axis touches the circle and the polar angle turns,
-  /// as a distance from γ; none when the axis lies inside.
+  /// as a distance from γ; none if the axis lies inside the circle.
   std::optional<double> tangent_ray() const;
 
  private:

@@ -1,12 +1,12 @@
-// A plane curve, the stuff of every outline: a point, a tangent and a curvature at a parameter.
+// A plane curve, the element of every outline: point, tangent and curvature at a parameter.
 //
 //   t    the curve's own parameter (roll angle of an involute, edge parameter of an envelope)
 //   W    point as a complex number x + iy, mm
 //                                                          theory: docs/theory/01-frames.md
 //
-// Curves are immutable and shared: an envelope holds the curve that generates it, so that a pinion
-// cut by a rack can cut a wheel in its turn. Most of the house knows no more of a curve than its
-// points; who has a closed form for one kind of curve asks for its kind.
+// Curves are immutable and shared. An envelope holds the curve that generates it, so a pinion cut
+// by a rack can itself cut a wheel. Most code uses only the points of a curve; code with a closed
+// form for one kind of curve queries its kind.
 #pragma once
 
 #include <memory>
@@ -31,7 +31,7 @@ class RackTrochoid;    // generation/rack_envelope.hpp
 class CornerFan;       // generation/pinion_envelope.hpp
 class PinionEnvelope;  // generation/pinion_envelope.hpp
 
-/// A curve as one of the kinds that somebody knows a closed form of; `const Curve*`: none of them.
+/// A curve as one of the kinds with a closed form; `const Curve*` means none of them.
 using CurveKind =
     std::variant<const Curve*, const AxisCircle*, const Involute*, const OffsetCircle*,
                  const RackTrochoid*, const CornerFan*, const PinionEnvelope*>;
@@ -43,7 +43,8 @@ class Curve {
   virtual Vec2 point(double t) const = 0;
   virtual CurvePoint at(double t) const = 0;
 
-  /// arg W(t) [T1.1], rad; continuous along the curve where a subclass knows how, else in (−π, π].
+  /// arg W(t) [T1.1], rad; continuous along the curve if a subclass implements it, otherwise in
+  /// (−π, π].
   virtual double polar_angle(double t) const;
   /// The parameter between t_lo and t_hi at which |W| = ρ; |W| grows from t_lo to t_hi, and ρ is
   /// moved into that range. Solved with a bracket unless a subclass has it in closed form.
@@ -53,7 +54,7 @@ class Curve {
 
 using CurvePtr = std::shared_ptr<const Curve>;
 
-/// The curve as one kind; null: it is another.
+/// The curve as one kind; null if it is another kind.
 template <class Kind>
 const Kind* curve_if(const Curve& curve) {
   const CurveKind kind = curve.kind();
@@ -61,7 +62,7 @@ const Kind* curve_if(const Curve& curve) {
   return known ? *known : nullptr;
 }
 
-/// The curve as the kind that it is by construction.   Domain: it is of that kind (contract)
+/// The curve as a kind that is known by construction.   Domain: it is of that kind (contract)
 template <class Kind>
 const Kind& curve_as(const Curve& curve) {
   const Kind* known = curve_if<Kind>(curve);

@@ -1,5 +1,5 @@
-// Candidates by the thousand: everything the limits of a search ask of a pair, in columns, computed
-// in as many lanes as the processor has.
+// Batches of candidates: all values that the limits of a search need of a pair, in columns,
+// computed in vector lanes.
 //
 // One text of formulas (design/candidate_formulas.inc) is compiled for double and for every
 // instruction set; at run time the best that the processor has is taken. Lanes round differently
@@ -21,7 +21,7 @@ namespace gearwright {
 /// Candidates of a batch: its columns stay in the nearest caches.
 inline constexpr std::size_t kBatch = 1024;
 
-/// What all candidates of a batch share; parallel axes, normal modules.
+/// Data common to all candidates of a batch; parallel axes, normal modules.
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
   std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the racks
@@ -61,9 +61,8 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 /// Nearer to a limit than this, modules, the lanes' verdict is not taken.
 inline constexpr double kSieveDoubt = 1e-10;
 
-/// What the sieve says of a trial: killed for certain by one of the first three limits; nothing
-/// found against it at the point with the longest path; or not for it to say. The graph has the
-/// last word on the last two.
+/// The result of the filter for a trial: certainly rejected by one of the first three limits; not
+/// rejected at the point with the longest path; or undecided. The graph decides the last two cases.
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 

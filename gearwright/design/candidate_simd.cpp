@@ -1,5 +1,5 @@
-// The lanes of design/candidate.hpp through Google Highway: this file is compiled once for each
-// instruction set that the compiler knows, and the processor chooses.
+// The vector code of design/candidate.hpp with Google Highway. The file is compiled once for each
+// instruction set, and the processor selects one at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gearwright/design/candidate_simd.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

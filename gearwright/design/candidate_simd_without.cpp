@@ -1,4 +1,5 @@
-// Without Google Highway the lanes are plain doubles, the oracle that the kernels are tested against.
+// Without Google Highway plain doubles are used. They are also the reference in the tests of the
+// vector code.
 #include "gearwright/design/candidate.hpp"
 
 namespace gearwright {

@@ -1,4 +1,5 @@
-// Where in its region a design stands: on the line of Eq. 11 and off the walls where it can.
+// The point of a design in its region: on the line of Eq. 11 and away from the borders, if
+// possible.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // Where fillets are asked the distance jumps, and no bend bounds it.
+  // If fillets are checked, the distance is discontinuous and has no bound on its curvature.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();
@@ -87,7 +88,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   if (at_nearest >= kWallDistance) return place(nearest);
   // The distance has one hump but for rare regions in pieces: uphill from there in growing steps,
   // and back to the first place that is far enough.
-  constexpr double kStep = 0.05;  // modules: a tenth of what is usual
+  constexpr double kStep = 0.05;  // modules, a tenth of the usual value
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
   const double at_right = right > nearest ? off_walls(right) : -kFarOff;

@@ -136,7 +136,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most of those that are asked have no region, and that is known sooner than that no point runs.
+  // Most trials have no region, which is found sooner than that no point is feasible.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating) return true;

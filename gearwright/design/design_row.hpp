@@ -1,7 +1,7 @@
-// One feasible design: its numbers at a point of the region, and what decides its rank.
+// One feasible design: its values at a point of the region, and its ranking criteria.
 //
-// The numbers come from the formulas of a mounted pair (pair/mesh.hpp): what the search prints is
-// what mounting the design gives.
+// The values come from the formulas of a mounted pair (pair/mesh.hpp), so the search prints the
+// same values as the mounted design.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
-  bool balanced = false;                  ///< on the line of Eq. 11; else as chosen_point() says
+  bool balanced = false;                  ///< true: on the line of Eq. 11; false: chosen_point()
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt, crossed: α_n
   double ratio = 0.0;                     ///< z2/z1
@@ -33,13 +33,13 @@ struct DesignRow {
   double tip_alteration = 0.0;            ///< k m_n, ≤ 0
   std::array<std::array<std::optional<double>, 2>, 2> sliding;  ///< ζ of gear 1, 2 at A, E
   bool interference = false;  ///< a tip passes the start of the mating gear's straight-cut flank
-  /// How far the mating gear's tip stays from it along the line of action, on the flank of gear 1,
-  /// of gear 2; none: an internal gear, whose flank ends where its cutter says.
+  /// Distance of the mating gear's tip from it along the line of action, on the flank of gear 1 and
+  /// of gear 2; none for an internal gear, whose flank end depends on its cutter.
   std::array<std::optional<double>, 2> form_clearance{};
   double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
   /// S_H, S_F of each gear; none: not asked for, or the standard has no form factor for its root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
-  /// What follows are the region's numbers; else they are yet to be computed.
+  /// True if the following values of the region are computed.
   bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
@@ -63,7 +63,7 @@ bool has_design(const ShiftGraph& graph);
 /// The numbers at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
 
-/// How good a design is by one objective: smaller is better. Objectives are taken at the point of
+/// The score of a design for one objective; smaller is better. Objectives are taken at the point of
 /// Eq. 11; rows without one have none and come last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
 

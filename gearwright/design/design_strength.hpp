@@ -1,4 +1,5 @@
-// What a design bears and what it weighs: its pair rated by ISO 6336 as the verb `rate` rates it.
+// Strength and mass of a design: its pair is rated by ISO 6336 in the same way as by the verb
+// `rate`.
 //
 //   S_H, S_F   safeties of flank and root of each gear, at the design's own shifts
 //
@@ -23,14 +24,14 @@ Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The same by gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 
-/// The row with the safeties that the problem asks for.
+/// The row with the safety factors that the problem requires.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 
 /// The limit of safety that the row falls short of, or has no number for; none: it holds.
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row);
 
-/// The least of S_H/S_Hmin, S_F/S_Fmin of both gears, 1 for a limit that nobody gave; none: the row
-/// has no safeties.
+/// The least of S_H/S_Hmin, S_F/S_Fmin of both gears, 1 for a default limit; none if the row has no
+/// safety factors.
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row);
 
 /// Of both gears, kg: full cylinders of the mean diameter (d_a + d_f)/2, as ISO 6336-1 takes rims

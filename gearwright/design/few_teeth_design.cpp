@@ -32,9 +32,9 @@ constexpr double kOffBase = 1e-9;
 // Relative: one radius got in two ways.
 constexpr double kSameRadius = 1e-9;
 
-// What ranks the candidates that pass: the contact ratio by steps, then the sum of the shifts. The
-// path is as long as the pinion's flank wherever the wheel stands; of paths that are the same to two
-// hundredths of a pitch the one nearest the reference centre distance is taken.
+// The ranking of feasible candidates: the contact ratio in steps, then the sum of the shifts. The
+// path is as long as the pinion's flank at any centre distance. Of paths that agree within two
+// hundredths of a pitch, the one nearest the reference centre distance is chosen.
 struct Rank {
   double ratio, sum;  // in whole steps
 
@@ -46,10 +46,10 @@ struct Rank {
   }
 };
 
-// How far a candidate got, and what then stopped it.
+// The stage that a candidate reached, and the condition that rejected it.
 struct Verdict {
   int stage = 0;
-  double shortfall = 0.0;  // of candidates stopped at one stage the nearest is told
+  double shortfall = 0.0;  // of candidates rejected at one stage, the nearest one is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
 };
@@ -167,7 +167,8 @@ class Search {
 
   static Rank rank_of(const Cut& cut) {
     const auto input = mesh_input(cut.gear_1, cut.gear_2, {cut.mounted, std::nullopt});
-    // Where the base circles are as far apart as the axes there is no mesh: the last to be tried.
+    // There is no mesh if the base circles are as far apart as the axes, so that value is tried
+    // last.
     const bool meshes = cut.mounted > base_radius_sum(input.gears);
     const double ratio = meshes ? mesh_of(input).true_ratio : 0.0;
     return Rank::of(std::isfinite(ratio) ? ratio : 0.0,

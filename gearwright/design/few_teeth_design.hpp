@@ -1,5 +1,5 @@
-// The pinion of few teeth and the wheel it cuts, found by what they must be: the shifts that give
-// the longest path of contact without undercut, cusp, point or interference.
+// Design of a pinion of few teeth and the wheel that it cuts: the profile shifts with the longest
+// path of contact without undercut, cusp, pointed tooth or interference.
 //
 //   x1, x2   shifts of pinion and wheel: the two unknowns       C    clearance at both tips, mm
 //   The wheel is cut by the pinion's longer twin, whose tip fillet and root fillet it follows; both
@@ -37,7 +37,7 @@ struct FewTeethProblem {
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential
   double contact_ratio = 1.2;             ///< total, which the face width is made for
-  std::optional<double> face_width;       ///< of both; absent: what the contact ratio needs
+  std::optional<double> face_width;       ///< of both; absent: as the contact ratio needs
   Progress* progress = nullptr;           ///< told how far it is
 };
 

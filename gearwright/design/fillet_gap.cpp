@@ -128,7 +128,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the path of contact: what the distance opens beyond the tight one.
+  // Backlash along the path of contact, due to the centre distance beyond the tight one.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);
   double least = kInfinite;
@@ -150,7 +150,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
   if (!graph.problem().limits.clear_fillets) return false;
-  constexpr double kClear = 1e-6;  // modules: what the rounding of a printed spec may take
+  constexpr double kClear = 1e-6;  // modules, for the rounding of a printed spec
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;
 }

@@ -1,5 +1,5 @@
-// Whether the corners of the tips keep clear of the root fillets: the one thing that can stop a pair
-// whose tips stay on the flanks and off the root circles, at tight centres above all.
+// Clearance of the tip corners to the root fillets. It is the only remaining interference of a pair
+// whose tips stay on the flanks and clear of the root circles, mostly at tight centre distances.
 //
 //   fillet   the trochoid that the tip rounding of the rack cuts, point by point in closed form
 //   corner   of the mating tip, on its circle about the other axis; where it passes a radius, its
@@ -24,7 +24,8 @@ namespace gearwright {
 /// Domain    a working angle exists, no gear is undercut
 std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts);
 
-/// It is asked (SearchLimits::clear_fillets), and at this point a corner cuts into a fillet.
+/// True if this check is enabled (SearchLimits::clear_fillets) and a corner cuts into a fillet at
+/// this point.
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts);
 
 }  // namespace gearwright

@@ -212,7 +212,7 @@ Result<Fit> fit(const FitProblem& p) {
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {
-    // Axes and angle must agree before anything is asked of them.
+    // Axes and shaft angle must agree before anything else is computed.
     const auto specs = specs_of(p);
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);

@@ -1,4 +1,4 @@
-// The questions the other way round: what makes gears fit a distance, an angle and a ratio.
+// Inverse design: gears for a given centre distance, shaft angle and ratio.
 //
 //   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, β_w2 = Σ − β_w1: the pitch diameters' sum in units of
 //        p_n/π; convex, so that H = T has no, one or two answers
@@ -20,7 +20,7 @@
 
 namespace gearwright {
 
-/// What is known; what is absent is wanted. Lengths mm; internal gear: z2 < 0.
+/// The known values; absent values are the unknowns. Lengths in mm; z2 < 0 for an internal gear.
 struct FitProblem {
   std::array<int, 2> teeth{};
   double normal_module = 0.0;                          ///< m_n, common to both gears

@@ -1,4 +1,5 @@
-// Where a continuous function of one variable is not negative: closed intervals, ends solved.
+// The closed intervals in which a continuous function of one variable is not negative, with solved
+// ends.
 //
 // Signs are seen at nodes; between two nodes of different sign one root is solved by bracketing,
 // and every node that stands higher than its neighbours without reaching zero is climbed by golden
@@ -25,7 +26,7 @@ struct Interval {
 
 inline constexpr int kIntervalNodes = 24;
 
-/// Of the numbers in some intervals the one nearest 0; none: no intervals.
+/// The number nearest to 0 in the intervals; none if there are no intervals.
 inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
   std::optional<double> nearest;
   for (const Interval& i : intervals) {
@@ -35,7 +36,7 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
   return nearest;
 }
 
-/// What a function is known to be, so that no more is asked of it than can matter.
+/// Known properties of a function, which reduce the number of evaluations.
 struct Hump {
   /// f″ is nowhere greater, beside the edges that a least of several smooth functions has.
   double bend = std::numeric_limits<double>::infinity();
@@ -62,7 +63,8 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
-  // Of a variable of size 1, as shifts and their sums are: golden section is at rounding long before.
+  // For a variable of size 1, such as shifts and their sums. Golden section reaches rounding long
+  // before.
   constexpr double kNarrow = 1e-13;
   constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   double x = b - kGolden * (b - a);
@@ -102,7 +104,7 @@ inline bool is_root(double x, double f_x, double next, double f_next) {
 
 }  // namespace detail
 
-/// Where f ≥ 0, and the highest value of f that was met on the way.
+/// The intervals with f ≥ 0, and the greatest computed value of f.
 struct Superlevel {
   std::vector<Interval> pieces;
   double highest = -std::numeric_limits<double>::infinity();
@@ -190,7 +192,7 @@ template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // What only touches counts, but must not blur the ends of what does more.
+  // Tangential contact with zero counts, but must not change the ends of proper intervals.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

@@ -24,12 +24,12 @@ std::string shown(const std::array<double, 2>& b) {
 
 // More trials than this are not sifted for one knob.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// Of the last change to be thought of: designs that do not run.
+// For the last resort: designs that do not run.
 constexpr double kNotToRun = 100.0;
 // The change is printed with four digits of itself: this much of the value is beyond all of them.
 constexpr double kEnough = 1e-9;
 
-// The least change of one knob, and what it costs to know it.
+// The least change of one limit, and the number of trials to find it.
 class Least {
  public:
   Least(const SearchProblem& problem, const Knob& knob, const SearchWatch& watch,
@@ -136,7 +136,7 @@ class Least {
     return best;
   }
 
-  // How far beyond its band a trial lies, and the value of the knob that lets it in.
+  // The distance of a trial from its band, and the value of the limit that would include it.
   double needs(const Trial& t) const {
     return knob_->kind == Knob::Kind::teeth ? t.z1 : static_cast<double>(t.z2) / t.z1;
   }

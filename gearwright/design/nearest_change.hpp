@@ -1,4 +1,4 @@
-// When nothing is feasible: what change of one number would let something through.
+// The smallest change of one number that makes designs feasible if there are none.
 //
 // Each limit is loosened by itself, to the least change after which a design exists; limits that do
 // not help however far they go are not named. Two kinds of numbers:
@@ -36,7 +36,7 @@ struct NearestChanges {
   std::vector<std::string> bounded;
   std::int64_t asked = 0;  ///< trials whose graph was asked for, a few times each at most
   bool stopped = false;    ///< by the watch: what was found until then
-  /// Of rated designs the one that comes nearest to the safeties that are wanted.
+  /// The rated design that comes nearest to the required safety factors.
   std::optional<DesignRow> safest;
 };
 
@@ -45,7 +45,7 @@ inline constexpr std::int64_t kMaxForChange = 2'000'000;
 /// Questions to graphs for one limit. The slowest kind, shortened tips, answers some 2000 a second.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
-/// The changes, smallest first; the watch is told the questions.
+/// The changes, smallest first. The watch receives the number of trials.
 ///
 /// Domain    nothing is feasible; size() ≤ kMaxForChange (contract)
 NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& watch = {},

@@ -1,8 +1,8 @@
 // The pinion cutters of the internal gears of a search: each chosen once.
 //
-// What an internal gear bears depends on its cutter by the number of its teeth, and its path of
-// contact by the radius where the fillet begins. Both take a cut tooth, which costs as much as a
-// hundred ratings; in modules they are those of every design with the same wheel.
+// The strength of an internal gear depends on the number of teeth of its cutter, and its path of
+// contact on the radius where the fillet begins. Both need a generated tooth, which costs as much
+// as a hundred ratings. In modules they are equal for every design with the same wheel.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-/// Without a cutter where none leaves the flanks whole: nobody knows then where the fillets begin.
+/// Without a cutter if none leaves the whole flanks. The start of the fillets is then unknown.
 struct RingCut {
   int cutter_teeth = 0;                                          ///< z_0; 0: no cutter
   double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules
@@ -24,11 +24,11 @@ struct RingCut {
 
 class RingCuts {
  public:
-  /// Of the wheel of a trial with its shift, by cut_by_default(); none: there is no such gear. Safe
-  /// from several threads.
+  /// For the wheel of a trial with its shift, by cut_by_default(); none if there is no such gear.
+  /// Thread-safe.
   std::optional<RingCut> of(const SearchProblem& problem, const Trial& trial, double shift);
 
-  /// How many teeth were cut: the work.
+  /// The number of generated teeth, as a measure of the work.
   std::size_t size() const;
 
  private:

@@ -100,7 +100,7 @@ class Sieve {
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch_.in[k][i] = values[k];
   }
   std::size_t size() const { return trials_.size(); }
-  /// decide(trial, verdict) says whether to go on.
+  /// decide(trial, verdict) returns true to continue.
   template <class F>
   bool flush(const F& decide) {
     if (trials_.empty()) return true;
@@ -197,7 +197,7 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // Where a region is left, no point of it that could be taken keeps tips off the fillets.
+         // If a region is left, tips cut into the fillets at each of its candidate points.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

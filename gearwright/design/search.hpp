@@ -1,9 +1,10 @@
-// The design search: every trial, what killed it or what it became, and the best of them in order.
+// The design search: every trial with the limit that rejected it or its design, and the best
+// designs in order.
 //
-// A range of trials is searched by itself and depends on nothing else, so that the whole may be cut
-// anywhere: threads, shards, ranks. Most trials die of three limits that cost a few operations; the
-// sieve (design/candidate.hpp) does those as many at a time as the processor has lanes, and only
-// what it cannot decide for certain gets its graph.
+// A range of trials is searched independently, so the search can be divided at any point among
+// threads, shards and ranks. Three limits that cost a few operations reject most trials; the filter
+// (design/candidate.hpp) does those as many at a time as the processor has lanes, and only what it
+// cannot decide for certain gets its graph.
 #pragma once
 
 #include <array>
@@ -37,11 +38,11 @@ struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
-/// Who waits for long work: told every now and then how many trials were done since, it says whether
-/// to go on. Called by whoever works, many times a second; empty: nobody waits.
+/// A callback for long searches: it receives the number of trials since the last call and returns
+/// true to continue. It is called many times per second, from any working thread; it may be empty.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
-/// What a range is asked for beside its designs.
+/// Requests for a range in addition to its designs.
 struct RangeOptions {
   RegionDetail detail = RegionDetail::whole;  ///< of each row; rank by area needs the whole
   SieveCounts* sieve = nullptr;
@@ -56,8 +57,8 @@ class Search {
   const SearchProblem& problem() const { return problem_; }
   const SearchSpace& space() const { return space_; }
 
-  /// Searches [from, to) and appends its feasible designs in the order of the trials. Safe from
-  /// several threads. What a watch has ended is a part of the range.
+  /// Searches [from, to) and appends its feasible designs in the order of the trials. Thread-safe.
+  /// If the watch ends the search, the result covers a part of the range.
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
                      const RangeOptions& wish = {}) const;
 
@@ -86,8 +87,8 @@ class Search {
   mutable std::map<std::tuple<int, int, Angle>, std::shared_ptr<const TrialGears>> tables_;
 };
 
-/// What a search found. Designs best first: without a Pareto front by the objective; of several
-/// objectives the front first, both parts by the first of them.
+/// The result of a search. Designs are sorted best first, by the objective; with several objectives
+/// the Pareto front comes first, and both parts are sorted by the first objective.
 struct SearchAnswer {
   SearchAnswer() = default;  ///< empty, and no aggregate: a Search makes it
   SearchCounts counts;

@@ -1,4 +1,4 @@
-// What a design search is asked: the numbers to try, the limits to keep, what counts as better.
+// The input of a design search: the numbers to try, the limits, and the objectives.
 //
 //   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved for: every trial has
 //                    its exact region of them (design/shift_graph.hpp)
@@ -22,7 +22,7 @@
 
 namespace gearwright {
 
-/// What can leave nothing of a trial, in the order in which it is asked.
+/// The limits that can reject a trial, in the order of evaluation.
 enum class Limit {
   shift_limits,
   center_distance,
@@ -78,7 +78,7 @@ struct SearchLimits {
 
 class RingCuts;
 
-/// What a rating of every design asks beside the design: as the verb `rate` asks it.
+/// The inputs of the rating of every design, as for the verb `rate`.
 struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm: a rim on a web
@@ -89,8 +89,8 @@ struct SearchRating {
 inline constexpr double kFaceModules = 10.0;      ///< b/m_n, unless it is given
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 
-/// What a search keeps unless it is told otherwise, so that what it finds runs: modules. The struct
-/// above has no limit that nobody set.
+/// Default limits in modules, which ensure that the designs run. The struct above contains no
+/// default limits.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
 
@@ -107,7 +107,7 @@ struct SearchProblem {
   std::optional<double> face_width;    ///< b  mm, of both
   double face_modules = kFaceModules;  ///< b/m_n, where `face_width` is not given
   Mounting mounting = Mounting::extended;
-  bool shorten_tips = false;  ///< tips cut back by what the tight centres take from the clearance
+  bool shorten_tips = false;  ///< tips shortened by the clearance lost at tight centres
   SearchLimits limits;
   double lambda = 0.625;      ///< λ of the line of Eq. 11
   double target_ratio = 0.0;  ///< of the objective `ratio`
@@ -119,7 +119,7 @@ struct SearchProblem {
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }
   double face_width_of(double module) const { return face_width.value_or(face_modules * module); }
-  /// How many of the limits may kill a design.
+  /// The number of limits that can reject a design.
   int limit_count() const { return rating ? kLimits : kRegionLimits; }
   /// Masses are asked for.
   bool weighs() const { return rating || ranks_by(Objective::mass); }
@@ -137,8 +137,8 @@ struct Trial {
   int rack = 0;                  ///< of SearchProblem::racks
 };
 
-/// The rack of gear i. One that nobody gave may not fit at the pressure angle: its radius becomes the
-/// full one.
+/// The rack of gear i. If a default rack does not fit at the pressure angle, its radius becomes the
+/// full radius.
 inline StraightRack rack_of(const SearchProblem& problem, const Trial& trial, std::size_t i) {
   StraightRack rack = problem.racks[static_cast<std::size_t>(trial.rack)].rack[i];
   rack.named = true;

@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRatioSlack = 1e-12;  // 1.9 · 30 is 57, whatever the doubles say
+constexpr double kRatioSlack = 1e-12;  // tolerance, so that 1.9 · 30 is 57 in spite of rounding
 
 }  // namespace
 

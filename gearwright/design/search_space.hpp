@@ -1,5 +1,5 @@
-// The trials of a search as one line of numbers 0 … size − 1, so that any part of it can be tried
-// anywhere and the whole is the same.
+// The trials of a search, numbered 0 … size − 1, so that any part can be computed anywhere with the
+// same result.
 //
 //   order     rack, helix, module, z1, z2, the last running fastest
 //   z2        the tooth numbers whose ratio lies in the band, closed with a slack of 1e-12

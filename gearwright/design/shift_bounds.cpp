@@ -1,7 +1,7 @@
-// What each limit says of x1 on a line Σ = const, and of Σ alone: the formulas of the s1–s2 graph.
+// The bounds of each limit for x1 on a line Σ = const and for Σ: the formulas of the s1–s2 graph.
 //
-// They are the leaf formulas (pair/leaf_formulas.hpp) solved for a shift, so that none of them
-// stands here as it is; tests hold the bounds and the numbers of a mounted pair together.
+// They are the leaf formulas (pair/leaf_formulas.hpp) solved for a shift, so they are not repeated
+// here. Tests compare the bounds with the values of a mounted pair.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,7 +97,7 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
 // the tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of
 // both starts is one of Σ alone (sum_margin). An internal gear's start is not known. [T9.7]
 
-// What the first two leave of the shift of gear i.
+// The range that the first two leave for the shift of gear i.
 std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const TrialGear& g = gears_[i];
   if (g.teeth < 0) return {-kInfinity, kInfinity};
@@ -155,7 +155,7 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // Where tips are shortened these are roots, that most lines need not know.
+  // If tips are shortened, these are roots, which most lines do not need.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));

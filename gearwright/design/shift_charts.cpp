@@ -60,7 +60,7 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
                                                   Angle helix, int from, int to) {
-  SearchProblem free = problem;  // no distance is asked, and both gears have one rack
+  SearchProblem free = problem;  // true: no centre distance given, one rack for both
   free.center_distance.reset();
   free.shaft_angle.reset();
   free.ratio = {1.0, 1.0};

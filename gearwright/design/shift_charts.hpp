@@ -1,12 +1,12 @@
-// Two charts over the tooth number: between which profile shifts a gear can be made at all, and
-// what contact ratio two identical gears have between these limits.
+// Two charts over the tooth number: the range of possible profile shifts, and the contact ratio of
+// two identical gears within this range.
 //
 //   x_u      the undercut limit                     s_an     normal tip tooth thickness
 //   x_t(s)   the shift at which s_an = s modules    ε_α      contact ratio of two identical gears
 //                                              theory: docs/theory/09-design-search.md
 //
-// Both say where good designs lie before any is computed: few teeth leave little room between
-// undercut and pointed tips, and that room shrinks the contact ratio. All numbers are those of the
+// Both show where good designs lie before any design is computed. Few teeth leave little room
+// between undercut and pointed tips, which reduces the contact ratio. All numbers are those of the
 // search: limits of trial_gear(), contact ratios of row_at().
 #pragma once
 
@@ -37,7 +37,7 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
                                            int which, int from, int to);
 
 /// Where x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth numbers;
-/// none when it does not.
+/// none if it does not.
 ///
 /// Accuracy  0.01 teeth: chords between whole tooth numbers, not the limits of broken ones
 struct LimitsMeet {

@@ -20,8 +20,8 @@ using detail::raise;
 
 namespace {
 
-// A working angle of 4e-5 rad: nearer to the base radii there is no mesh that a double can tell
-// from none.
+// A working pressure angle of 4e-5 rad. Closer to the base radii, a mesh is indistinguishable from
+// none in double precision.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace
@@ -123,7 +123,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // Where there is no working angle there is no contact ratio: that limit, not an earlier one.
+  // Without a working pressure angle there is no contact ratio, so this limit counts and not an
+  // earlier one.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
@@ -175,7 +176,7 @@ double ShiftGraph::beyond_long_paths(double sum) const {
 // From where on tips are too thin, though cut back by k; there may be no such sum, then a far one.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
-  constexpr double kBeyond = 1e-9;     // modules: what the last rises may have left
+  constexpr double kBeyond = 1e-9;     // modules, the remainder after the last increases
   for (int i = 0; i < 60; ++i) {
     const double k = place(std::max(sum, least)).k;
     const double next = max_shift(*problem_, gears_[0], k) + max_shift(*problem_, gears_[1], k);
@@ -232,7 +233,8 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// Where the path ends the line between its longest place and a bound; none where it does not.
+// The point at which the path length ends the line between its maximum and a bound; none if it does
+// not.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;

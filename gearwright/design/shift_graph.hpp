@@ -1,4 +1,5 @@
-// The s1–s2 graph of one pair of tooth numbers: what every limit leaves of the two profile shifts.
+// The s1–s2 graph of one pair of tooth numbers: the ranges of the two profile shifts that each
+// limit leaves.
 //
 //   Σ = x1 + x2     the coordinate along which the graph is cut: centre distance, working angle and
 //                   tip alteration depend on Σ alone, and on a line Σ = const every limit leaves
@@ -27,11 +28,11 @@
 namespace gearwright {
 
 /// Margins over Σ bend upwards by less, 1/modules: the sharpest are the bounds of interference, a few
-/// where tips lie outside their own reference circles. With room to spare, for it only says when to
-/// stop looking.
+/// where tips lie outside their own reference circles. The bound is generous, because it only
+/// determines when to stop searching.
 inline constexpr double kMostBend = 100.0;
 
-/// What bounds the region where it ends.
+/// The limit at an end of the region.
 enum class ShiftEdge {
   s1min,
   s1max,
@@ -115,7 +116,7 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// What remains of the limits on Σ alone that are no plain range of it, in units of Σ; ≥ 0: kept.
+  /// The limits on Σ alone that are not simple ranges, in units of Σ; satisfied if ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
@@ -129,7 +130,7 @@ class ShiftGraph {
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
   /// One end of that slice, without its name: an area is an integral of such.
   double slice_end(double sum, LineSide side) const;
-  /// What bounds_before_path() leaves, without names: most lines are asked for no more.
+  /// The result of bounds_before_path() without names, which is sufficient for most lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
   /// E: the path's length at a point, and the greatest on a slice with the place of it.
@@ -153,7 +154,8 @@ class ShiftGraph {
   /// inside.   Domain: outside sums() that distance alone
   double margin(double x1, double x2) const;
 
-  /// What each shift must keep whatever the other is; the limits of tips that are shortened left out.
+  /// The limits of each shift that are independent of the other shift, without those of shortened
+  /// tips.
   std::array<Interval, 2> shift_limits() const;
 
   /// The same as margin() without the band of centre distances, whose ends are a wish: how far a point stands

@@ -28,7 +28,7 @@ CandidateConstants constants_of(const ShiftGraph& graph) {
 
 enum class Verdict { inside, outside, ask };
 
-// All limits of one candidate. What is NaN is neither above nor below: it is asked.
+// All limits of one candidate. A NaN is undecided and is evaluated in full.
 Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i) {
   bool ask = false;
   bool out = false;
@@ -86,7 +86,7 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
   const CandidateConstants constants = constants_of(graph);
   const double sum_lo = region.sums.front().lo;
   const double sum_hi = region.sums.back().hi;
-  // Shortened tips may be shifted farther than the rectangle of the whole ones says.
+  // Gears with shortened tips may have shifts outside the rectangle of full tips.
   const double k = p.shorten_tips ? std::min(graph.place(sum_lo).k, graph.place(sum_hi).k) : 0.0;
   const double x1_hi = max_shift(p, g[0], k);
   const double x2_hi = max_shift(p, g[1], k);

@@ -1,4 +1,4 @@
-// Every feasible point of a grid of shifts: what a region holds, as a table of candidates.
+// Every feasible point of a grid of shifts in a region, as a table of candidates.
 //
 //   h           step of the grid; x1 = i h, x2 = j h
 //   candidate   a point within the rectangle of the shift limits and the band of Σ

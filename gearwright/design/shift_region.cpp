@@ -37,8 +37,7 @@ double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo
 // Zero where the edges a and b bound x1 at one place.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
-  // Where an edge does not bound at all it stands far off, but at a place that a root finder can
-  // use.
+  // An edge that does not bound is placed far away, at a value that a root finder can use.
   constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
     const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
@@ -180,7 +179,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// How far inside the limits a point of one piece lies; Σ is inside already.
+// The distance of a point of one piece from the limits; Σ is already inside.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const SumPlace at = graph.place(sum);

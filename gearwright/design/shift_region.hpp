@@ -24,9 +24,9 @@ struct RegionEdge {
   std::vector<Vec2> points;  ///< ends of a straight one; of a curve points on it, ends included
 };
 
-/// How much of a region is wanted: whether there is one and a point in it, or its area too.
+/// The requested extent of a region: its existence and a point in it, or also its area.
 enum class RegionDetail { point, whole };
-/// Whether point_off_walls() is looked for, or known to be none.
+/// True if point_off_walls() was searched and does not exist.
 enum class OffWalls { sought, none };
 
 struct ShiftRegion {
@@ -45,9 +45,9 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
 
-/// A design stands so far from every wall of its region, modules, or as far as half of what the line
-/// of Eq. 11 allows: at a wall something just stops working. The band of centre distances is no
-/// wall.
+/// The distance of a design from every border of its region, modules, or half of what the line of
+/// Eq. 11 allows, because a limit is only just satisfied at a border. The band of centre distances
+/// does not count as a border.
 inline constexpr double kWallDistance = 0.05;
 
 /// The point of the line of Eq. 11 with Σ nearest 0 that stands off the walls; none: the line has no

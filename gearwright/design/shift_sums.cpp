@@ -1,4 +1,4 @@
-// The sums of shifts that the limits leave, and the first limit that leaves none.
+// The sums of shifts within the limits, and the first limit that leaves none.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
   const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
   const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
-  // What the interference of an internal pair leaves may lie on both sides of Σ = 0 [T9.9]; the gap
-  // there may be narrower than a node's step.
+  // The interference of an internal pair may leave ranges on both sides of Σ = 0 [T9.9], and the
+  // gap between them may be narrower than the step of the nodes.
   const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
                            limits > static_cast<int>(Limit::interference);
   const Hump hump{.bend = kMostBend};

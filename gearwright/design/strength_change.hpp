@@ -1,5 +1,5 @@
-// Of rated designs, what may be more or less so that one holds: the safeties themselves, the load, the
-// face width, the steel. Internal to design/.
+// Changes that give a rated design sufficient safety: of the required safety factors, the load, the
+// face width or the steel. Internal to design/.
 #pragma once
 
 #include <fmt/format.h>

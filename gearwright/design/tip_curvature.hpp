@@ -1,5 +1,5 @@
-// A tip and its distance along the line of action: the two conversions of the s1–s2 graph, and how
-// a bound is tightened. Internal to design/.
+// A tip and its distance along the line of action: the two conversions of the s1–s2 graph, and the
+// tightening of a bound. Internal to design/.
 //
 //   u, b   tip and base radius
 //   q      √(u² − b²), curvature radius of the flank at its tip

@@ -30,7 +30,7 @@ namespace {
 // internal gear's ends.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // A rounding on the safe side, for the thickness is asked at both ends.
+  // Rounding to the safe side, because the thickness is evaluated at both ends.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
 }
@@ -40,7 +40,7 @@ struct Shifts {
   bool as_a_rule = false;  // thick enough at x = 0, and from there on thinner and thinner
 };
 
-// Where the tip is thick enough: the interval that reaches highest.
+// The uppermost interval in which the tip is thick enough.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
   // External: past x = |z|, tips are long crossed; an internal gear's x has no natural floor but
@@ -53,7 +53,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // Of some hundred teeth and more, those on the base circle are thin too.
+    // For about a hundred teeth and more, tips on the base circle are thin too.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);

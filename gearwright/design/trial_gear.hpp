@@ -1,5 +1,5 @@
-// One gear of a trial, in normal modules: what its teeth, helix and rack say about it before its
-// profile shift is chosen, and the limits of that shift.
+// One gear of a trial, in normal modules: the values that follow from tooth number, helix angle and
+// rack before the profile shift is chosen, and the limits of the shift.
 //
 //   r, r_b    reference and base radius, negative if internal (ISO 21771 signs): external and
 //             internal pairs share every formula,  |r_a| = |r + h_a + x + k|
@@ -54,7 +54,8 @@ double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// A number that it is not below, without solving for it.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
-/// The limits of every tooth number at one helix and rack, made once: trials ask for them often.
+/// The limits of every tooth number at one helix angle and rack, computed once because trials use
+/// them often.
 class TrialGears {
  public:
   TrialGears(const SearchProblem& problem, int least, int greatest, Angle helix, int rack,

@@ -30,7 +30,7 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
   return std::nullopt;
 }
 
-// Where the two flanks meet on the arc that ends the edge, if they do.
+// The point at which the two flanks meet on the arc that ends the edge, if they do.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
   const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
   GW_EXPECTS(last != nullptr);
@@ -42,13 +42,14 @@ std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdg
   return 2 * curve.point(find_root(theta, std::min(a, b), std::max(a, b)).x).norm();
 }
 
-// Whether the flank's arc begins behind its cusp.
+// True if the arc of the flank begins behind its cusp.
 bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
   if (!limit) return false;
   return flank.q > 0.0 ? *limit > flank.begin_tau : *limit < flank.begin_tau;
 }
 
-// The lowest flank, or the one above it that is undercut; a joint between two touches nothing.
+// The lowest flank, or the one above it that is undercut. A joint between two flanks has no
+// contact.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
   auto& flanks = std::get<ArcTeeth>(gear.flanks);
   bool first = true;

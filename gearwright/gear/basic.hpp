@@ -1,4 +1,4 @@
-// A gear as itself: what its flanks are, without a word of the rack that cut them.
+// A gear by its own dimensions, which determine its flanks independently of the rack.
 //
 //   z    teeth, negative if internal     r_b    base radius, mm
 //   s_bt tooth thickness on the base cylinder, transverse, mm; an internal gear's is extrapolated
@@ -6,8 +6,8 @@
 //   α_n  pressure angle of a rack       p_bn   normal base pitch, mm
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Any rack with m_n cos α_n = p_bn/π can have cut it: m_n, α_n, β and x are names that one of them
-// gives the gear. Templates over the scalar.
+// Any rack with m_n cos α_n = p_bn/π could have cut it, and m_n, α_n, β and x depend on the chosen
+// rack. Templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ T normal_base_pitch(const BaseGear<T>& gear) {
   return T(2) * pi * gear.radius * cos(gear.helix_angle) / T(std::abs(gear.teeth));
 }
 
-/// There is a rack with the pressure angle α_n that has this gear: cos α_n > |sin β_b|. [T4.2]
+/// True if a rack with the pressure angle α_n can cut this gear: cos α_n > |sin β_b|. [T4.2]
 template <class T>
 bool has_rack(const BaseGear<T>& gear, const T& alpha_n) {
   using std::abs;

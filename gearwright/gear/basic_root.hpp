@@ -1,4 +1,5 @@
-// The rack that leaves a given root: how a gear known by its base cylinder gets its dedendum.
+// The rack that cuts a given root, which determines the dedendum of a gear given by its base
+// cylinder.
 //
 //   d_f, d_Ff   root and root form diameter, mm     h_fP*, ρ_fP*, h_Ff*  of the rack, in modules
 //                                              theory: docs/theory/04-conjugate-action.md, 4.2

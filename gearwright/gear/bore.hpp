@@ -22,7 +22,7 @@ struct Bore {
 /// Largest distance of the bore's wall from the axis, mm: the keyway's corner, or the circle.
 double bore_reach(const Bore& bore);
 
-/// Nothing wrong: an empty optional. Else the key at fault and what is allowed.
+/// Empty if there is no error; otherwise the key and the allowed range.
 ///
 /// Domain    `room` mm: the radius that the bore and its keyway must not exceed
 std::optional<Error> bore_error(const Bore& bore, double room);

@@ -41,12 +41,12 @@ void warn(Gear& gear, WarningCode code, std::string message) {
 
 namespace {
 
-// The shift that a drawing would need for x_E to reach the limit: the allowance is on top.
+// The profile shift on a drawing for which x_E reaches the limit; it includes the allowance.
 double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
-// What would avoid the undercut: a shift for a gear cut by a rack, else another cutter.
+// The remedy for undercut: a profile shift for a gear cut by a rack, otherwise another cutter.
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
@@ -77,7 +77,7 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// What the numbers of a rack say of an internal gear: nothing beyond addendum and dedendum.
+// Only addendum and dedendum of a rack apply to an internal gear.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||

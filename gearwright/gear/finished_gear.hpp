@@ -1,4 +1,5 @@
-// What every gear has, however it was cut: closed forms before the tooth, and what it means after.
+// The data common to all gears, however they are cut: closed forms before the tooth, and warnings
+// after it.
 //
 // Internal to gear/.
 #pragma once
@@ -9,7 +10,8 @@
 
 namespace gearwright::detail {
 
-/// Reference geometry, diameters of the rack, lead, point: all but the tooth.
+/// Reference geometry, diameters from the rack, lead and pointed diameter: everything except the
+/// tooth.
 Gear described(const CylindricalSpec& spec);
 
 /// Root and tip of the tooth as it was cut, and the warnings that follow.

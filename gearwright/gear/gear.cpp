@@ -16,8 +16,8 @@ namespace gearwright {
 
 namespace {
 
-// What a spec may say. The limits lie far beyond every gear that was ever cut and keep each formula
-// inside the domain it was measured in.
+// The limits of a spec. They lie far beyond real gears and keep each formula inside its tested
+// domain.
 constexpr int kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3;   // mm
 constexpr double kMaxModule = 1e3;    // mm
@@ -122,7 +122,7 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   if (fillets->root) flanks.point_c_l = ruler.l(fillets->root->roll);
   if (fillets->tip) {
     flanks.point_j_l = ruler.l(fillets->tip->roll);
-    // A tooth that its fillet ends needs no other tip.
+    // A tooth that ends with its fillet needs no other tip.
     if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
   auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *fillets);

@@ -1,4 +1,4 @@
-// A cylindrical gear: its numbers as on the drawing, what follows from them, and the tooth as cut.
+// A cylindrical gear: its values on the drawing, the derived values, and the tooth as cut.
 //
 // Symbols of ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
 #pragma once
@@ -27,7 +27,7 @@ struct CylindricalSpec {
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter{};              ///< d_a   mm; else from the rack
-  Rack rack{};                                       ///< of arcs: no involute gear, and no α_n, x
+  Rack rack{};                                       ///< with arcs the gear has no α_n and no x
   std::optional<RootFilletSpec> root_fillet{};       ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet{};         ///< a circular arc instead of the tip as cut
 
@@ -36,15 +36,15 @@ struct CylindricalSpec {
   StraightRack& straight_rack();
 };
 
-/// How a pinion cutter stood when it had finished the gear.
+/// The final position of a pinion cutter.
 struct PinionCutting {
   int cutter_teeth;           ///< z_0
   double distance;            ///< E  mm
   double tip_rounding = 0.0;  ///< ρ_a0  mm, of the cutter's tip corners; 0: sharp
-  bool by_default = false;    ///< the drawing names no cutter: gear/ring_cutter.hpp chose it
+  bool by_default = false;    ///< true if gear/ring_cutter.hpp chose the cutter
 };
 
-/// What only an involute gear has.
+/// The data of involute gears only.
 struct InvoluteTeeth {
   ReferenceGeometry<double> reference;
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
@@ -52,7 +52,7 @@ struct InvoluteTeeth {
   std::optional<double> point_c_l, point_j_l;         ///< l_C, l_J  mm, with circular fillets
 };
 
-/// What a gear cut by a rack of arcs has instead.
+/// The corresponding data of a gear cut by a rack of arcs.
 struct ArcTeeth {
   RackOfArcs rack;                            ///< its edge, in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
@@ -61,27 +61,27 @@ struct ArcTeeth {
   std::optional<Angle> undercut_limit;        ///< τ of that arc's cusp; none: it has none
 };
 
-/// How far the tip of a tooth stands out beyond the involute: gear/tip_bulge.hpp.
+/// The projection of a tip beyond the involute (gear/tip_bulge.hpp).
 struct TipBulge {
   double amount;         ///< mm, along the involute's normal
   double from_diameter;  ///< mm, where the flank ends
 };
 
 struct Gear {
-  Gear() = default;  ///< empty, and no aggregate: a spec alone makes no gear, make_gear() does
+  Gear() = default;  ///< empty, and not an aggregate; make_gear() makes a gear from a spec
   CylindricalSpec spec;
   std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
   std::variant<InvoluteTeeth, ArcTeeth> flanks;
   double transverse_module;   ///< m_t   mm
   double reference_diameter;  ///< d     mm
   double tip_diameter;        ///< d_a   mm, of the blank
-  double root_diameter;       ///< d_f   mm, negative when the rack passes the axis
+  double root_diameter;       ///< d_f   mm, negative if the rack passes through the axis
   double lead;                ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
   bool undercut;  ///< the cutter took some of the flank; not under a circular root fillet
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<TipBulge> tip_bulge;                 ///< none: nothing stands out
-  std::optional<Bore> bore;  ///< of the body; of an internal gear its rim. Teeth do not know it.
+  std::optional<Bore> bore;             ///< of the body (internal: rim); independent of the teeth
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 
@@ -97,19 +97,19 @@ struct Gear {
   /// Two flanks meet before the tip: a pointed tooth, or an internal gear's that thins to nothing
   /// inward.
   bool pointed() const;
-  /// d_Fa/2, where it ends; an internal gear's is its tip, or its base circle where the tip lies
-  /// inside that.
+  /// d_Fa/2, its end; for an internal gear the tip, or the base circle if the tip lies inside it.
   double tip_form_radius() const;
   /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
   double actual_tip_radius() const;
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
 
-/// A number that only an involute gear has; none of another one.
+/// A number of involute gears; none for other gears.
 std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number);
 std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number);
 
-/// What a spec may say: nothing, or the member that is out of bounds. make_gear asks it too.
+/// Checks the limits of a spec and returns the first member out of bounds, or nothing. make_gear
+/// calls it too.
 std::optional<Error> check_limits(const CylindricalSpec& spec);
 
 /// Makes the gear: closed-form data, then the tooth by generation.

@@ -1,4 +1,4 @@
-// How an error about two gears names a member of one of them: "gear1.teeth".
+// The name of a member of one of two gears in an error: "gear1.teeth".
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ inline std::string gear_field(int which, std::string_view member) {
   return gear_field(which) + "." + std::string(member);
 }
 
-/// The error of a gear as one of gear 1 or 2.
+/// Prefixes the error of a gear with gear1 or gear2.
 inline Error of_gear(int which, Error error) { return within(gear_field(which), std::move(error)); }
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// Formulas of one gear for numbers of any kind: the text of gear/leaf_formulas.inc, and the choices
-// that it makes in place of branches.
+// Formulas of one gear for any number type: the text of gear/leaf_formulas.inc, and the selection
+// functions that it uses instead of branches.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace gearwright::leaf {
 
-/// The second where either is NaN, as instruction sets have it.
+/// The second if either is NaN, as in vector instructions.
 template <class T>
 T min_of(const T& a, const T& b) {
   return a < b ? a : b;

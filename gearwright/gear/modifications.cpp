@@ -13,27 +13,28 @@ namespace gearwright {
 
 namespace {
 
-// Greatest amount over the depth of the usable flank, which is some two modules deep: 0.2 modules,
-// ten times what drawings ask for. Taken from both flanks it is half the tip land of most teeth.
+// Greatest amount relative to the depth of the usable flank, which is about two modules: 0.2
+// modules, ten times the usual values. Removed from both flanks, it is half the tip land of most
+// teeth.
 constexpr double kMaxAmount = 0.1;
 // Greatest slope of a relief over its depth (length). Removal along the normal of the unmodified
-// flank errs by half the square of the slope, here 2 % of the amount; steeper is a chamfer, a
-// surface of its own.
+// flank has an error of half the square of the slope, here 2 % of the amount. A steeper one is a
+// chamfer, which is a separate surface.
 constexpr double kSteepest = 0.2;
-// Least depth (length) of a relief over that of the flank (face): less is an edge.
+// Least depth (length) of a relief relative to that of the flank (face). A smaller one is an edge.
 constexpr double kMinReach = 1e-3;
-// Borders nearer to each other, over the flank's width, are one: a linear relief that begins so
-// much elsewhere differs by less than 1e-6 of its amount.
+// Borders closer together than this, relative to the flank's width, are merged, which changes a
+// linear relief by less than 1e-6 of its amount.
 constexpr double kSameBorder = 1e-9;
-// A form diameter has more digits than the grid that shall reach it, relative.
+// Relative tolerance for a grid that must reach a form diameter, which has more digits.
 constexpr double kSameDiameter = 1e-9;
-// Least L over the greatest at which √(ρ² − r0²) is taken as it stands. A flank that begins on the
-// base circle itself has its L wrong by half of this, there and nowhere else.
+// Least L, relative to the greatest, for which √(ρ² − r0²) is used directly. The L of a flank that
+// begins on the base circle has an error of half this value at that point only.
 constexpr double kMinRoll = 1e-6;
 // The form radius of a flank that begins on the base circle is that of the circle, to rounding.
 constexpr double kOnBase = 1e-12;
 
-// mm as the um of the spec, without the rounding of the way there and back.
+// mm as µm of the spec, without the rounding of a conversion in both directions.
 double in_um(double mm) {
   constexpr double kSteps = 1e9;  // per µm: finer than any drawing, coarser than rounding
   return std::round(mm / kMmPerUm * kSteps) / kSteps;

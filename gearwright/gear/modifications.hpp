@@ -8,7 +8,7 @@
 //          involute, 0 for other teeth, whose L is the radius. L_f at d_Ff, L_a at d_Fa
 //   w      (L − (L_f + L_a)/2)/(L_a − L_f), from −½ at the root to ½ at the tip
 //
-// Every modification is its amount times a field of its own (ISO 21771-1, "flank modifications"):
+// Every modification is its amount times its own field (ISO 21771-1, "flank modifications"):
 //
 //   tip relief        q or q²,  q = (L − L_start)/(L_a − L_start), from d_start to the tip
 //   root relief       q or q²,  q = (L − L_start)/(L_f − L_start), from d_start to the root
@@ -54,7 +54,7 @@ struct FlankModifications {
   std::shared_ptr<const Topography> topography{};
 };
 
-/// The usable flank that the modifications lie on.
+/// The usable flank to which the modifications apply.
 struct FlankExtent {
   double r0;             ///< mm, base radius of an involute, 0 for other teeth
   double rho_root_form;  ///< d_Ff/2  mm
@@ -73,7 +73,8 @@ struct Removal {
 ///
 ///   Laws  (1) at = Σ amount · derivative + topography
 ///         (2) pieces() cover the usable flank without overlap; within one, every formula is smooth
-///             and goes on beyond the borders, so an iterate slightly outside sees what it left
+///             and continues beyond the borders, so an iterate slightly outside uses the same
+///             formula
 ///         (3) the derivatives are those of c itself, everywhere
 class RemovalField {
  public:
@@ -91,7 +92,7 @@ class RemovalField {
       Parameter::profile_slope, Parameter::lead_crowning, Parameter::lead_slope,
       Parameter::end_relief};
 
-  /// Which reliefs are at work in a piece of the flank.
+  /// The reliefs that apply in a piece of the flank.
   struct Piece {
     bool tip = false, root = false;
     bool end_lo = false, end_hi = false;  ///< end relief at −b/2, at +b/2
@@ -106,7 +107,7 @@ class RemovalField {
   /// Domain    what make_removal_field accepts (contract)
   RemovalField(const FlankModifications& modifications, const FlankExtent& extent);
 
-  /// What is removed at (u, z), by the formulas of `piece`.
+  /// The material removed at (u, z), by the formulas of `piece`.
   ///
   /// Units     u = ln(ρ/mm), z in mm
   /// Domain    any u, z. A relief of `piece` that is not placed is a contract. √(ρ² − r0²) ends on
@@ -118,27 +119,28 @@ class RemovalField {
   Removal at(double u, double z, const Piece& piece) const;
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 
-  /// ∂/∂amount of `at`: mm removed per mm of the amount. A relief whose start or length is not
-  /// given is at work in no piece, and its field is 0.
+  /// ∂/∂amount of `at`: mm removed per mm of the amount. A relief without a start or length applies
+  /// in no piece, and its field is 0.
   Removal derivative(Parameter parameter, double u, double z, const Piece& piece) const;
 
   double amount(Parameter parameter) const { return amounts_[index(parameter)]; }  ///< C  mm
 
-  /// The piece that (u, z) lies in; on a border the one above, beyond the flank the nearest.
+  /// The piece that contains (u, z); on a border the one above, and beyond the flank the nearest
+  /// one.
   const Piece& piece_at(double u, double z) const;
   /// Growing u, and for each u growing z.
   const std::vector<Cell>& pieces() const { return cells_; }
   /// Borders between pieces, growing: where a first derivative jumps, or (parabolic) a second one.
-  /// A relief with a start has its border even if its amount is 0: its derivative needs it.
+  /// A relief with a start has a border even if its amount is 0, because its derivative needs it.
   const std::vector<double>& kinks_u() const { return kinks_u_; }
   const std::vector<double>& kinks_z() const { return kinks_z_; }
 
-  /// Whether the flank has a ridge where two neighbouring pieces meet: a linear relief begins there,
-  /// of an amount that is not 0, and the first derivative of c jumps.
+  /// True if the flank has a ridge where two neighbouring pieces meet. A ridge is the start of a
+  /// linear relief with an amount other than 0, where the first derivative of c jumps.
   bool ridge_between(const Piece& a, const Piece& b) const;
 
   bool has_topography() const { return topography_ != nullptr; }
-  bool none() const;  ///< nothing is removed: no topography and every amount 0
+  bool none() const;  ///< true if nothing is removed: no topography, and every amount is 0
 
  private:
   static std::size_t index(Parameter p) { return static_cast<std::size_t>(p); }
@@ -157,7 +159,7 @@ class RemovalField {
 
   FlankExtent extent_;
   std::array<double, 7> amounts_;
-  double y_floor_ = 0.0;  // mm², L² from which L goes on by other means
+  double y_floor_ = 0.0;  // mm², L² below which L is extrapolated
   double roll_root_ = 0.0, roll_tip_ = 0.0;
   Ramp tip_, root_, end_;
   std::shared_ptr<const TopographySpline> topography_;

@@ -23,9 +23,9 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
   return sum - g.generating_profile_shift;
 }
 
-// ρ_a0 as the drawing of the cutter says it: of its circular tip, or of the bottom of the rack that
-// cut it, where the blank reaches that. What a cutter that was cut by a gear has there is no rounding
-// of one radius.
+// ρ_a0 on the drawing of the cutter: the radius of its circular tip or, if the blank reaches it, of
+// the bottom of the rack that cut it. A cutter that was cut by a gear has no rounding of constant
+// radius there.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();
@@ -97,8 +97,8 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.root_fillet.reset();
   spec.tip_fillet.reset();
   const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
-  // What the cutter's root leaves, where nothing else ends the tooth: the same number, so that no
-  // rounding decides which of the two it is.
+  // The tip radius left by the root of the cutter, if nothing else ends the tooth. It is the same
+  // number, so that rounding does not decide between the two.
   spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);

@@ -13,19 +13,19 @@ struct PinionCutSpec {
   int teeth = 0;                       ///< z, negative for an internal gear
   double distance = 0.0;               ///< E  mm
   double face_width = 0.0;             ///< b  mm
-  std::optional<double> tip_diameter;  ///< d_a  mm; absent: what the cutter's root leaves
+  std::optional<double> tip_diameter;  ///< d_a  mm; absent: determined by the cutter's root
 };
 
-/// What keeps a cutter from a gear of that many teeth at all distances; nothing: it fits.
+/// The reason why a cutter cannot cut a gear of that many teeth at any distance; empty if it can.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 
-/// The generating distance at which the gear gets the profile shift x.
+/// The generating centre distance that gives the gear the profile shift x.
 ///
 /// Errors    `profile_shift` where the cutter has no such place
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
 
-/// Makes the gear. Module, pressure angle and |β| are the cutter's; an internal gear has its hand,
-/// an external gear the other one.
+/// Makes the gear. Module, pressure angle and |β| are those of the cutter. An internal gear has the
+/// hand of the cutter, and an external gear has the opposite hand.
 ///
 /// Domain    `cutter` is an external involute gear that exists (contract)
 /// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`

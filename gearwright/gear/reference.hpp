@@ -1,4 +1,5 @@
-// Reference geometry of a cylindrical involute gear: what follows from its numbers in closed form.
+// Reference geometry of a cylindrical involute gear, computed in closed form from its drawing
+// values.
 //
 //   z         teeth, negative if internal     m_n, m_t   normal and transverse module, mm
 //   α_n, α_t  pressure angles, rad           β, β_b     helix angles, rad, > 0 right hand

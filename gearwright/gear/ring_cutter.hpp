@@ -1,8 +1,8 @@
 // The pinion cutter of an internal gear whose drawing names none.
 //
-// A drawing of an internal gear says where the teeth end and how thick they are, seldom what cut
-// them. The root fillet still needs a cutter: here one without profile shift whose tip reaches the
-// root circle and is rounded like the internal gear's basic rack.
+// A drawing of an internal gear gives tip, root and thickness of the teeth, but seldom the cutter.
+// The root fillet needs a cutter, so this file uses one without profile shift whose tip reaches the
+// root circle and is rounded like the basic rack of the internal gear.
 //                            theory: docs/theory/06-few-teeth.md, 6.5
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace gearwright {
 
-/// The internal gear with the tooth that a cutter of |z|/2 teeth leaves, or of more or fewer where
-/// that one would take some of the flank. Its data stay as they are. Nothing: no such cutter leaves
-/// the whole flank down to the tip.
+/// The internal gear with the tooth cut by a cutter of |z|/2 teeth, or of more or fewer teeth if
+/// that cutter would remove part of the flank. All other data are unchanged. None if no such cutter
+/// leaves the whole flank down to the tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);

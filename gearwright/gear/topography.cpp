@@ -10,7 +10,8 @@ namespace gearwright {
 namespace {
 
 // Slopes at the points of the not-a-knot cubic spline: the second derivative is continuous at each
-// inner point, the third at the first and last of them. Elimination without pivots: they are > 0.
+// inner point, the third at the first and last of them. Elimination needs no pivoting, because all
+// pivots are > 0.
 std::vector<double> spline_slopes(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
   std::vector<double> h(n - 1), s(n - 1);  // steps, and slopes of the chords
@@ -40,7 +41,7 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
   return m;
 }
 
-// Cubic Hermite basis on a cell: what value and slope at its two ends give, and two derivatives.
+// Cubic Hermite basis on a cell, for value and slope at its two ends, with two derivatives.
 struct HermiteBasis {
   std::size_t cell;
   std::array<std::array<double, 4>, 3> b;  // [derivative][value left, right, slope left, right]

@@ -4,12 +4,12 @@
 //   d, z   diameter and height from the middle of the face, mm         s(d, z)   removed, mm
 //
 // Tensor product of cubic splines, C2, not-a-knot at the ends. A natural spline has no curvature at
-// its ends: it would take the crowning off the edges of the flank, where contact ends, and be wrong
-// there by the square of the grid's step. Not-a-knot is right to its fourth power up to the edge.
-// Two or three points on a side: the line or the parabola through them.
+// its ends, so it would remove the crowning at the edges of the flank, where contact ends, with an
+// error of second order in the grid step. The not-a-knot spline has an error of fourth order up to
+// the edge. Two or three points on a side give the line or the parabola through them.
 //
-//   Laws  (1) the points of the grid are met      (2) cubics in d and in z are given back
-//         (3) rows and columns may change places: splines along d first or along z first agree
+//   Laws  (1) the surface passes through the points of the grid      (2) cubics in d and in z are
+//   reproduced (3) rows and columns may be exchanged: splines along d first or along z first agree
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ struct Topography {
   std::vector<double> removed;    ///< mm, [i heights.size() + j] at diameter i and height j
 };
 
-/// Whether sizes and order are as the members say.
+/// True if sizes and order satisfy the conditions of the members.
 bool is_grid(const Topography& topography);
 
 class TopographySpline {
@@ -33,7 +33,7 @@ class TopographySpline {
   struct Value {
     double s, d, z, dd, dz, zz;  ///< mm; derivatives by diameter and height
   };
-  /// Beyond the grid its outermost cubic goes on. No allocation.
+  /// Beyond the grid the outermost cubic continues. The function does not allocate.
   Value at(double diameter, double height) const;
 
  private:

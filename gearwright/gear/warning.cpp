@@ -77,7 +77,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::flank_safety, "flank_safety", kCaution,
      "a safety factor against pitting is below the required one; below 1 the level is red",
      "the safety against pitting is too small"},
-    // They run, but not as they should.
+    // The gears run, but not as intended.
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
      "with the number of a gear: the tip of the mating gear passes a part of the flank that "
      "undercut has removed; nothing collides, but contact ends earlier",
@@ -139,7 +139,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the centre distance leaves more backlash than the spec gives, so the teeth are thicker than "
      "their profile shifts make them",
      "teeth thickened for the backlash"},
-    // The numbers of the answer, or of the spec, deserve a look.
+    // The user should check numbers of the result or of the spec.
     {C::no_outline, "no_outline", kCaution,
      "a gear without an outline has no CAD files (teeth cut off, cutter through the axis, internal "
      "gear that no default cutter can generate)",

@@ -1,8 +1,7 @@
-// What is worth knowing about gears and pairs and is no error: which facts there are, and what each
-// means for the user who has to decide.
+// Facts about gears and pairs that are not errors, with their meaning for the user.
 //
 // Warnings, findings of a verdict and entries of `interference` carry an enumerator. One table
-// (warning.cpp) has a row for each: its word in answers, how bad it is, and its sentences.
+// (warning.cpp) has a row for each: its code in results, its severity, and its sentences.
 #pragma once
 
 #include <array>
@@ -12,13 +11,13 @@
 namespace gearwright {
 
 enum class Severity {
-  note,     ///< a default or a consequence that is good to know
-  caution,  ///< it works; the user should look at this
-  problem,  ///< as specified it cannot be made or does not run
+  note,     ///< a default or a consequence, for information
+  caution,  ///< it works, but the user should check this
+  problem,  ///< it cannot be made or does not run as specified
 };
 
-/// In the order of how bad they are, the worst first: of two findings of one level the one that
-/// stands higher is named first.
+/// In order of severity, the worst first. Of two findings of one level, the earlier one is named
+/// first.
 enum class WarningCode {
   contact_lost,  ///< of the pair
   // There is no such gear.
@@ -42,7 +41,7 @@ enum class WarningCode {
   overlap,
   root_safety,
   flank_safety,
-  // They run, but not as they should.
+  // The gears run, but not as intended.
   contact_lost_to_undercut,  ///< of a gear
   beyond_flank,
   contact_below_form,
@@ -63,7 +62,7 @@ enum class WarningCode {
   fillet_margin,
   contact_place,
   thickened_for_backlash,
-  // The numbers of the answer, or of the spec, deserve a look.
+  // The user should check numbers of the result or of the spec.
   no_outline,
   no_corrections,
   ellipse_beyond_flank,
@@ -111,7 +110,7 @@ enum class WarningCode {
   designs_cut,
   edges_left_out,
   changes_left_out,
-  count  ///< how many there are; no code itself
+  count  ///< the number of codes, not a code
 };
 
 inline constexpr std::size_t kWarningCodes = static_cast<std::size_t>(WarningCode::count);
@@ -123,15 +122,15 @@ struct WarningMeaning {
   Severity severity;
   const char* sentence;       ///< when it occurs, for documents
   const char* reason = "";    ///< a clause for headlines, "the gears jam"; empty for a note
-  const char* advice = "";    ///< what to write otherwise in the spec, where no number would help
-  bool gear_unnamed = false;  ///< the message of a gear does not name the gear
+  const char* advice = "";    ///< the change of the spec that helps if no number would
+  bool gear_unnamed = false;  ///< true if the message does not name the gear
 };
 
 const WarningMeaning& meaning_of(WarningCode code);
 const std::array<WarningMeaning, kWarningCodes>& warning_meanings();
 inline const char* to_string(WarningCode code) { return meaning_of(code).text; }
 
-/// Something that the user should know about a gear or a pair and that is not an error.
+/// A fact about a gear or a pair that the user should know and that is not an error.
 struct Warning {
   WarningCode code;
   std::string message;  ///< one sentence for people

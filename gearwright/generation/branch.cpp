@@ -15,9 +15,9 @@
 
 namespace gearwright::detail {
 
-// A fillet that ends the tooth on its centre line and a tip circle this close are one end.
+// A tip circle this close to a fillet that ends the tooth on its centre line is the same end.
 constexpr double kSameEnd = 1e-12;
-// Of half a pitch: a root land shorter than that is the rounding of a full-radius root.
+// Relative to half a pitch: a shorter root land is the rounding error of a full-radius root.
 constexpr double kNoLand = 1e-12;
 
 double Branch::t_at(double h) const {
@@ -46,7 +46,7 @@ Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double 
 
 namespace {
 
-// The smallest half angle of the root fillet, of what the tip leaves of it.
+// The smallest half angle of the part of the root fillet below the tip.
 void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedTooth& tooth) {
   for (const Branch& branch : chain) {
     if (branch.name != ArcName::root_fillet || branch.height_lo >= tip_height) continue;
@@ -66,7 +66,7 @@ void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedToo
   }
 }
 
-// Ends the chain at the tip circle, or where the tooth is pointed before that.
+// Ends the chain at the tip circle, or at the point of a tooth that is pointed below it.
 void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     Branch& branch = chain[i];
@@ -79,7 +79,8 @@ void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) 
       tooth.tip_radius = std::abs(branch.height_hi);
       tooth.rounded_tip = true;
     } else if (branch.theta_at(end) <= 0.0) {
-      // By the parameter: where the radius is nearly stationary it says little of the place.
+      // The comparison uses the parameter, because a nearly stationary radius does not determine
+      // the position.
       const double t_end = branch.t_at(end);
       const auto theta = [&](double t) { return branch.curve->polar_angle(t); };
       branch.t_hi = find_root(theta, std::min(branch.t_lo, t_end), std::max(branch.t_lo, t_end)).x;
@@ -125,7 +126,7 @@ void write_outline(const std::vector<Branch>& chain, const ToothEnds& ends, Gene
   }
 }
 
-// What the way behind cuts is fillet: of the root below the flank, of the tip above.
+// The path behind the tooth cuts fillets only: of the root below the flank, of the tip above it.
 void name_by_place(std::vector<Branch>& chain) {
   const auto is_flank = [](const Branch& b) { return b.name == ArcName::flank; };
   const auto flank = std::find_if(chain.begin(), chain.end(), is_flank);
@@ -141,8 +142,8 @@ void name_by_place(std::vector<Branch>& chain) {
   }
 }
 
-// Heights along a rack's edge never fall, its branches always meet: there only a fillet can be
-// amiss. A cutter's edge may end in the air.
+// Heights along the edge of a rack never decrease and its branches always meet, so only a fillet
+// can fail. The edge of a pinion cutter may end without meeting another branch.
 std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& ends,
                            const GeneratedTooth& tooth) {
   if (ends.rack) {
@@ -189,15 +190,16 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
     return tooth;
   }
   end_at_tip(chain, side, tooth);
-  // A blank that ends where the cutter does is not topped: the two radii differ by their rounding.
+  // A blank that ends at the same radius as the cutter is not topped. The two radii differ by
+  // rounding only.
   constexpr double kOneRadius = 1e-13;
   tooth.tip_cut_by_rack =
       !tooth.pointed && !tooth.rounded_tip &&
       side * (ends.blank_radius - ends.cutter_radius) > kOneRadius * std::abs(ends.cutter_radius);
   for (const Branch& branch : chain) {
     if (branch.name != ArcName::flank) continue;
-    // A rack of arcs may cut several: the usable flank runs from the first to the last,
-    // which is [T3.15] where one involute is all of it.
+    // A rack of arcs may cut several flank arcs. The usable flank extends from the first to the
+    // last, which is [T3.15] for a single involute.
     if (!tooth.form_radius || !ends.rack) tooth.form_radius = std::abs(branch.height_lo);
     tooth.tip_form_radius = std::abs(branch.height_hi);
   }

@@ -1,4 +1,4 @@
-// A piece of envelope that may stand on the tooth, and the tooth that many of them leave standing.
+// A branch of an envelope that may bound the tooth, and the tooth that remains from many branches.
 //
 // Internal to generation/. Along a branch the height grows: the radius on an external tooth, minus
 // the radius on an internal gear's, so that heights rise from root to tip on both. The tooth is the
@@ -16,7 +16,7 @@
 
 namespace gearwright::detail {
 
-/// Relative: the cutter's own bottom ends on the circle of the land, up to rounding.
+/// Relative: the bottom of the cutter ends on the circle of the land within this rounding error.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
@@ -24,7 +24,7 @@ struct Branch {
   CurvePtr curve;
   double t_lo, t_hi;
   double height_lo, height_hi;
-  bool smooth_start = false;         ///< goes on from the end of the branch before
+  bool smooth_start = false;         ///< continues from the end of the preceding branch
   double side = 1.0;                 ///< height = side·|W|; −1 on an internal gear
   std::vector<double> turns = {};    ///< parameters at which the half angle is stationary
   bool ends_on_center_line = false;  ///< a rounded tip: at its end θ = 0, without a point
@@ -39,20 +39,20 @@ struct Branch {
 /// Branch of `curve` from t_lo to t_hi, heights taken from the curve.
 Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
 
-/// What the branches, given from root to tip, are cut to; `side` as theirs.
+/// The limits of the branches, which are given from root to tip; `side` is that of the branches.
 struct ToothEnds {
   int teeth;                ///< z
   double side;              ///< 1, an internal gear −1
   double root_land_angle;   ///< rad: polar angle where the root land ends; π/|z| without one
   double blank_radius;      ///< mm, infinite (an internal gear: 0) without one
-  double cutter_radius;     ///< mm, where the cutter itself tops the tooth; likewise
+  double cutter_radius;     ///< mm, where the cutter itself ends the tooth; likewise
   bool rack = true;         ///< cut by a rack
-  bool turns_back = false;  ///< the cutter's way does: behind the tooth, too, it may cut
-  std::function<std::vector<Branch>()> all = {};  ///< then: every branch, ahead and behind
+  bool turns_back = false;  ///< true if the cutter may also cut behind the tooth
+  std::function<std::vector<Branch>()> all = {};  ///< in that case every branch, ahead and behind
 };
 
-/// Puts the branches together and ends them at the tip. `tooth` brings root_radius and the fillets
-/// asked for; everything else is filled in. Severed teeth keep no outline.
+/// Joins the branches and ends them at the tip. `tooth` contains root_radius and the requested
+/// fillets, and all other members are filled in. Severed teeth have no outline.
 ///
 /// Errors    `tip_diameter_mm` when the blank leaves no tooth above the root; `cut_by` when the
 ///           leaving cutter takes the flank itself

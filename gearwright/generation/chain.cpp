@@ -10,7 +10,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// How the outline goes on from `last` to `next`.
+// The transition of the outline from `last` to `next`.
 struct Joint {
   enum Kind { at_height, last_hidden, next_hidden } kind;
   double height = 0.0;
@@ -24,7 +24,8 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
     GW_ENSURES(root.found());
     return root.x;
   }
-  // Solve in the parameter of the branch that has no closed radius: no root inside a root.
+  // The solution uses the parameter of the branch without a closed-form radius, which avoids nested
+  // root finding.
   const bool by_last = !last.curve->radius_is_closed_form();
   const Branch& free = by_last ? last : next;
   const Branch& other = by_last ? next : last;
@@ -37,9 +38,9 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
   return free.height(find_root(gap_t, std::min(t_a, t_b), std::max(t_a, t_b)).x);
 }
 
-// The tooth is the lower envelope of the half angles. It has no jump; so where the radii of the two
-// only touch, or where one ends without having crossed the other, they share that point up to
-// rounding (undercut that begins just here, a corner of the edge on the pitch line).
+// The tooth is the lower envelope of the half angles, which is continuous. If the radii of the two
+// branches only touch, or if one ends before it crosses the other, they therefore share that point
+// within rounding (undercut that begins here, a corner of the edge on the pitch line).
 Joint joint(const Branch& last, const Branch& next) {
   if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // of no height at all
   const double lo = std::max(last.height_lo, next.height_lo);
@@ -47,14 +48,14 @@ Joint joint(const Branch& last, const Branch& next) {
   const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
   if (!(lo < hi)) {
     if (last.height_hi <= next.height_lo) return {Joint::at_height, last.height_hi};
-    return {Joint::last_hidden};  // unless what came before hides `next` too
+    return {Joint::last_hidden};  // unless the preceding branch hides `next` too
   }
   if (gap(lo) >= 0.0) {
     if (next.height_lo > last.height_lo) return {Joint::at_height, lo};
     return {Joint::last_hidden};
   }
-  if (std::isinf(hi)) {              // both straight: the one that rises less steeply wins far out
-    constexpr double kFarOut = 1e6;  // times the radius: no tooth is that high
+  if (std::isinf(hi)) {              // both straight: the flatter one is lower at large heights
+    constexpr double kFarOut = 1e6;  // times the radius, an upper limit of the height of a tooth
     hi = 2.0 * lo;
     while (gap(hi) < 0.0 && hi < kFarOut * lo) hi *= 2.0;
   }
@@ -63,11 +64,13 @@ Joint joint(const Branch& last, const Branch& next) {
   return {Joint::next_hidden};
 }
 
-// What two ends that ought to be one point may differ by, of their radius: the root of ε, since a
-// branch that begins along a circle about the axis (τ = π/2) has θ like the root of its radius.
+// The largest difference, relative to the radius, of two ends that are one point. It is √ε, because
+// θ varies like the square root of the radius on a branch that begins along a circle about the axis
+// (τ = π/2).
 constexpr double kSamePoint = 1.5e-8;
 
-// The branch of a chain at the height h, of two that meet there the upper one; nothing outside.
+// The branch of a chain at the height h, and the upper one of two that meet there; none outside the
+// chain.
 const Branch* at_height(const std::vector<Branch>& chain, double h) {
   if (chain.empty() || h < chain.front().height_lo) return nullptr;
   std::size_t i = 0;
@@ -79,7 +82,7 @@ const Branch* at_height(const std::vector<Branch>& chain, double h) {
 
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height) {
   std::vector<Branch> chain;
-  const Branch* before = nullptr;  // the branch that ends the chain, whole
+  const Branch* before = nullptr;  // the branch that ends the chain, not shortened
   for (const Branch& branch : branches) {
     if (branch.height_lo >= tip_height && !chain.empty() && chain.back().height_hi >= tip_height)
       continue;
@@ -91,7 +94,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
     }
     std::size_t kept = chain.size();
     if (next.height_hi <= chain.back().height_lo) {
-      // All of it lies below the last one: what that one goes on from may hide it.
+      // The whole branch lies below the last one, so the predecessor of the last one may hide it.
       const Branch* below = at_height(chain, next.height_hi);
       if (below && below->theta_at(next.height_hi) < next.theta_at(next.height_hi)) continue;
     }
@@ -120,8 +123,8 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 
 namespace {
 
-// Where a radius is stationary its parameter is known to half the digits only: ends that are one
-// height keep theirs.
+// At a stationary radius the parameter is accurate to half the digits only, so ends within
+// tolerance are left unchanged.
 constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
@@ -134,10 +137,10 @@ void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double 
 }
 
 constexpr double kRounding = 1e-13;        // rad: curves that coincide do not cross
-constexpr double kHeightRounding = 1e-14;  // relative: what heights of one point may differ by
+constexpr double kHeightRounding = 1e-14;  // relative difference of heights that are one point
 
-// How far a stands above b at the height h, taken where within the rounding of heights it does
-// least: where a branch begins along a circle about the axis θ runs like a root of the height.
+// Distance of a above b at the height h, minimised within the rounding of heights, because θ varies
+// like the square root of the height where a branch begins along a circle about the axis.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));
@@ -161,7 +164,7 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
       continue;
     }
     if (gap(before) < 0.0) return find_root(gap, before, h).x;
-    // They are one point here, as where a has just passed below b; it may have stayed there a while.
+    // The two are one point here, as after a has passed below b, and may coincide for some length.
     for (double near = h; near - before > kSameHeight * std::abs(before);) {
       near = before + 0.5 * (near - before);
       if (gap(near) < -kRounding) return find_root(gap, near, h).x;
@@ -172,7 +175,7 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
   return std::nullopt;
 }
 
-// Where one branch ends the lowest of those that go on from there; null where none does.
+// At the end of a branch, the lowest branch that continues from there; null if there is none.
 const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended, double h,
                        double same) {
   const double near = same * std::abs(h);
@@ -181,7 +184,7 @@ const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended,
   for (const Branch& b : branches) {
     if (b.height_lo > h + near || b.height_hi <= h + near) continue;
     if (std::abs(b.theta_at(h) - theta) > same) continue;
-    constexpr double kAhead = 1e3;  // times what counts as one point: there they have parted
+    constexpr double kAhead = 1e3;  // multiple of the tolerance at which they have separated
     const double ahead = std::min(b.height_hi, h + kAhead * near);
     if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
   }
@@ -195,9 +198,9 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
   const Branch* own = &branches.front();
   double from = own->height_lo;
   std::vector<Branch> lower;
-  const std::size_t most = 8 * branches.size();  // no two curves of a tooth cross more often
-  // Two branches that pass below each other from one height on, each by its own steps, would be
-  // taken in turn for ever: such a tooth is given up.
+  const std::size_t most = 8 * branches.size();  // upper limit for crossings of two curves
+  // Two branches that pass below each other in turn would cause an endless loop, so such a tooth is
+  // rejected.
   for (std::size_t turns = 0; lower.size() < most && turns < 8 * most; ++turns) {
     const double end = std::min(own->height_hi, tip_height);
     double until = end;
@@ -211,7 +214,7 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
     }
     if (until > from) append(lower, {*own}, from, until);
     if (!next && until >= tip_height - kAtTip * std::abs(tip_height)) return lower;
-    // Strictly first: a branch may be shorter than what counts as one point.
+    // The comparison is strict, because a branch may be shorter than the tolerance for one point.
     if (!next) next = going_on(branches, *own, until, kSameHeight);
     if (!next) next = going_on(branches, *own, until, kSamePoint);
     if (!next) return {};

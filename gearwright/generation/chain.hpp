@@ -1,7 +1,7 @@
-// Branches put together to the outline that they leave standing.
+// Joins branches to the outline that remains between them.
 //
-// Internal to generation/. A chain is a list of branches by growing height, each beginning where
-// the one before ends; as a whole it is the half angle over the height.
+// Internal to generation/. A chain is a list of branches in order of height, each beginning at the
+// end of the preceding one. It represents the half angle as a function of the height.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
@@ -12,16 +12,16 @@
 
 namespace gearwright::detail {
 
-/// The chain of the branches of one edge, in its order from root to tip, up to the tip. Empty where
-/// two ends that ought to meet do not.
+/// The chain of the branches of one edge, in its order from root to tip, up to the tip. Empty if
+/// two ends that should meet do not.
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
 
-/// The same from branches each of which only cuts: from the first, which begins at the root, on the
-/// lowest half angle at every height. [T6.13] Slower than the walk along an edge, for cutters whose
-/// way turns back.
+/// The same for branches in any order: starting with the first, which begins at the root, it takes
+/// the lowest half angle at every height. [T6.13] It is slower than the walk along an edge and is
+/// used for cutters whose path turns back.
 std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
 
-/// Whether every branch begins where the one before ends.
+/// True if every branch begins at the end of the preceding one.
 bool is_continuous(const std::vector<Branch>& chain);
 
 }  // namespace gearwright::detail

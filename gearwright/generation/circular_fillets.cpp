@@ -68,7 +68,7 @@ std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius) {
 
 namespace {
 
-// Where the flanks of the tooth meet, as a roll angle; infinite where they never do.
+// Roll angle at which the flanks of the tooth meet; infinite if they do not.
 double roll_of_point(const Involute& flank) {
   const double psi_b = flank.base_half_angle();
   return psi_b > 0.0 ? std::tan(inverse_involute(psi_b)) : 0.0;
@@ -81,7 +81,7 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
   const double eta = std::numbers::pi / teeth - flank.base_half_angle();
   const double most = std::min(tip_roll, kHalfPi - eta);
-  // The rack cuts both flanks of the space there, so that it is open.
+  // The rack cuts both flanks of the tooth space there, so the space is open.
   const double least = std::max(0.0, ruler.roll(l_zero));
   const char* const field = "root_fillet.offset";
   if (!(least < most)) {
@@ -120,7 +120,7 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
   return root.x;
 }
 
-// Both corners rounded; the greatest radius leaves no land between them, or no flank below them.
+// Both corners are rounded. The greatest radius leaves no land between them or no flank below them.
 Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double tip_radius,
                                   double least) {
   const Involute& flank = ruler.flank;
@@ -130,7 +130,7 @@ Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double
     const CircularFillet corner = tip_corner_at(flank, tip_radius, rho);
     return std::min(corner.arc.land.rad(), corner.roll - least);
   };
-  constexpr double kSharp = 1e-9;  // of the tip radius: less rounding than any drawing names
+  constexpr double kSharp = 1e-9;  // relative to the tip radius, below every rounding on a drawing
   const double sharp = kSharp * tip_radius;
   if (!(most > sharp && room(sharp) > 0.0)) {
     return Error{"tip_fillet.corner_radius", "",
@@ -204,7 +204,8 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
     if (arc.cuts != ArcName::flank || !line) continue;
     const double x = line->begin_height + motion.shift;
     const double roll = rack_involute_roll(motion, *line, x);
-    // One module up: ξ is linear in x, and the difference is exact enough only as a whole.
+    // The step is one module, because ξ is linear in x and a smaller difference would be
+    // inaccurate.
     const double one = motion.pitch_radius;
     const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
     const double cos_tau = std::cos(line->tau.rad());

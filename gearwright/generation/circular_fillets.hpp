@@ -1,5 +1,5 @@
-// Circular fillets that no rack cuts, at the root and at the tip of an involute tooth: from what a
-// drawing says of them to the arcs, in one go. generate.hpp puts them on the tooth.
+// Circular fillets at the root and at the tip of an involute tooth that are not cut by a rack:
+// computes the arcs from the values of a drawing. generate.hpp adds them to the tooth.
 //
 //   l    mm along the straight flank of the rack, in its normal section, from its lower end;
 //        everything is linear in it: the rack's height x, and with it the roll angle ξ
@@ -11,8 +11,7 @@
 //
 // All arcs are tangent to the flank, so that their centres lie on its normal: the root fillet's
 // where that meets the space's centre line, the tip fillet's where it meets the tooth's, that of a
-// rounded tip corner where it is as far from the tip circle. All are closed forms, and no sine law is
-// needed.
+// rounded tip corner where it is as far from the tip circle. All are closed forms.
 #pragma once
 
 #include <optional>
@@ -30,7 +29,7 @@ struct RootFilletSpec {
   double offset = 0.0;  ///< mm, l_C = max(l_F, 0) + offset
 };
 
-/// [gearN.tip_fillet]: one number, and what it is.
+/// [gearN.tip_fillet]: one number and its meaning.
 struct TipFilletSpec {
   enum class By {
     radius,      ///< r_t
@@ -42,7 +41,7 @@ struct TipFilletSpec {
   double value = 0.0;  ///< mm
 };
 
-/// The rack's straight flank as a ruler of roll angles. [T6.5]
+/// The straight flank of the rack as a scale of roll angles. [T6.5]
 struct FlankRuler {
   Involute flank;
   double roll_at_0;    ///< ξ at l = 0
@@ -56,17 +55,17 @@ struct FlankRuler {
 
 FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 
-/// A fillet arc: its circle by the distance of the centre from the axis, and how far it spans.
+/// A fillet arc: its circle, by the distance of the centre from the axis, and its extent.
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
   double distance;  ///< of the centre from the gear's axis, mm
   Angle span;       ///< σ  from the flank to the centre line, of a tip corner to the land
   double end;       ///< mm: radius at which the arc meets the centre line or the land
-  Angle land{};     ///< γ  half angle of the land, 0: there is none
+  Angle land{};     ///< γ  half angle of the land; 0 if there is none
 };
 
-/// The root fillet that touches the flank at ξ_C and is centred in the space; nothing when the
-/// flank's normal does not meet the space's centre line outside the tooth.
+/// The root fillet that touches the flank at ξ_C and is centred in the space; none if the normal of
+/// the flank does not meet the centre line of the space outside the tooth.
 ///
 /// Formula   r_r = r_b (tan u − ξ), D = r_b/cos u, σ = π/2 − u, end D − r_r; [T6.2]
 /// Domain    ξ_C ≥ 0, teeth ≥ 1 (contract)
@@ -79,8 +78,8 @@ std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double
 /// Domain    ξ_J ≥ 0 (contract)
 std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi);
 
-/// The ξ_J of a given r_t: dr_t/dξ = −r_b tan² δ, so there is one. Nothing: r_t is greater than
-/// the whole flank allows. [T6.4]
+/// The ξ_J of a given r_t: dr_t/dξ = −r_b tan² δ, so it is unique. None if r_t is too great for the
+/// whole flank. [T6.4]
 ///
 /// Domain    r_t > 0 (contract)
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius);
@@ -98,13 +97,13 @@ struct CircularFillet {
 /// Domain    0 < ρ_a ≤ r_a − r_b (contract)
 CircularFillet tip_corner_at(const Involute& flank, double tip_radius, double radius);
 
-/// Circular fillets in place of what the rack cuts, where they are asked for.
+/// Circular fillets that replace the root or tip cut by the rack, if requested.
 struct CircularFillets {
   std::optional<CircularFillet> root, tip;
 };
 
-/// The fillets that are asked for. `tip_radius` is the blank's, where it is given; for the rounding
-/// of a tip corner it is where the tooth ends.
+/// The requested fillets. `tip_radius` is that of the blank, if it is given; for the rounding of a
+/// tip corner it is the end of the tooth.
 ///
 /// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`,
 ///           `tip_fillet.corner_radius`, `tip_fillet`: with the range that fits

@@ -18,7 +18,8 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// Two normals this close are one: the arcs join smoothly. A corner moves the cut by λ²/w a radian.
+// Two normals this close are equal, and the arcs join smoothly. A corner moves the cut by λ²/w per
+// radian.
 constexpr double kSameNormal = 1e-12;
 
 // ν of an arc, within half a turn beyond the polar angle.
@@ -52,7 +53,7 @@ class Cutting {
 
   bool misses_flank = false;  // the centrode lies inside the base circle of the cutter's flank
   std::vector<Branch> branches;
-  bool loops = false;  // somewhere the normal misses the centrode: the way turns back there
+  bool loops = false;  // true if the normal misses the centrode, so the path turns back
 
   void run() {
     const auto& arcs = cutter_.outline.arcs;
@@ -64,7 +65,7 @@ class Cutting {
       if (nu_tip_side > nu + kSameNormal) {  // a corner that stands out
         add_fan(arc, nu, nu_tip_side, smooth);
       } else if (nu_tip_side < nu - kSameNormal) {
-        smooth = false;  // a hollow corner: what lies beside it is cut by its neighbours
+        smooth = false;  // a concave corner does not cut; its neighbours do
       }
       smooth = add_arc(arc, smooth);
       nu = normal_angle(arc, 0.0);
@@ -75,7 +76,7 @@ class Cutting {
       branches.back().ends_on_center_line = true;
   }
 
-  // Ahead and behind of every arc and every corner that stands out.
+  // Branches ahead of and behind every arc and every convex corner.
   std::vector<Branch> everything() const {
     std::vector<Branch> all = branches;
     const auto& arcs = cutter_.outline.arcs;
@@ -139,7 +140,7 @@ class Cutting {
   }
 
   void add_fan(const Arc& arc, double nu_from, double nu_to, bool& smooth) {
-    // Beyond the flank a corner belongs to the cutter's root and cuts the tip.
+    // Beyond the flank, a corner belongs to the root of the cutter and cuts the tip.
     const ArcName cuts = arc.name == ArcName::root_fillet || arc.name == ArcName::root_land
                              ? ArcName::tip_fillet
                              : ArcName::root_fillet;
@@ -179,7 +180,7 @@ class Cutting {
       const bool stands = ahead->cuts(middle);
       if (stands) add(cuts, ahead, ends[i], ends[i + 1], smooth);
       loops = loops || !ahead->reaches(middle);
-      smooth = stands && i + 2 == ends.size();  // behind a cusp nothing goes on
+      smooth = stands && i + 2 == ends.size();  // no branch continues behind a cusp
     }
     return smooth;
   }

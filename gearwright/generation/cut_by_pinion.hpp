@@ -1,8 +1,9 @@
-// A finished tooth as a pinion cutter: what its whole outline leaves of the gear it rolls with.
+// A finished tooth as a pinion cutter: computes the gear that its whole outline generates.
 //
-// Every arc of the cutter, and every corner with its fan of normals, gives branches as the edge of
-// a rack does; the cutter's tip cuts the root, its root the tip. Trimming, cusps (the cutter's
-// hollow root may cut one on the tip) and pointed teeth are the same work.
+// Every arc of the cutter, and every corner with its range of normals, gives branches, like the
+// edge of a rack. The tip of the cutter cuts the root, and its root cuts the tip. Trimming, cusps
+// (which the concave root of the cutter may cut on the tip) and pointed teeth need no separate
+// treatment.
 //                                              theory: docs/theory/06-few-teeth.md, [T6.8]…[T6.13]
 #pragma once
 
@@ -11,7 +12,8 @@
 
 namespace gearwright {
 
-/// The tip radius that the cutter's root leaves where no blank ends the tooth before, mm.
+/// The tip radius that the root of the cutter leaves if the blank does not end the tooth earlier,
+/// mm.
 double left_by_root(const GeneratedTooth& cutter, const PinionMotion& motion);
 
 /// Cuts a tooth with a pinion cutter.

@@ -58,11 +58,11 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
             curve->neck_angles(std::min(cuts[i], cuts[i + 1]), std::max(cuts[i], cuts[i + 1]));
       branches.push_back(std::move(branch));
     }
-    smooth = false;  // behind a cusp nothing goes on
+    smooth = false;  // no branch continues behind a cusp
   }
 }
 
-// The circular root fillet in place of what the rack cuts below ξ_C. [T6.2]
+// The circular root fillet, which replaces the root cut by the rack below ξ_C. [T6.2]
 std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
@@ -84,7 +84,7 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
   return std::nullopt;
 }
 
-// The circular tip fillet, or the rounded corner, in place of what follows ξ_J. [T6.3] [T6.17]
+// The circular tip fillet or the rounded corner, which replaces the part after ξ_J. [T6.3] [T6.17]
 std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const CircularFillet& tip,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
@@ -107,7 +107,7 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
   return std::nullopt;
 }
 
-// Puts circular fillets where they are asked for; what the rack cuts beyond them is not there.
+// Adds the requested circular fillets and removes the parts cut by the rack beyond them.
 std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
                                  const CircularFillets& fillets, GeneratedTooth& tooth) {
   const auto flank = std::find_if(branches.begin(), branches.end(),
@@ -116,7 +116,7 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
     return Error{fillets.root ? "root_fillet" : "tip_fillet", "",
                  "the rack leaves no involute that it could touch"};
   }
-  // The tip first: what goes from the front shifts the flank's place.
+  // The tip is treated first, because removing arcs at the front changes the index of the flank.
   if (fillets.tip) {
     branches.erase(flank + 1, branches.end());
     if (fillets.root) branches.back().t_lo = std::max(branches.back().t_lo, fillets.root->roll);

@@ -72,8 +72,8 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   Contact c;
   c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
-  // At the limit of reach s is r_p up to rounding, of which the root would make half the digits:
-  // both ways, ahead and behind, end there in one point.
+  // At the limit of reach, s equals r_p within rounding, and the square root would lose half the
+  // digits. Both paths, ahead and behind, end there in one point.
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
@@ -129,7 +129,7 @@ bool PinionEnvelope::reaches(double t) const { return contact(t).s < r_p_; }
 bool PinionEnvelope::cuts(double t) const {
   const Contact c = contact(t);
   if (!(c.s < r_p_)) return false;
-  if (std::isinf(c.curvature)) return true;  // a corner: w G = n λ²/ρ, ρ → 0
+  if (std::isinf(c.curvature)) return true;  // for a corner w G = n λ²/ρ, ρ → 0
   return c.w + (1.0 + m_) * c.lambda() * (1.0 - c.curvature * c.lambda()) > 0.0;
 }
 
@@ -159,7 +159,7 @@ std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
 
 namespace {
 
-// Keeps what lies between a and b, from a on.
+// Keeps the values between a and b, ordered from a.
 std::vector<double> in_order(std::vector<double> t, double a, double b) {
   const auto [lo, hi] = std::minmax(a, b);
   t.erase(std::remove_if(t.begin(), t.end(),

@@ -1,4 +1,5 @@
-// What a pinion cutter's outline cuts in the transverse section of the gear that rolls with it.
+// The envelope of a pinion cutter's outline in the transverse section of the gear that it
+// generates.
 //
 //   r_p, r_g  radii of the two centrodes, mm; r_g < 0 if internal    m = z_0/z, < 0 if internal
 //   s, q      the cutter's point along its tangent and along its outward normal ν, mm
@@ -7,8 +8,9 @@
 //
 // The point is cut when its normal passes through the pitch point; κ = asin(s/r_p) is then the
 // angle between the normal and the line of centres, and the cutter has turned by κ − ν. In the
-// frame of the space the gear's point is  e^{−im(ν−κ)} (r_g + λ e^{iκ})  [T6.8]. Involutes cut
-// involutes (closed form), circles about the axis circles; everything else goes through here.
+// frame of the space the gear's point is  e^{−im(ν−κ)} (r_g + λ e^{iκ})  [T6.8]. Involutes generate
+// involutes (closed form), and circles about the axis generate circles. This file computes all
+// other curves.
 //                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 
@@ -31,7 +33,8 @@ struct PinionMotion {
   double pitch_radius() const;                                                ///< r_g  mm, signed
 };
 
-/// A sharp corner of the cutter as a curve by the angle ν of its normals: a circle of no radius.
+/// A sharp corner of the cutter as a curve with the angle ν of its normals as parameter, which is a
+/// circle of radius 0.
 class CornerFan final : public Curve {
  public:
   explicit CornerFan(const Vec2& point) : point_(point) {}
@@ -43,15 +46,15 @@ class CornerFan final : public Curve {
   Vec2 point_;
 };
 
-/// Whether the cutter's curve is walked with growing parameter from its root to its tip.
+/// True if the parameter of the cutter's curve grows from its root to its tip.
 enum class Walk { forward, backward };
 
 /// The normal meets the cutter's centrode twice: ahead of the tooth (w > 0), where it cuts root,
-/// flank and tip, and behind it (w < 0), where an internal gear's tip may be caught when the tooth
-/// leaves [T6.13].
+/// flank and tip, and behind it (w < 0), where it may trim the tip of an internal gear when the
+/// tooth leaves [T6.13].
 enum class Meeting { ahead, behind };
 
-/// The envelope by the cutter's own parameter.
+/// The envelope as a function of the cutter's own parameter.
 ///
 /// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)}, G = 1 + (1+m) λ (1 − k λ)/w, σ and k length and curvature of
 ///           the cutter's curve: G = 0 is a cusp; [T6.9]
@@ -69,7 +72,8 @@ class PinionEnvelope final : public Curve {
   /// Whether the cutter lies outside the gear's material around the point: s < r_p and w G > 0.
   bool cuts(double t) const;
   bool reaches(double t) const;  ///< s < r_p: the normal meets the centrode
-  /// The parameters between a and b, from a on, where that may change: cusps and limits of reach.
+  /// The parameters between a and b, ordered from a, at which that may change: cusps and limits of
+  /// reach.
   /// Exact for circles and corners, elsewhere isolated on 256 cells. [T6.9]
   std::vector<double> breaks(double a, double b) const;
   /// Where the gear's half angle is stationary, q = w (1 + 1/m); likewise. [T6.10]
@@ -88,7 +92,7 @@ class PinionEnvelope final : public Curve {
   double r_p_, r_g_, m_;
 };
 
-/// The involute that the cutter's involute cuts; nothing when the base circle does not lie inside
+/// The involute that the cutter's involute generates; none if the base circle does not lie inside
 /// the centrode. Its ξ for the cutter's ξ_0 is (1 + m) tan α_w − m ξ_0, for an internal gear minus
 /// that. [T6.11]
 struct PinionInvolute {

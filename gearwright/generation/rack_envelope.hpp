@@ -1,4 +1,4 @@
-// The envelope of a rack cutter's edge in the transverse section of the gear it cuts.
+// The envelope of a rack cutter's edge in the transverse section of the gear.
 //
 //   r    pitch radius, mm        β    helix angle
 //   e    height of the datum line over the pitch circle, mm
@@ -27,11 +27,11 @@ struct RackMotion {
   double shift;         ///< e = x_E m_n  mm
 };
 
-/// What a circular piece of the edge cuts; the parameter is the normal angle τ of the normal
+/// The envelope of a circular piece of the edge; the parameter is the normal angle τ of the normal
 /// section.
 ///
-/// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9]: where F keeps its sign the
-///           radius is monotone, and a zero of F is a cusp
+/// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9]: the radius is monotone
+///           while F keeps its sign, and a zero of F is a cusp
 ///       (2) dθ/d|W| does not depend on the circle's radius
 class RackTrochoid final : public Curve {
  public:

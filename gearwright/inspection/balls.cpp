@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Diameters of measuring pins and balls for gears, mm: those of DIN 3977 that shops have.
+// Diameters of measuring pins and balls for gears, mm: the common ones of DIN 3977.
 constexpr std::array kMetric{
     0.3,  0.35, 0.4,  0.45, 0.5,  0.55, 0.6,  0.65, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95, 1.0,  1.1,
     1.2,  1.3,  1.4,  1.5,  1.6,  1.7,  1.8,  1.9,  2.0,  2.25, 2.5,  2.75, 3.0,  3.25, 3.5,  3.75,
@@ -54,7 +54,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
                      format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
 }
 
-// A ball where the two helicoids say, whatever else is in its way; none: they do not meet.
+// The ball at the intersection of the two helicoids, regardless of other obstacles; none if they do
+// not meet.
 std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, double ball) {
   const Base b = base_of(gear);
   const double inv = center_involute(b, ball);
@@ -74,7 +75,7 @@ std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, doub
                   flank.place(d_M)};
 }
 
-// The diameter of the root as it is cut: no ball's lowest point gets past it.
+// The root diameter as cut, which limits the lowest point of a ball.
 bool hits_root(const Gear& gear, const BallSeat& seat) {
   const double lowest =
       seat.center_diameter / 2 - (gear.internal() ? -1 : 1) * seat.ball_diameter / 2;
@@ -94,7 +95,8 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
   const bool internal = gear.internal();
-  // A ring's spaces widen towards its tip: there too great a ball is the one that finds no flank.
+  // The spaces of an internal gear widen towards its tip, so a ball that is too large finds no
+  // flank.
   if (!seat) {
     const bool small = !internal || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);
     return no_ball(ball, (small ? "is too small to touch both flanks; "
@@ -136,7 +138,7 @@ double least_across(double delta, double T) {
     const auto f = [&](double e) {
       return Slope<double>{e - T * std::sin(e) - delta, 1.0 - T * std::cos(e)};
     };
-    // Beyond the turning point of e − T sin e the function rises and has its root.
+    // Beyond the turning point of e − T sin e, the function increases and has its root.
     const double lo = T > 1.0 ? std::acos(1.0 / T) : 0.0;
     const double start = std::clamp(delta + T * std::sin(delta), lo, pi);
     const auto root = newton_in_bracket<double>(f, lo, pi, start, true);

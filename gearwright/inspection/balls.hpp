@@ -1,4 +1,5 @@
-// Balls and pins in the spaces of a gear: where they touch, and what is read over or between them.
+// Balls and pins in the tooth spaces of a gear: their contacts, and the dimensions over or between
+// them.
 //
 //   D_M    diameter of ball or pin, mm         α_Kt  transverse pressure angle at its centre, rad
 //   d_K    diameter of its centre, mm          d_M   diameter of the contacts, mm
@@ -6,8 +7,8 @@
 //   M_d, M_r   over two balls, over one from the axis, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// A ball is followed by the same involute helicoid as the flank, moved along its normal by the
-// ball's radius: the centre lies where that helicoid meets the middle of the space.
+// The centre of the ball lies where the involute helicoid of the flank, offset along its normal by
+// the radius of the ball, meets the middle of the space.
 #pragma once
 
 #include <optional>
@@ -25,21 +26,21 @@ struct BallSeat {
   double center_pressure_angle;  ///< α_Kt  rad
   double center_diameter;        ///< d_K   mm
   double contact_diameter;       ///< d_M   mm
-  double contact_offset;  ///< mm: the contacts lie so far before and behind the ball's centre
+  double contact_offset;  ///< mm, distance of the contacts before and behind the ball's centre
   double radial;          ///< M_r   mm, from the axis over the ball, of a ring inside it
   ContactPlace place;
 
   bool usable() const { return place == ContactPlace::usable; }
 };
 
-/// What is read over, or in an internal gear between, two pins.
+/// The dimension over two pins, or between them in an internal gear.
 struct PinReading {
-  std::optional<double> two_free;    ///< mm, two pins that may tilt: the least
-  std::optional<double> three;       ///< mm, two between parallel anvils; helical: three as well
+  std::optional<double> two_free;    ///< mm, least dimension over two pins that may tilt
+  std::optional<double> three;       ///< mm, two pins between parallel anvils (helical: or three)
   std::optional<double> three_pins;  ///< M_d3R mm, an anvil on two neighbours, the other on one
 };
 
-/// The ball or pin in a space of the gear, if it rests on both flanks and can be measured.
+/// The ball or pin in a space of the gear, if it touches both flanks and can be measured.
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
 /// Errors    `ball_diameter`: falls between the teeth, rests on the tips, does not stand out beyond
@@ -51,14 +52,14 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 /// Domain    |z| ≥ 2 (contract): one space has no opposite one
 double over_two_balls(const Gear& gear, const BallSeat& seat);
 
-/// The same over pins. None: an internal helical gear, into which no straight pin goes.
+/// The same over pins; none for an internal helical gear, into which a straight pin does not fit.
 ///
 /// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; parallel anvils: d_K ± D_M [T10.10];
 ///           three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
 /// Domain    |z| ≥ 2 (contract)
 PinReading over_pins(const Gear& gear, const BallSeat& seat);
 
-/// The ball that touches at that diameter.
+/// The ball whose contacts are at that diameter.
 ///
 /// Formula   α_Kt + tan² β_b tan α_Kt = ξ_M/cos² β_b + σ η_b; [T10.11]
 /// Domain    contact_diameter ≥ d_b (contract)
@@ -70,14 +71,14 @@ std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
                                                 double dimension);
 
-/// The nearest balls and pins that one can buy.
+/// The nearest standard balls and pins.
 struct BallSizes {
   double ideal;   ///< mm, touches at the usual diameter
   double metric;  ///< mm, sizes of gear measuring pins (DIN 3977)
   double inch;    ///< in, balls by 1/64, 1/32 and 1/16 in
 };
 
-/// None: no ball can be measured.
+/// None if no ball can be measured.
 std::optional<BallSizes> ball_sizes(const Gear& gear);
 
 }  // namespace gearwright

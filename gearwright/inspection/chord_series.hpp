@@ -1,5 +1,5 @@
-// The shortest chord by hand: its power series, and the spur gear with more teeth that has nearly
-// the same chord. What one does with a slide rule; the program itself uses chordal_thickness.hpp.
+// Approximations of the shortest chord: its power series, and the virtual spur gear that has nearly
+// the same chord. The program itself uses chordal_thickness.hpp.
 //
 //   θ_t, ψ, r   half angle s_t/d, helix angle and radius at the diameter of the chord
 //   s_n         normal tooth thickness there, 2 r θ_t cos ψ, mm
@@ -7,9 +7,9 @@
 //   θ*, k*, Δh* half angle, chord and height of the shortest chord
 //                                              theory: docs/theory/05-approximations.md
 //
-// The series go by θ_t² sin² ψ cos⁴ ψ, greatest at ψ = 35° [T5.11]: there three corrections leave
-// 1e-9 of the chord at θ_t = 0.2, 3e-7 at 0.4; the threads of a steep worm do well. Templates over
-// the scalar.
+// The series are in θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. There, three
+// corrections leave an error of 1e-9 of the chord at θ_t = 0.2 and 3e-7 at 0.4. The error is small
+// for the threads of a steep worm. Templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -65,7 +65,7 @@ ApproximateChord<T> chord_by_series(const T& theta_t, const T& psi, const T& rad
   return sum;
 }
 
-/// A spur gear that stands for a helical one: half angle and radius of its tooth.
+/// A virtual spur gear of a helical one: half angle and radius of its tooth.
 template <class T>
 struct VirtualSpur {
   T half_angle;
@@ -96,7 +96,7 @@ VirtualSpur<T> virtual_spur_on_base_helix(const T& theta_t, const T& psi, const 
   return {theta_t * cos(psi) * b * b, radius / (b * b)};
 }
 
-/// What the chord of virtual_spur lacks, k* − k of it, to leading order, mm. [T5.15]
+/// The error of the chord of virtual_spur, k* − k, to leading order, mm. [T5.15]
 template <class T>
 T virtual_spur_chord_error(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;
@@ -108,7 +108,7 @@ T virtual_spur_chord_error(const T& theta_t, const T& psi, const T& radius) {
   return -(s * s) / (c * c) * u * u * u * u / T(5) * T(2) * radius * theta_t * c;
 }
 
-/// What its height lacks, Δh* − Δh of it, to leading order, mm. [T5.16]
+/// The error of its height, Δh* − Δh, to leading order, mm. [T5.16]
 template <class T>
 T virtual_spur_height_error(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;

@@ -21,7 +21,7 @@ struct FlankRange {
   std::string ends;  // what they are, for people
 };
 
-// Where involutes stand on both sides of the tooth.
+// The range with involutes on both sides of the tooth.
 Result<FlankRange> flank_range(const Gear& gear, double diameter) {
   const double d_b = gear.reference().base_diameter;
   const double d_Fa = 2 * gear.tip_form_radius();

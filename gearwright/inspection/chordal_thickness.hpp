@@ -1,4 +1,4 @@
-// Chordal tooth thickness: what a calliper over one tooth reads.
+// Chordal tooth thickness: the reading of a calliper over one tooth.
 //
 //   d, r     diameter and radius at which the jaws touch, mm      r_a  tip radius, mm
 //   θ_t      half angle of the tooth there, s_t/d, rad            ψ    helix angle there, rad
@@ -7,8 +7,8 @@
 //   k, Δh    chord, and the rise of the arc over it, mm           * marks the shortest chord
 //                                                   theory: docs/theory/05-approximations.md
 //
-// A calliper laid across a helical tooth may be inclined; the reading is the shortest chord, and it
-// is found exactly, for a spur gear and for a worm by the same lines. Templates over the scalar.
+// A calliper laid across a helical tooth may be inclined. The reading is the shortest chord, which
+// is computed exactly by the same code for spur gears and worms. Templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -39,15 +39,15 @@ struct ChordalThickness {
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad: with T ≤ 1e33, tan² of the double next to π/2, θ* stays a normal number. What is
-/// left of a tooth by rounding, 1e-17, is thick beside it.
+/// Least θ_t, rad: with T ≤ 1e33, tan² of the double next to π/2, θ* stays a normal number. A tooth
+/// thickness of rounding size, 1e-17, is much larger.
 inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
 ///
 /// For θ_t ≤ π/2 it is the only root in [0, θ_t] and the least of all chords. For a tooth of more
-/// than half the circumference it is the first position, coming from the axial direction, that
-/// tilting either way lengthens; θ* > π/2 says that the chord has got behind the axis.
+/// than half the circumference it is the first position from the axial direction at which tilting
+/// in either direction lengthens the chord. If θ* > π/2, the chord lies behind the axis.
 ///
 /// Formula   [T5.4], from [T5.1]…[T5.3]; bracket between the turning points [T5.5], start [T5.8]
 /// Domain    kMinHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ

@@ -1,4 +1,5 @@
-// The constant chord: where a rack's tooth space touches a tooth on both sides at once.
+// The constant chord: the chord between the points at which a rack touches both sides of a tooth at
+// once.
 //
 //   s_n   normal tooth thickness at the reference cylinder, mm     s_c   constant chord, mm
 //   h_c   height of the tip over it, mm                            α_n   of the rack

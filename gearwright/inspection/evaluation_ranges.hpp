@@ -1,4 +1,5 @@
-// Where a measuring machine looks at a flank: roll lengths, and the ranges that tolerances hold for.
+// Positions on a flank for measuring machines: roll lengths, and the evaluation ranges of
+// tolerances.
 //
 //   L_y, ξ_y   roll length, mm, and roll angle, rad, of the involute at d_y
 //   L_α, L_β   evaluation ranges of profile and helix, mm
@@ -22,7 +23,7 @@ struct RollPlace {
   double angle;     ///< ξ_y  rad
 };
 
-/// What of the flank the mating gear touches.
+/// The part of the flank that the mating gear touches.
 struct ActiveFlank {
   RollPlace root, tip;  ///< at d_Nf, d_Na
 };
@@ -38,8 +39,8 @@ struct EvaluationRanges {
 /// Domain    d_y ≥ d_b (contract)
 RollPlace roll_place(const Gear& gear, double diameter);
 
-/// ISO 1328-1: the usable profile but for its twentieth at the tip, the face but for its twentieth,
-/// or a module if that is less, at either end. [T10.23]
+/// ISO 1328-1: the usable profile without a twentieth at the tip, and the face without a twentieth,
+/// or a module if that is less, at each end. [T10.23]
 ///
 /// None      no usable flank
 std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear);

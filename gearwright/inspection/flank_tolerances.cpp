@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kOwnClass = 5;  // whose tolerances the formulas are
+constexpr int kOwnClass = 5;  // the class of the formulas
 
 double step_factor(int quality) {
   return std::pow(2.0, 0.5 * (quality - kOwnClass));  // √2 each
@@ -46,12 +46,13 @@ void add_radial(FlankToleranceValues& t, int quality, const ToleranceSubject& ge
   t.tooth_radial_composite = rounded_tolerance(f * (2.96 * m + 0.01 * std::sqrt(d) + 0.8));
 }
 
-// K of f_i′: the more teeth share the load, the less one of them shows. [T10.32]
+// K of f_i′, which decreases as the contact ratio grows. [T10.32]
 double overlap_factor(double contact_ratio) {
   return contact_ratio < 4.0 ? 0.2 * (contact_ratio + 4.0) / contact_ratio : 0.4;
 }
 
-// What needs the mating gear or the sectors of the gear: formulas of 1995. [T10.31] [T10.32]
+// Tolerances that depend on the mating gear or on sectors of the gear, by formulas of 1995.
+// [T10.31] [T10.32]
 void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubject& gear) {
   const double root_d = std::sqrt(mean_of_range(kDiameters, gear.reference_diameter));
   const double m = mean_of_range(kModules, gear.normal_module);
@@ -79,7 +80,7 @@ FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double f_falpha = f * (0.55 * m + 5);
   const double f_Hbeta = f * (0.05 * std::sqrt(d) + 0.35 * std::sqrt(b) + 4);
   const double f_fbeta = f * (0.07 * std::sqrt(d) + 0.45 * std::sqrt(b) + 4);
-  // The totals are made of the unrounded parts.
+  // The totals are computed from the unrounded parts.
   return {rounded(f_pt),
           rounded(F_p),
           rounded(std::hypot(f_Halpha, f_falpha)),

@@ -1,12 +1,13 @@
-// Tolerances of the flanks by ISO 1328: how far teeth of a grade may be from their drawing.
+// Flank tolerances by ISO 1328: the permitted deviations of the teeth for each grade.
 //
-//   A      flank tolerance class (grade), 5 is the formulas' own; a step is a factor of √2
+//   A      flank tolerance class (grade), the formulas give class 5; each step is a factor of √2
 //   d, m_n, b   reference diameter, normal module, face width, mm       tolerances in µm
 //                                              theory: docs/theory/10-inspection.md
 //
-// The edition of 2013 takes the gear's own numbers, that of 1995 the geometric means of the ranges
-// they lie in. Radial composite tolerances are those of ISO 1328-2:1997. Sector pitch and single flank
-// composites are known of the edition of 1995 alone. Tolerances of axes are those of ISO/TR 10064-3.
+// The edition of 2013 uses the numbers of the gear, and that of 1995 uses the geometric means of
+// their ranges. Radial composite tolerances are those of ISO 1328-2:1997. Sector pitch and single
+// flank composite tolerances are available for the edition of 1995 only. Tolerances of axes are
+// those of ISO/TR 10064-3.
 #pragma once
 
 #include <optional>
@@ -49,10 +50,10 @@ struct FlankToleranceValues {
 /// The classes that the edition has: 1 to 11, or 0 to 12.
 bool has_class(FlankTolerances edition, int quality);
 
-/// Whether the gear lies in the range for which the edition says its formulas.
+/// True if the gear lies in the range of the edition's formulas.
 bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
 
-/// All but the tolerances of the axes, which are the pair's.
+/// All tolerances except those of the axes, which belong to the pair.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
 ///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]

@@ -19,18 +19,18 @@ namespace {
 using namespace detail;  // NOLINT(google-build-using-namespace): the room's own parts
 using std::numbers::pi;
 
-constexpr double kNothing = 1e-4;  // of the likelihood: not worth a line
+constexpr double kNothing = 1e-4;  // share of the likelihood below which a candidate is not listed
 constexpr double kSigmas = 1.96;   // of 95 %
 constexpr double kMostHelix = 45;  // degrees of a gear; steeper ones are worms
 
-// A gear found for a rack, with what it is worth.
+// A gear found for a rack, with its evidence.
 struct Found {
   StandardRack rack;
   RackFit fit;
   double log_worth;
 };
 
-// How usual a helix angle is: 0, whole degrees, any.
+// The prior probability of a helix angle: 0, whole degrees, any.
 struct HelixPrior {
   double spur = std::log(0.45), any = std::log(0.10), whole = std::log(0.45 / 63);
   double of_degrees(int n) const { return whole + (n % 5 == 0 ? std::log(3.0) : 0.0); }
@@ -50,7 +50,7 @@ class Searching {
       if (possible(rack.module, rack.alpha)) add(rack, found);
     }
     if (const auto module = module_of_pitch()) {
-      // No standard's: the pressure angle then is the usual one, or the known.
+      // A module of no standard, with the usual or the known pressure angle.
       const double alpha = problem_.normal_pressure_angle.value_or(Angle::degrees(20)).rad();
       add({*module / std::cos(alpha), alpha, ModuleSeries::none, {}, kLogOwnModule}, found);
     }
@@ -81,7 +81,7 @@ class Searching {
     return pitch && (*pitch)[0] > 0.0 ? std::optional((*pitch)[0] / pi) : std::nullopt;
   }
 
-  // Whether a gear of this rack can have the rough size and the base pitch of the readings.
+  // True if a gear of this rack can have the approximate size and the base pitch of the readings.
   bool possible(double m, double alpha) const {
     if (const auto pitch = base_pitch())
       return std::abs(pi * m * std::cos(alpha) - (*pitch)[0]) < 6 * (*pitch)[1];
@@ -140,7 +140,7 @@ class Searching {
     take(rack, fit_rack(start, of_both, readings_), prior.any, found);
   }
 
-  // Lead and helix say the angle by themselves: whether this one is out of the question.
+  // Lead and helix angle determine the angle directly. Returns true if this one is excluded.
   bool off_the_lead(const GearNumbers& gear) const {
     return std::any_of(readings_.begin(), readings_.end(), [&](const Observation& o) {
       if (o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix) return false;
@@ -169,8 +169,8 @@ double most_misfit(const std::vector<Observation>& readings, const RackFit& fit)
   return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
 }
 
-// Whether b says nothing that a does not: the same gear, its module or its helix angle fitted where
-// those of a are a standard's.
+// True if b is the same gear as a, with a fitted module or helix angle instead of the standard
+// values of a.
 bool is_double(const Found& a, const Found& b) {
   const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
                       (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);
@@ -233,7 +233,7 @@ const char* name_of(Observation::Kind kind) {
   }
 }
 
-// Readings of which one is wrong: the others agree on a standard gear.
+// Finds a wrong reading, without which the others agree on a standard gear.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

@@ -1,4 +1,5 @@
-// Which gear is this? The standard gears that readings of an unknown one allow, the likeliest first.
+// Identification of an unknown gear: the standard gears that agree with its readings, the likeliest
+// first.
 //
 //   u      uncertainty of a reading, 95 %; σ = u/1.96        χ²   sum of squares of (reading − gear)/σ
 //   x_E    generating profile shift, allowance included       p_bn  normal base pitch
@@ -32,7 +33,7 @@ struct DiameterReading {
   double value = 0.0;  ///< M_dK  mm
 };
 
-/// One reading that may be there, with its own uncertainty or the usual one.
+/// An optional reading with its own uncertainty or the usual one.
 template <class T>
 struct MaybeReading {
   std::optional<T> value, uncertainty;
@@ -53,7 +54,7 @@ struct IdentifyProblem {
   std::optional<int> mating_teeth{};  ///< of that one
 };
 
-/// What kind of standard a candidate is of.
+/// The kind of standard of a candidate.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
 struct IdentifiedGear {
@@ -64,8 +65,8 @@ struct IdentifiedGear {
   Angle normal_pressure_angle;            ///< α_n
   Angle helix_angle;                      ///< β, > 0 right hand; of an unknown hand > 0
   double generating_shift;                ///< x_E
-  double tip_diameter;                    ///< mm: the one read, or what the shift makes of it
-  std::optional<double> shift_of_tip;     ///< x that the tip shows, unworn at least
+  double tip_diameter;                    ///< mm, measured, or as the shift determines it
+  std::optional<double> shift_of_tip;     ///< x that follows from an unworn tip
   double likelihood;                      ///< of all candidates: 1
   double misfit;                          ///< χ² of the exact readings
   // ± of 95 %; 0: a standard's own number.
@@ -74,7 +75,7 @@ struct IdentifiedGear {
   Angle helix_uncertainty;
 };
 
-/// A reading that disagrees with all others, and what they say it should be.
+/// A reading that disagrees with all others, and the value that they predict.
 struct Contradiction {
   std::string reading;  ///< "span", "over_balls", "lead", "helix_angle"
   double tool;          ///< k, D_M; 0: it has none
@@ -86,17 +87,17 @@ struct NextMeasurement {
   std::string reading;           ///< "span", "over_balls", "lead"
   double tool;                   ///< k, D_M
   std::array<double, 2> expect;  ///< of the first candidate and of the one it decides against
-  int rival;                     ///< which candidate that is, from 0
+  int rival;                     ///< index of that candidate, from 0
 };
 
 struct Identification {
   std::vector<IdentifiedGear> candidates;      ///< likeliest first
   std::optional<Contradiction> contradiction;  ///< the candidates are those of the other readings
-  std::optional<NextMeasurement> next;         ///< none: one candidate is left, or none decides
+  std::optional<NextMeasurement> next;         ///< none if one is left or no reading decides
   std::string reason;                          ///< why there is no candidate
 };
 
-/// Candidates that one should know of, at most so many.
+/// The relevant candidates, at most this number.
 inline constexpr int kMostCandidates = 8;
 
 /// Errors    `teeth`: missing; `measured`: too few readings; a reading that no gear of so many teeth has

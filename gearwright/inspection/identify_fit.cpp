@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Before anything is read: x_E about 0, any helix angle up to 45°, modules over two decades.
+// The prior: x_E about 0, any helix angle up to 45°, modules over two decades.
 constexpr double kShiftScatter = 0.5;
 constexpr double kHelixRange = pi / 4;
 constexpr double kLogModuleRange = 5.0;
@@ -23,10 +23,10 @@ double& unknown(GearNumbers& g, int which) {
   return which == 0 ? g.shift : which == 1 ? g.beta : g.module;
 }
 
-// Steps of the differences, and of an end: small beside what readings tell apart.
+// Steps of the differences and of the termination, small compared with the resolution of readings.
 double step_of(const GearNumbers& g, int which) { return which == 2 ? 1e-6 * g.module : 1e-6; }
 
-// Residuals, and the shift's own scatter as the last of them.
+// Residuals, with the prior of the shift as the last one.
 bool residuals(const GearNumbers& g, const std::vector<Observation>& readings,
                std::vector<double>& r) {
   r.clear();
@@ -56,7 +56,7 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
   GearNumbers g = start;
   std::vector<double> r, moved;
   if (!residuals(g, readings, r)) return std::nullopt;
-  // What is not fitted has a row of the unit matrix.
+  // A value that is not fitted has a row of the unit matrix.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity();
   std::array<std::vector<double>, 3> slope;  // of the model, in σ
   for (int step = 0; step < kMostSteps; ++step) {
@@ -112,7 +112,8 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
     fit.sigma_module = std::sqrt(covariance(2, 2));
     log_prior -= std::log(kLogModuleRange * g.module);
   }
-  // Rough readings scatter in modules: the same miss in mm says less of a greater one.
+  // The scatter of rough readings is relative to the module, so the same deviation in mm is less
+  // significant for a larger module.
   for (const Observation& o : readings)
     if (!o.exact()) log_prior -= std::log(g.module);
   fit.log_evidence = log_prior - square_sum(r) / 2 + double(n) / 2 * std::log(2 * pi) -

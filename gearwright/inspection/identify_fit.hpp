@@ -1,7 +1,7 @@
-// Least squares of one hypothesis: the shift, and the helix and the module where they are any.
+// Least squares of one hypothesis: the profile shift, and helix angle and module if they are free.
 //
-// Internal to inspection/. Evidence is that of Laplace: the best fit's likelihood times the share of
-// what was possible before that the readings leave.
+// Internal to inspection/. The evidence is Laplace's approximation: the likelihood of the best fit
+// times the fraction of the prior volume that the readings leave.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ struct RackFit {
   double log_evidence;
 };
 
-/// Gauss-Newton from `start`; the evidence is [T10.25]. None: a tool finds no flank there, or the readings do not say the unknowns.
+/// Gauss-Newton from `start`; the evidence is [T10.25]. None if a tool finds no flank, or if the
+/// readings do not determine the unknowns.
 std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknowns,
                                 const std::vector<Observation>& readings);
 

@@ -15,10 +15,10 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kSigmas = 1.96;           // of 95 %
-constexpr double kLeadUncertainty = 0.02;  // of the lead: what rolling a gear over paper gives
+constexpr double kLeadUncertainty = 0.02;  // of the lead measured by rolling the gear over paper
 constexpr double kHelixUncertainty = 0.5;  // degrees
 constexpr double kLength = 0.02;           // mm
-// What a drawing may say and a reading cannot know, standard deviations in modules.
+// Variations of drawings that readings cannot show, as standard deviations in modules.
 constexpr double kTipScatter = 0.15;  // wear, shortening, x − x_E
 constexpr double kRootScatter = 0.04;
 constexpr double kDistanceScatter = 0.5;  // the mating gear's shift

@@ -1,7 +1,7 @@
-// What a gear of given numbers reads under the tools of an unknown gear's readings.
+// The predicted readings of a gear for the tools that measured an unknown gear.
 //
-// Internal to inspection/: the fits of identify() ask it some ten thousand times, so it is the closed
-// forms alone, without making the gear.
+// Internal to inspection/: the fits of identify() call it about ten thousand times, so it uses
+// closed forms only and does not make the gear.
 #pragma once
 
 #include <optional>
@@ -20,20 +20,20 @@ struct GearNumbers {
   double shift;   ///< x_E
 };
 
-/// One reading as a number that every gear has.
+/// One reading as a number defined for every gear.
 struct Observation {
   enum class Kind { span, balls, lead, helix, tip, root, distance };
   Kind kind;
   double tool;   ///< k, D_M, z of the mating gear
   double value;  ///< mm; 1/mm of a lead, sin β/(π z m_n); rad
-  double sigma;  ///< standard deviation, in that unit; without what a rough reading adds
-  /// Whether it says what the gear is to its own uncertainty.
+  double sigma;  ///< standard deviation, in that unit, without that of a rough reading
+  /// True if it determines the gear within its own uncertainty.
   bool exact() const { return kind <= Kind::helix; }
 };
 
 std::vector<Observation> observations(const IdentifyProblem& problem);
 
-/// What the gear reads; none: this tool finds no flank.
+/// The predicted reading; none if this tool finds no flank.
 ///
 /// Formula   [T10.2], [T10.6], [T10.8]; lead π z m_n/sin β
 std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);

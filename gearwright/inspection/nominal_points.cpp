@@ -32,7 +32,8 @@ NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankS
   const double rho = r_b * std::sqrt(1 + roll * roll);
   NominalPoint p{plain, n, 2 * rho, height};
   if (removal.none()) return p;
-  // The same moved by −c n, and the normal of what results, from its two tangents. [T10.27]
+  // The same point moved by −c n, and the normal of the resulting surface from its two tangents.
+  // [T10.27]
   const Removal c = removal.at(std::log(rho), height);
   const double c_roll = c.c_u * roll / (1 + roll * roll);
   const Vec3 along_roll = r_b * roll * u - c_roll * n - c.c * sigma * cos_b * u;
@@ -63,7 +64,7 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
 
 namespace {
 
-// A place on the fillet in the section z = 0, and its normal out of the material there.
+// A point of the fillet in the section z = 0, with its outward normal.
 struct FilletPlace {
   Vec2 point, normal;
 };
@@ -90,7 +91,8 @@ std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   }
   std::vector<FilletPlace> places;
   if (length == 0.0) return places;
-  // From root to tip the material lies to the right on an external tooth's upper side.
+  // In the direction from root to tip, the material of an external tooth's upper side lies to the
+  // right.
   const double out = outline.teeth > 0 ? 1.0 : -1.0;
   std::size_t at = 0;
   for (int i = 0; i < n; ++i) {

@@ -1,5 +1,4 @@
-// Nominal points of a flank for a measuring machine: where its probe should touch, and from which
-// side.
+// Nominal points of a flank for a measuring machine, with their normals.
 //
 //   ξ, z   roll angle, rad, and height from the middle of the face, mm      n   unit normal, outward
 //   φ      polar angle of the base tangent point, rad                       c   material removed, mm
@@ -25,7 +24,7 @@ enum class FlankSide { right, left };
 struct NominalPoint {
   Vec3 point;       ///< mm
   Vec3 normal;      ///< unit, out of the material
-  double diameter;  ///< d_y  mm, of the unmodified place
+  double diameter;  ///< d_y  mm, of the unmodified point
   double height;    ///< z    mm
 };
 
@@ -49,7 +48,8 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
                                          FlankSide side, const EvaluationRanges& ranges,
                                          const PointGrid& grid);
 
-/// The root fillet beside a flank of tooth 0, as cut (modifications lie on the flank alone), from the
+/// The root fillet next to a flank of tooth 0, as cut (modifications apply to the flank only), from
+/// the
 /// root land to d_Ff, tooth by rows of growing height over the same part of the face.
 ///
 /// Formula   P = R(2π z/p_z) p + z k with p on the outline's fillet and e its normal there,

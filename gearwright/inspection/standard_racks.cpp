@@ -62,7 +62,7 @@ GearNumbers numbers_of(const IdentifiedGear& g) {
           g.generating_shift};
 }
 
-// What could be measured next: helix angle, spans and balls that fit the likeliest gear.
+// Possible next measurements: helix angle, and spans and balls that fit the likeliest gear.
 std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& first) {
   using Kind = Observation::Kind;
   const double m = first.normal_module;
@@ -74,7 +74,7 @@ std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& fi
   const bool plane = p.teeth > 0 || g.beta == 0.0;
   for (int k = 1; plane && k <= std::abs(p.teeth) / 2; ++k) {
     const Observation span{Kind::span, double(k), 0, p.span_uncertainty};
-    // Anvils that touch within a module of the reference cylinder.
+    // Anvils whose contacts lie within a module of the reference cylinder.
     const double off = *reading_of(g, span) / m - middle;
     const bool read = std::any_of(p.spans.begin(), p.spans.end(),
                                   [&](const SpanReading& s) { return s.teeth == k; });

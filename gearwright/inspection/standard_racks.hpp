@@ -1,4 +1,4 @@
-// The racks that gears are cut with, and how usual each is: what identify() tries.
+// The standard racks that identify() tries, with their prior probabilities.
 //
 // Internal to inspection/.
 #pragma once
@@ -15,14 +15,14 @@ struct StandardRack {
   double alpha;   ///< α_n  rad
   ModuleSeries series;
   std::optional<double> diametral_pitch;  ///< 1/in
-  double log_prior;                       ///< logarithm of how usual it is
+  double log_prior;                       ///< logarithm of its prior probability
 };
 
-/// Modules of ISO 54 and diametral pitches, each with the pressure angles of its countries.
+/// Modules of ISO 54 and diametral pitches, each with its usual pressure angles.
 const std::vector<StandardRack>& standard_racks();
 
-/// The reading that would decide best between the likeliest gear and another. None: one gear is left,
-/// or nothing tells them apart.
+/// The reading that would decide best between the likeliest gear and another. None if one gear is
+/// left, or if no reading distinguishes them.
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
                                                 const std::vector<IdentifiedGear>& candidates);
 

@@ -74,7 +74,8 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
     {26, 36, 50, 68, 96, 135, 210, 330, 540, 860, 1350, 2100},
 }};
 
-// The row of the first border that the value does not pass; the size where it passes all.
+// The row of the first border that is not below the value, or the number of rows if all are below
+// it.
 template <std::size_t n>
 std::size_t row_of(const std::array<double, n>& borders, double value) {
   return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), value) -

@@ -1,4 +1,4 @@
-// Allowances and tolerances by name: the tooth thickness by DIN 3967, the centre distance by ISO 286.
+// Named allowances and tolerances: tooth thickness by DIN 3967, centre distance by ISO 286.
 //
 //   E_sns, T_sn   upper allowance and tolerance of the normal tooth thickness, µm
 //   JS7           ± half of the tolerance grade IT7
@@ -18,7 +18,7 @@ namespace gearwright {
 Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter);
 
-/// Half of the tolerance grade, mm: ± that is the deviation of JS. [T10.21]
+/// Half of the tolerance grade, mm, which is the ± deviation of JS. [T10.21]
 ///
 /// Errors    `tolerance`: not JS1 to JS12; `center_distance`: the table ends at 3150 mm
 Result<double> js_deviation(std::string_view tolerance, double center_distance);

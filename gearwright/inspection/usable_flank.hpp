@@ -1,10 +1,10 @@
-// Where a measuring tool may touch: the usable flank between d_Ff and d_Fa.
+// The usable flank between d_Ff and d_Fa, where a measuring tool may touch.
 //
 //   d_Ff, d_Fa   form diameters, mm       d_y   diameter of a contact, mm
 //   d_V          the V circle, |d ± 2 x m_n|, mm: where a tool of the right size touches
 //                                              theory: docs/theory/10-inspection.md
 //
-// An internal gear's tip lies inside: its flank runs from d_Fa outward.
+// The flank of an internal gear extends outward from d_Fa, because its tip lies inside.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace gearwright {
 /// Where a contact lies.
 enum class ContactPlace {
   usable,           ///< on the involute between d_Ff and d_Fa
-  below_flank,      ///< at the root fillet: what is there is no involute, the reading means nothing
+  below_flank,      ///< at the root fillet, which is not an involute, so the reading is meaningless
   on_tip_rounding,  ///< between d_Fa and the tip: chamfered or rounded away
   beyond_tip        ///< no tooth is there
 };
@@ -34,11 +34,11 @@ struct UsableFlank {
   ContactPlace place(double diameter) const;
 };
 
-/// None: no flank is left, or the teeth are no involutes.
+/// None if no flank is left or the teeth are not involute.
 std::optional<UsableFlank> usable_flank(const Gear& gear);
 
-/// The diameter at which tools of the usual size touch: d_V, or the middle of the usable flank where
-/// that lies off it.
+/// The contact diameter of tools of the usual size: d_V, or the middle of the usable flank if d_V
+/// is outside it.
 ///
 /// Formula   d_V = |d| ± 2 x m_n, minus internal; [T10.1]
 double v_circle_diameter(const Gear& gear);

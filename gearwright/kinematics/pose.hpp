@@ -1,11 +1,11 @@
-// Poses between named frames: X_ab carries coordinates in frame B to coordinates in frame A.
+// Poses between named frames: X_ab maps coordinates in frame B to coordinates in frame A.
 //
 //   Housing f      z along axis 1, x along the common perpendicular from axis 1 to axis 2, origin
 //                  on axis 1
 //   Gear1, Gear2   z along the gear's axis, x the centre line of tooth 0 in the section z = 0
 //                                                          theory: docs/theory/01-frames.md
 //
-// The letters cancel: X_2f * X_f1 * r_1 compiles, X_f1 * X_2f does not.
+// Adjacent letters cancel: X_2f * X_f1 * r_1 compiles, and X_f1 * X_2f does not.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -16,12 +16,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMost = 200;
-constexpr int kOneByOne = 30;        // after as many steps one place at a time: no cycles
+constexpr int kOneByOne = 30;        // steps before positions change singly, to stop cycles
 constexpr double kStill = 1e-11;     // of the greatest load: the last step
-constexpr double kRounding = 1e-14;  // of terms that cancel: a step that is their rounding
-constexpr double kRough = 1e-3;      // of the greatest load: more rounding than that is no answer
-constexpr double kOverlap = 1e-12;   // of the greatest displacement: an idle place overlaps
-constexpr double kLeastLoad = 1e-9;  // of the mean: what the logarithm is given at least
+constexpr double kRounding = 1e-14;  // relative to cancelling terms: rounding of a step
+constexpr double kRough = 1e-3;      // relative to the greatest load: most accepted rounding
+constexpr double kOverlap = 1e-12;   // relative to the greatest displacement: least overlap
+constexpr double kLeastLoad = 1e-9;  // relative to the mean, the least argument of the logarithm
 
 }  // namespace
 
@@ -61,7 +61,7 @@ ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& 
       }
       arm[i] = q.arm[k];
     }
-    if (!a.allFinite()) return x;  // its decomposition would not notice
+    if (!a.allFinite()) return x;  // its decomposition would not detect this
     const Eigen::LLT<MatrixXd> llt(a);
     if (llt.info() != Eigen::Success) {
       x.stop = ContactSolution::Stop::indefinite;
@@ -85,7 +85,7 @@ ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& 
     }
     for (Index i = 0; i < m; ++i) next[at[i]] = std::max(p[i], 0.0);
     if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; })) {
-      // Everything let go at once: begin with the nearest place.
+      // If all positions were released, start again with the nearest one.
       Index nearest = 0;
       (q.gap.array() / q.arm.array()).minCoeff(&nearest);
       active[nearest] = 1;
@@ -102,7 +102,7 @@ ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& 
     const double step = (next - x.line_load).cwiseAbs().maxCoeff();
     const double greatest = next.maxCoeff();
     x.line_load = next;
-    // Under next to no load only rounding is left of gaps that cancel.
+    // Under a very small load, only rounding remains of cancelling gaps.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
     const double still =

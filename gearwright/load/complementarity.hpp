@@ -1,11 +1,12 @@
-// Contact of elastic bodies at places that may carry or not: pressure where the gap closes, a gap
-// where nothing presses.
+// Contact of elastic bodies at possible contact positions: each position has either a pressure and
+// no gap, or a gap and no pressure.
 //
 //   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2  [T12.2], [T12.3]
 //   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))                       [T12.12]
 //
-// An active set with Newton steps [T12.14]: drop what pulls, add what overlaps. A is symmetric and positive
-// definite and the local term monotone, so that there is one solution.
+// An active set method with Newton steps [T12.14] removes positions with tension and adds positions
+// that overlap. A is symmetric and positive definite and the local term is monotone, so the
+// solution is unique.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,10 +29,10 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// No place changed, and the last step was below 1e-11 of the greatest load, or rounding of gaps
-    /// that cancel to less than a thousandth of it.
+    /// True if no position changed and the last step was below 1e-11 of the greatest load, or
+    /// within the rounding of gaps that cancel to less than a thousandth of it.
     converged,
-    indefinite,  ///< slices too fine for the widths of contact: the local term makes A indefinite
+    indefinite,  ///< true if the slices are too fine for the contact width, so that the local term makes A indefinite
     too_long
   };
   Stop stop = Stop::too_long;
@@ -42,7 +43,7 @@ struct ContactSolution {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// `start`: places to begin with, such as those of the last position; empty: all.
+/// `start`: initial active set, such as that of the last position; all positions if empty.
 ///
 /// Domain    at least one place; moment > 0 (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const std::vector<char>& start = {});

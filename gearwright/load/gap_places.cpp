@@ -11,8 +11,8 @@ using End = FlankPatch::End;
 
 constexpr int kRows = 17;  // along the flank
 constexpr int kMostSteps = 60;
-constexpr double kSlope = 1e-15;      // rad per unit of s: a maximum to rounding
-constexpr double kFarFromMesh = 0.6;  // rad: points of gear 1 farther from the mesh meet no flank
+constexpr double kSlope = 1e-15;      // rad per unit of s, for a maximum within rounding
+constexpr double kFarFromMesh = 0.6;  // rad: farther points of gear 1 do not meet a flank
 
 bool inside(const FlankPatch& b, const GapJet& j) {
   return j.u.v >= b.u_lo && j.u.v <= b.u_hi && j.Z.v >= b.z_lo && j.Z.v <= b.z_hi;
@@ -75,7 +75,7 @@ std::optional<GapPlace> GapSearch::nearest(const GapField& field, double z) cons
     }
   }
   if (best < 0) return std::nullopt;
-  // The ends of what is inside, to either side of the best row.
+  // The ends of the interior range on both sides of the best row.
   const auto end = [&](int step) {
     const int next = best + step;
     if (next < 0 || next >= kRows) return row(best);

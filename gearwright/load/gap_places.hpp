@@ -1,5 +1,5 @@
-// Where loaded teeth may touch: for every tooth pair and every slice of the face the place at which
-// the flanks are nearest, and how near.
+// Possible contact positions of loaded teeth: for every tooth pair and every slice of the face, the
+// position at which the flanks are nearest, and their gap.
 //
 //   T     angular gap field of contact [T8.1]; the place of a slice is s*(z) = argmax_s T(s, z)
 //   arm   mm of normal gap per rad of gap angle [T8.3]
@@ -21,7 +21,7 @@ struct GapPlace {
   TouchKind kind = TouchKind::line;  ///< or the edge at which the slice's maximum lies
 };
 
-/// The slices of one tooth pair; none: the flanks do not face each other there.
+/// The slices of one tooth pair; none if the flanks do not face each other there.
 struct PairPlaces {
   int pair = 0;       ///< k in N
   double turn = 0.0;  ///< own rotation, φ1 − k·pitch: the greater, the nearer to its exit

@@ -36,7 +36,7 @@ LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yi
 std::vector<Angle> waves(const std::vector<LoadedPosition>& positions) {
   const auto n = static_cast<int>(positions.size());
   std::vector<Angle> amplitude;
-  const double mean = positions[0].te.rad();  // of no consequence but for rounding
+  const double mean = positions[0].te.rad();  // without influence except for rounding
   for (int h = 1; h <= std::min(kMostWaves, (n - 1) / 2); ++h) {
     std::complex<double> sum = 0.0;
     for (int i = 0; i < n; ++i) {
@@ -63,7 +63,7 @@ void summarise_lines(LoadedTorque& t, const Solved& solved, const SummaryBasis& 
 void summarise_points(LoadedTorque& t, const Solved& solved) {
   for (LoadedPosition& p : t.positions)
     if (p.approach > 0.0) p.stiffness = p.force / (p.approach / kMmPerUm);
-  // By the force of each position: what 1 N approaches.
+  // Weighted by the force of each position: the approach per N.
   t.stiffness = stiffness(solved, 1.0, [](const auto& p) { return p.approach / p.force; });
   t.tangent = stiffness(solved, 1.0, [](const auto& p) { return p.tangent; });
 }

@@ -1,4 +1,4 @@
-// What a course of positions under one torque comes to: peak to peak, waves, stiffness, extremes.
+// Summary of the positions under one torque: peak to peak, harmonics, stiffness, extremes.
 //                                    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// What ISO 6336 says of the same pair under a torque.
+/// The values of ISO 6336 for the same pair under a torque.
 struct LoadStandard {
   double stiffness = 0.0;  ///< c_γα  N/(mm µm)
   /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none: a gear has no critical section.
@@ -25,14 +25,14 @@ struct SummaryBasis {
   LoadRegime regime;   ///< of points only `whole_pitch` counts
 };
 
-/// Fills in what follows from `torque` and `positions`.
+/// Computes all members that follow from `torque` and `positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
-/// The share of a tooth pair, whatever number of places it touches at.
+/// The load share of a tooth pair, summed over its contact positions.
 double share_of(const LoadedPosition& position, int pair);
 
 /// The torque at which the loaded transmission error is least, peak to peak, of those of two or more
-/// that have harmonics; nullptr: none, or one alone.
+/// that have harmonics; nullptr if there are fewer than two.
 const LoadedTorque* quietest(const LoadedContact& contact);
 
 }  // namespace gearwright

@@ -79,7 +79,7 @@ void LoadedTurn::solve(std::size_t from, std::size_t to) {
                                        : solve_with<PositionSolver>(from, to);
 }
 
-// Every position by itself, so that it does not matter who does which.
+// Every position is computed independently, so the distribution among threads has no influence.
 template <class Solver>
 void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
   Solver solver(pair_, one_, two_, compliance_, request_);

@@ -1,11 +1,11 @@
 // Loaded tooth contact: a mounted pair of cylindrical gears under torque, turned through a pitch.
 //
-//   Θ    rad, by which gear 2 yields more than the rigid flanks would let it turn
+//   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
 //   loaded TE = TE − Θ (gear 2 hangs back)        theory: docs/theory/12-loaded-contact.md
 //
-// The gap of every place comes from contact, the compliance from the section modes of both gears;
-// what remains at a position is a linear complementarity problem with Hertz' logarithm in it.
+// Room contact computes the gap of every position, and the section modes of both gears give the
+// compliance. Each rotation is then a linear complementarity problem with the logarithm of Hertz.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace gearwright {
 
-/// Hertz' ellipse of a tooth pair that touches about a point.
+/// The ellipse of Hertz of a tooth pair with point contact.
 struct LoadedPoint {
   double force = 0.0;                          ///< N, normal
   double pressure = 0.0;                       ///< MPa, greatest
@@ -29,8 +29,8 @@ struct LoadedPoint {
   /// Both half axes on each gear's flank, as steps along the face and in radius, mm.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
-  int track = 0;        ///< of the patches that touch: double arcs have two places on a tooth
-  bool beyond = false;  ///< the ellipse hangs over an end of the flank or the face
+  int track = 0;        ///< number of contact patches; double arcs have two on a tooth
+  bool beyond = false;  ///< true if the ellipse extends beyond an end of the flank or the face
 };
 
 /// One tooth pair in contact at one position; of points one of its places.
@@ -44,7 +44,7 @@ struct LoadedPair {
   std::vector<std::array<double, 2>> radius;  ///< mm of each place on both gears
 };
 
-/// NaN: there is no such number, for nothing touches or the forces came to no end.
+/// NaN if no teeth touch or the forces do not converge.
 struct LoadedPosition {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -56,12 +56,12 @@ struct LoadedPosition {
   double tangent = kNone;                     ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
   /// Line load over approach, N/(mm µm); of points force over approach, N/µm.
   double stiffness = kNone;
-  std::vector<LoadedPair> pairs{};  ///< that carry, of points places; the nearest to its exit last
+  std::vector<LoadedPair> pairs{};  ///< loaded pairs or points; the nearest to its exit last
   double max_pressure = kNone;      ///< MPa
   double max_width_ratio = kNone;   ///< greatest half width of contact over its radius
   TouchKind kind =
-      TouchKind::none;      ///< line, interior, or the edge that carries most; none: no answer
-  bool unfinished = false;  ///< it touches, but the forces came to no end
+      TouchKind::none;      ///< line, interior, or the edge with most load; none: no result
+  bool unfinished = false;  ///< true if teeth touch but the forces do not converge
   bool edge_carries = false;
   std::array<double, 2> root_stress{kNone, kNone};  ///< MPa, greatest principal at each root
   int iterations = 0;
@@ -69,12 +69,13 @@ struct LoadedPosition {
   bool solved() const { return kind != TouchKind::none; }
 };
 
-/// Of the positions that are solved; NaN where none is.
+/// Values over the solved positions; NaN if there are none.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
   Angle peak_to_peak = Angle::radians(LoadedPosition::kNone);
-  /// Empty for rotations, and unless all positions are solved: a wave needs its whole length.
+  /// Empty for given rotations, and if any position is not solved, because harmonics need the whole
+  /// pitch.
   std::vector<Angle> harmonics{};
   struct Stiffness {
     /// N/(mm µm), N/µm; mean: at the mean approach
@@ -89,20 +90,20 @@ struct LoadedTorque {
   double face_load_factor = 1.0;  ///< K_Hβ: load over the face, mean of the positions
   double max_width_ratio = 0.0;
   bool edge_carries = false;
-  bool beyond_flank = false;  ///< an ellipse hangs over an end of the flank
+  bool beyond_flank = false;  ///< true if an ellipse extends beyond an end of the flank
   Eigen::VectorXd face_load;  ///< N/mm per slice from −z on, mean of the positions
   /// The greatest principal stress over the positions, MPa, of each gear: a row per root point, a
   /// column per slice from −z on; 0 where nothing pulls.
   std::array<Eigen::MatrixXd, 2> root_stress;
-  /// The least principal stress there, 0 where nothing presses: a tooth is pressed while its neighbours
-  /// bear.
+  /// The least principal stress there, 0 without compression; a fillet is compressed while
+  /// neighbouring teeth carry load.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
   /// Where root_stress is greatest.
   std::array<double, 2> least_at_max{LoadedPosition::kNone, LoadedPosition::kNone};
 };
 
 struct LoadedContact {
-  LoadedContact() = default;  ///< empty, and no aggregate: loaded_contact() makes it
+  LoadedContact() = default;  ///< empty, and not an aggregate; loaded_contact() makes it
   std::vector<LoadedTorque> torques;
   LoadRegime regime = LoadRegime::line;
   std::array<FaceSlices, 2> slices;    ///< mm, on each gear; of lines the same on both
@@ -122,8 +123,8 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// The same in pieces: positions by the numbers of any range, in any order, of several threads if
-/// each has its own; then the answer. What it is made of has to live as long.
+/// The same in parts: ranges of positions in any order, also from several threads with one object
+/// each, and then the result. The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

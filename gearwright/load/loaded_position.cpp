@@ -9,7 +9,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// N is the housing upside down where gear 2 drives: its slices, from −z on.
+// N is the inverted housing frame if gear 2 drives; its slices start at −z.
 void reverse(LoadedPair& pair) {
   pair.line_load.reverseInPlace();
   pair.pressure.reverseInPlace();

@@ -1,5 +1,5 @@
-// One position of a loaded pair: where its teeth may touch, how these places yield to each other, and
-// what a torque makes of them.
+// One position of a loaded pair: its possible contact positions, their compliance, and their loads
+// under a torque.
 //
 // Internal to load/.                   theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
 #pragma once
@@ -15,7 +15,7 @@
 namespace gearwright::detail {
 
 inline constexpr double kFarGap = 0.03;    // modules: teeth farther apart do not touch under load
-inline constexpr double kFlattest = 1e-6;  // 1/mm: less curvature than that is none
+inline constexpr double kFlattest = 1e-6;  // 1/mm: a smaller curvature counts as 0
 
 // (1 − ν²)/E  mm²/N
 inline double plane_softness(const ElasticBody& b) {
@@ -29,7 +29,7 @@ struct Row {
 };
 
 struct Position {
-  std::vector<PairPlaces> pairs;  // of those that may touch, nearest to its exit last
+  std::vector<PairPlaces> pairs;  // the pairs that may touch, the nearest to its exit last
   std::vector<Row> rows;
   ContactProblem problem;
   double te = 0.0;                               // of the first touch, deflections included
@@ -49,7 +49,7 @@ class PositionSolver {
   /// Adds to `swing` the root stresses.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
-  /// The greatest share of a tooth pair alone; NaN where the forces come to no end.
+  /// The greatest share of a single tooth pair; NaN if the forces do not converge.
   double greatest_share(Position& at, double torque) const;
 
  private:

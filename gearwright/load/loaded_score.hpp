@@ -1,4 +1,4 @@
-// Teeth under a torque in a few numbers, for those who compare one pair with another.
+// A few numbers of teeth under a torque, for comparing pairs.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// NaN where there is no answer to compare with.
+/// NaN if there is no result.
 struct LoadedScore {
   Angle peak_to_peak;                        ///< of the loaded transmission error
   double max_pressure = 0.0;                 ///< MPa
@@ -16,16 +16,16 @@ struct LoadedScore {
   bool edge_carries = false;
 };
 
-/// One for each torque; none where at a position nothing touches, a position came to no end, or the
+/// One for each torque; none if no teeth touch at a position, a position does not converge, or the
 /// slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 /// That of none.
 LoadedScore no_score();
-/// The worst of both, number by number; NaN stays.
+/// The worse of both for each number; NaN is kept.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
-/// What corrections do under a torque: the worst over all scenarios, number by number.
+/// The effect of corrections under a torque: the worst of each number over all scenarios.
 struct AimedLoad {
   double torque;  ///< N mm
   LoadedScore before, after;

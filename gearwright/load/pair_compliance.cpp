@@ -10,14 +10,14 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
+constexpr double kHertzWidth = 0.05;  // modules: a0, without influence except for rounding
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;           // modules, width of a slice
 constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules
 constexpr double kFairWidth = 0.15;                              // modules, where R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
-constexpr int kTableSteps = 80;  // about: waves and parts of the section, places of the table
+constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
 
-// One tooth and one face to the last bit: the second gear needs no tables of its own.
+// If tooth and face are equal to the last bit, the second gear needs no tables of its own.
 bool same_tooth(const Gear& a, const Gear& b) {
   constexpr int kPoints = 9;
   const auto& x = a.tooth->outline.arcs;
@@ -39,7 +39,7 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
-// Young's modulus is no part of a table.
+// A table does not depend on Young's modulus.
 bool same_body(const ElasticBody& a, const ElasticBody& b) {
   return a.bore_diameter == b.bore_diameter && a.poisson_ratio == b.poisson_ratio;
 }

@@ -1,6 +1,8 @@
-// What the teeth of a pair yield: a table for each gear, whatever torque, errors and modifications.
+// The compliance of the teeth of a pair: a table for each gear, independent of torque, errors and
+// modifications.
 //
-// A table takes most of the time of an answer under load, so that whoever asks often keeps them.
+// Computing a table takes most of the time under load, so callers with several requests keep the
+// tables.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -43,10 +45,11 @@ struct LoadRequest {
 /// Of teeth that touch at points over the wider face.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
-/// Whether slices are so narrow that modes and elements do not tell them apart, which no table need be
-/// made to know: below 0.15 modules, of helical teeth 0.18. The matrix of [T12.14] is then indefinite
-/// whatever the torque: of a dozen pairs, external and internal, draft and full, none had an answer at
-/// 0.16 and 0.2. Of teeth that touch at points places would yield less than nothing.
+/// True if the slices are too narrow for the resolution of modes and elements, which is known
+/// without a table: below 0.15 modules, of helical teeth 0.18. The matrix of [T12.14] is then
+/// indefinite whatever the torque: of a dozen pairs, external and internal, draft and full, none
+/// had an answer at 0.16 and 0.2. Of teeth that touch at points places would yield less than
+/// nothing.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The tables of both gears: what the outlines, faces and materials give. Torques, errors and
@@ -58,7 +61,7 @@ struct PairCompliance {
   double half_width = 0.0;           ///< a0  mm
 };
 
-/// Of `ready` what is there is taken and not made anew: same_compliance says when it may be.
+/// Tables in `ready` are reused; same_compliance determines when this is allowed.
 ///
 /// Domain    gear 1 external; LoadRegime::line: involute gears on parallel axes; LoadRegime::point:
 ///           gear 2 external too (contract)
@@ -73,7 +76,8 @@ Result<PairCompliance> pair_compliance(
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,
                                                            int which, const LoadRequest& request);
 
-/// Whether gear `which` of two pairs has one table: the same tooth, faces, body, slices and accuracy,
+/// True if gear `which` of two pairs has the same table: the same tooth, faces, body, slices and
+/// accuracy,
 /// to the last bit.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);

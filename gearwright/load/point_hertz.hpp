@@ -16,7 +16,7 @@ struct HertzEllipse {
   double approach;                ///< δ  mm  [T12.23]
 };
 
-/// What the curvatures alone give [T12.22]: a, b ∝ F^(1/3) and δ ∝ F^(2/3).
+/// Quantities that depend on the curvatures only [T12.22]: a, b ∝ F^(1/3) and δ ∝ F^(2/3).
 class HertzPoint {
  public:
   /// Domain    0 < k1 ≤ k2, E* > 0 (contract)

@@ -20,13 +20,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostTurns = 120;   // of footprints that follow the forces
-constexpr double kStill = 1e-11;  // of force and approach: footprints do not change any more
-constexpr int kWhole = 10;        // turns after which ellipses go a part of the way
+constexpr double kStill = 1e-11;  // relative to force and approach: converged footprints
+constexpr int kWhole = 10;        // iterations after which the ellipses move by a part of the step
 constexpr double kLeastPart = 0.1, kMostPart = 5.0;
 constexpr int kHalvings = 40;
-constexpr double kNoLength = 1e-3;     // of the half axis: less of it on the flanks is one place
+constexpr double kNoLength = 1e-3;     // relative to the half axis: shorter parts are one position
 constexpr double kIdle = 1e-6;         // of the whole force
-constexpr double kStraightest = 0.25;  // of k1: bodies bend no closer than that to a straight line
+constexpr double kStraightest = 0.25;  // relative to k1: limit of bending towards a line
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
@@ -140,8 +140,8 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
                               Eigen::Vector2d(turned * step[0], step[1]);
     }
   }
-  // What lies on the flanks grows and shrinks with the force: nodes that came and went with it would
-  // leave forces and footprints without a place to stand still.
+  // The part on the flanks changes with the force. If nodes appeared and disappeared with it,
+  // forces and footprints would not converge.
   const double a = ellipse.semi_major;
   const double lo = reach(place, bent.middle, bent.middle - a);
   const double hi = reach(place, bent.middle, bent.middle + a);
@@ -236,8 +236,8 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   return e;
 }
 
-// The larger a force, the longer its footprint, and the more its bodies bend under it: forces and
-// footprints in turns.
+// A larger force has a longer footprint and bends the bodies more, so forces and footprints are
+// computed alternately.
 PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   const auto n = static_cast<Index>(at.places.size());
   PointProblem q;
@@ -252,8 +252,8 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   all.laid.resize(at.places.size());
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
-  // Whole steps, and where these do not end as long a part of a step as the last two suggest: more
-  // than one where they creep, less where they swing.
+  // Full steps are used first. If they do not converge, the step length follows from the last two
+  // steps: more than 1 for slow convergence, less than 1 for oscillation.
   double part = 1.0;
   VectorXd last;
   bool still = false;

@@ -95,7 +95,7 @@ void BSplineBasis::prepare() {
     for (std::size_t j = 1; j <= p; ++j) sum += knots_[i + j];
     greville_.push_back(sum / degree_);
   }
-  // p equal numbers summed and divided need not give that number back.
+  // The sum of p equal numbers divided by p may differ from that number.
   greville_.front() = knots_.front();
   greville_.back() = knots_.back();
 

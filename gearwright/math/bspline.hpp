@@ -2,13 +2,13 @@
 //
 //   p      degree                          n     number of poles, n ≥ p + 1
 //   t_j    knots, n + p + 1 of them: p + 1 equal ones at each end, non-decreasing between
-//   N_i    basis functions, i = 0 … n−1: each lives on [t_i, t_(i+p+1)], at every u they sum to 1
+//   N_i    basis functions, i = 0 … n−1, nonzero on [t_i, t_(i+p+1)]; their sum is 1 at every u
 //   g_i    Greville abscissae (t_(i+1) + … + t_(i+p)) / p; poles g_i give the function u itself
 //   P_i    poles, rows of an n × dim matrix;  C(u) = Σ N_i(u) P_i
 //
 // Interpolation at g_i is well posed (Schoenberg-Whitney: N_i(g_i) > 0) and the collocation matrix
 // A_ij = N_j(g_i) is banded and totally positive, so elimination without pivoting is backward
-// stable and fills nothing in (de Boor, A Practical Guide to Splines, ch. XIII).
+// stable and causes no fill-in (de Boor, A Practical Guide to Splines, ch. XIII).
 //
 //   Laws  (1) the first and last pole are the first and last sample, bit for bit
 //         (2) polynomials of degree ≤ p are reproduced
@@ -36,7 +36,7 @@ class BSplineBasis {
   /// Full knot vector, every knot as often as its multiplicity: poles + degree + 1 numbers.
   const std::vector<double>& knots() const { return knots_; }
 
-  /// The different knots, growing; multiplicities() stands beside it (the form OCCT wants).
+  /// The distinct knots in increasing order, used with multiplicities() (the form that OCCT needs).
   std::vector<double> distinct_knots() const;
   std::vector<int> multiplicities() const;
 
@@ -57,7 +57,7 @@ class BSplineBasis {
   /// end).
   Eigen::VectorXd derivative(const Eigen::MatrixXd& poles, double u, int k = 1) const;
 
-  /// The p + 1 basis functions that live at u: values[j] belongs to pole first + j.
+  /// The p + 1 nonzero basis functions at u; values[j] belongs to pole first + j.
   struct Local {
     int first;
     std::vector<double> values;

@@ -1,7 +1,7 @@
-// Small dense problems of linear algebra, answered by Eigen's decompositions.
+// Small dense problems of linear algebra, solved by decompositions of Eigen.
 //
-// Those templates are the dearest of the engine: two to seven seconds of compilation each. They
-// stand here once, and what needs an answer does not see them.
+// These templates are the most expensive of the engine, with two to seven seconds of compilation
+// each. They are instantiated once, behind these functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +17,13 @@ struct SymmetricEigen {
 /// Reads the lower triangle only.
 SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 
-/// x with a·x = b, by elimination with complete pivoting. What a singular `a` leaves free is 0.
+/// x with a·x = b, by elimination with complete pivoting. Unknowns that a singular `a` leaves free
+/// are 0.
 ///
 /// Domain    a is square, b as long (contract)
 Eigen::VectorXd solve_linear(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// The shortest of the x that make |a·x − b| least.
+/// The x of least norm among those that minimise |a·x − b|.
 ///
 /// Domain    b has a row for each of a (contract)
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

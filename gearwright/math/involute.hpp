@@ -3,8 +3,8 @@
 //   α    pressure angle at a point, rad        ξ = tan α   roll angle, rad
 //   r_b  base radius, mm                       inv α       polar angle of the point, rad
 //
-// Templates over the scalar: double here, 50 digits in the accuracy ledger. For double the small
-// angles take a series, because tan α − α loses 3ε/α² to cancellation.
+// Templates over the scalar: double here, 50 digits in the accuracy ledger. For double, small
+// angles use a series, because tan α − α loses 3ε/α² to cancellation.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,8 @@ T involute_of_roll(const T& xi) {
   return xi - atan(xi);
 }
 
-/// Pressure angle α with inv α = y: Halley's iteration from a start good to 2.4 %.
+/// Pressure angle α with inv α = y: Halley's iteration from a start value with an error of at most
+/// 2.4 %.
 ///
 /// Formula   [T2.3]; the iteration is monotone from the second step on
 /// Units     rad; odd in y
@@ -67,7 +68,7 @@ T inverse_involute(const T& y) {
   using std::cbrt;
   using std::tan;
   const T limit(1e12);    // π/2 − α is 1/y there
-  const T rounding(1e3);  // times the tolerance: what tan α − α may lose near π/2
+  const T rounding(1e3);  // times the tolerance: possible loss of tan α − α near π/2
   GW_EXPECTS(abs(y) <= limit);
   if (y == T(0)) return y;
   if (y < T(0)) return -inverse_involute<T>(-y);

@@ -20,7 +20,8 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   opt.set_maxeval(task.evaluations);
   opt.set_ftol_rel(task.relative_gain);
   opt.set_ftol_abs(task.gain);
-  // What f throws must not pass through NLopt's C: it stops NLopt and is thrown again behind it.
+  // An exception of f must not pass through the C code of NLopt. It stops NLopt and is thrown again
+  // afterwards.
   struct Objective {
     const MinimiserTask& task;
     std::exception_ptr thrown;
@@ -40,7 +41,7 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   try {
     opt.optimize(start, least);
   } catch (const nlopt::roundoff_limited&) {
-    // start is the best that rounding lets it be
+    // start is the best point within rounding
   } catch (const nlopt::forced_stop&) {
     std::rethrow_exception(called.thrown);
   }

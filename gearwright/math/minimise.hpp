@@ -1,8 +1,8 @@
-// Least values of a function of several numbers within a box, without derivatives.
+// Minimises a function of several variables within a box, without derivatives.
 //
-// By NLopt: DIRECT-L (Gablonsky and Kelley, 2001) divides the box, Subplex (Rowan, 1990) runs
-// downhill from a start. A build without NLopt has neither: can_minimise() says so, and whoever
-// needs them refuses the work beforehand.
+// NLopt provides DIRECT-L (Gablonsky and Kelley, 2001), which divides the box, and Subplex (Rowan,
+// 1990), which descends from a start point. In a build without NLopt, can_minimise() is false, and
+// callers reject the task beforehand.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@
 namespace gearwright {
 
 enum class Minimiser {
-  whole_box,  ///< DIRECT-L: looks everywhere, from the middle on
-  downhill    ///< Subplex: from the start into a valley near it
+  whole_box,  ///< DIRECT-L: global search, starting in the middle
+  downhill    ///< Subplex: local search from the start point
 };
 
-/// A search ends at so many evaluations, or when f changes by less than either gain.
+/// A search ends after this number of evaluations, or if f changes by less than either gain.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< the box
   std::vector<double> step{};      ///< > 0: first steps
@@ -28,7 +28,7 @@ struct MinimiserTask {
 /// Whether this build has the minimisers.
 bool can_minimise();
 
-/// The best that was found from `start` on.
+/// The best point found from `start`.
 ///
 /// Domain    as many of lo, hi and step as of start; lo ≤ start ≤ hi; can_minimise() (contract)
 std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vector<double> start);

@@ -1,4 +1,4 @@
-// Without NLopt there is no minimiser.
+// The version without NLopt has no minimiser.
 #include "gearwright/base/contract.hpp"
 #include "gearwright/math/minimise.hpp"
 

@@ -1,7 +1,8 @@
-// Newton's iteration that cannot leave its bracket: for smooth functions with a cheap derivative.
+// Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket; a step that would leave it, or that gains less than a
-// halving twice over, is replaced by the middle. A template over the scalar, as the formulas are.
+// Every evaluation narrows the bracket. If a step would leave the bracket, or if two steps gain
+// less than a bisection, the middle is used instead. The function is a template over the scalar,
+// like the formulas.
 #pragma once
 
 #include <cmath>

@@ -11,10 +11,10 @@
 
 namespace gearwright {
 
-// Evaluations for TOMS 748, which needs some ten; what it leaves is halved.
+// The budget of evaluations for TOMS 748, which needs about ten. The remaining bracket is bisected.
 constexpr std::uintmax_t kBudget = 100;
-// It keeps two ulp away from the ends of its bracket and may circle there until its budget ends: it
-// is stopped where the bracket is so narrow, relative to its ends.
+// TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until its budget
+// ends. It is stopped when the bracket is this narrow relative to its ends.
 constexpr double kCircles = 16 * std::numeric_limits<double>::epsilon();
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {
@@ -28,11 +28,12 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
-    if (std::nextafter(a, b) == b) return true;  // a root at 0 has no relative end
+    if (std::nextafter(a, b) == b) return true;  // for a root at 0 a relative criterion never ends
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
-  // The ends of the last bracket are among the last places asked: their values need no second look.
+  // The ends of the last bracket are among the last evaluations, so their values are not computed
+  // again.
   struct Look {
     double x = std::numeric_limits<double>::quiet_NaN();
     double value = 0.0;

@@ -1,7 +1,7 @@
 // One-dimensional roots with a bracket: TOMS 748 (Alefeld, Potra, Shi 1995) by Boost.Math.
 //
-// A solver says where it ended, how large the residual is, how many evaluations it took and why it
-// stopped. The bracket is the guarantee: no start value, no divergence.
+// A solver returns its final x, the residual, the number of evaluations and the reason for
+// stopping. Because of the bracket, it needs no start value and cannot diverge.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace gearwright {
 enum class RootStop {
   exact,        ///< f(x) = 0
   bracket,      ///< |b − a| ≤ 2 ulp of the larger end
-  no_bracket,   ///< f(lo), f(hi) have the same sign: nothing was solved, x is the better end
+  no_bracket,   ///< f(lo) and f(hi) have the same sign; nothing was solved, and x is the better end
   evaluations,  ///< f is not a number inside the bracket
 };
 

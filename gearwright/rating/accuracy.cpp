@@ -16,14 +16,14 @@ constexpr std::array kDiameters{5.0,    20.0,   50.0,   125.0,  280.0,  560.0,  
 constexpr std::array kModules{0.5, 2.0, 3.5, 6.0, 10.0, 16.0, 25.0, 40.0, 70.0};
 constexpr std::array kFaces{4.0, 10.0, 20.0, 40.0, 80.0, 160.0, 250.0, 400.0, 650.0, 1000.0};
 
-// The geometric mean of the range that holds x; of the nearest range where none does.
+// The geometric mean of the range that contains x, or of the nearest range.
 double mean_of_range(std::span<const double> ends, double x) {
   std::size_t i = 1;
   while (i + 1 < ends.size() && x > ends[i]) ++i;
   return std::sqrt(ends[i - 1] * ends[i]);
 }
 
-// As the standard's tables are rounded: whole µm above 10, halves to 5, tenths below.
+// Rounding of the tables of the standard: whole µm above 10, halves to 5, tenths below.
 double rounded(double f) {
   const double step = f > 10.0 ? 1.0 : f >= 5.0 ? 0.5 : 0.1;
   return std::round(f / step) * step;

@@ -3,8 +3,9 @@
 //   f_pt, f_pb    single pitch deviation, and on the base circle f_pb = f_pt cos α_t
 //   f_fα, f_Hβ    profile form and helix slope deviation        all in µm
 //
-// ISO 6336 of 2006 goes with ISO 1328-1:1995, whose formulas take the geometric mean of a range of
-// module, diameter and face width; that of 2019 with ISO 1328-1:2013, which takes the gear's own.
+// ISO 6336 of 2006 is used with ISO 1328-1:1995, whose formulas use the geometric mean of a range
+// of module, diameter and face width. ISO 6336 of 2019 is used with ISO 1328-1:2013, which uses the
+// values of the gear.
 #pragma once
 
 #include "gearwright/rating/factor.hpp"

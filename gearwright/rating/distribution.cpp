@@ -10,7 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// Share χ of a misalignment that running-in takes, and its most at 5…10 and above 10 m/s.
+// The fraction of a misalignment that running-in removes, with its maximum at 5…10 and above 10
+// m/s.
 double helix_running_in(const Material& m, double f, double v) {
   using K = MaterialKind;
   if (m.surface_hardened()) return std::min(0.15 * f, 6.0);
@@ -26,7 +27,7 @@ double helix_running_in(const Material& m, double f, double v) {
 }
 
 // K' of the five arrangements of a pinion and its bearings, with and without stiffening, and the
-// s/l up to which the figure holds.
+// greatest s/l of the figure.
 struct Arrangement {
   double stiff, loose, most;
 };

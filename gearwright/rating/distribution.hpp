@@ -1,5 +1,5 @@
-// How unevenly the load lies: along the face (K_Hβ, K_Fβ) and between the pairs of teeth in mesh
-// (K_Hα, K_Fα).
+// Load distribution factors: along the face (K_Hβ, K_Fβ) and between the tooth pairs in mesh (K_Hα,
+// K_Fα).
 //
 //   f_sh, f_ma   misalignment from shaft and pinion deflection, and from manufacture, µm
 //   F_βx, F_βy   equivalent misalignment before and after running-in, µm
@@ -17,23 +17,23 @@ namespace gearwright {
 /// Pinion, bearings and torque, as the figure of the constant K' draws them. [ISO 6336-1, figure 13]
 enum class PinionArrangement { a, b, c, d, e };
 
-/// Where the pinion sits on its shaft.
+/// The position of the pinion on its shaft.
 struct PinionMounting {
   double bearing_span = 0.0;    ///< l    mm
   double offset = 0.0;          ///< s    mm, from the middle of the bearings
   double shaft_diameter = 0.0;  ///< d_sh mm
   PinionArrangement arrangement = PinionArrangement::a;
-  bool stiffening = true;  ///< the pinion is of one piece with its shaft, or shrunk on it
+  bool stiffening = true;  ///< true if the pinion is integral with its shaft or shrunk onto it
   std::optional<double> manufacture;  ///< f_ma  µm; none: both helix slope tolerances, squared sum
 };
 
 struct FaceLoad {
   Factor K_Hbeta;
-  std::optional<Factor> f_sh, F_betax, F_betay;  ///< µm, where the mounting gave the factor
+  std::optional<Factor> f_sh, F_betax, F_betay;  ///< µm, if the factor follows from the mounting
   bool offset_in_range = true;                   ///< s/l below the figure's limit
 };
 
-/// What running-in takes of the misalignment, µm: mean of both materials.
+/// Reduction of the misalignment by running-in, µm: mean of both materials.
 ///
 /// Formula   ISO 6336-1, 7.5.2.4, by kind and pitch line velocity
 double running_in_misalignment(const std::array<Material, 2>& materials, double f, double velocity);

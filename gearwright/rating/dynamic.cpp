@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSlow = 5.0, kFast = 10.0;  // m/s, where a limit begins and where it tightens
 
-// Share of a deviation and the most that running-in takes, by speed.
+// Fraction of a deviation that running-in removes, with its maximum by speed.
 struct RunningIn {
   double share, most_medium, most_fast;
 };
@@ -38,7 +38,7 @@ RunningIn running_in_of(const Material& m) {
 
 double running_in_of(const Material& m, double f, double v) {
   const RunningIn r = running_in_of(m);
-  // Hardened flanks wear by 3 µm at any speed.
+  // Running-in removes 3 µm of hardened flanks at any speed.
   const double most = v > kFast              ? r.most_fast
                       : v > kSlow            ? r.most_medium
                       : m.surface_hardened() ? r.most_medium

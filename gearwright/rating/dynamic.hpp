@@ -1,8 +1,8 @@
-// Loads that the mesh makes itself: running-in, resonance and the dynamic factor, method B.
+// Internal dynamic loads of the mesh: running-in, resonance and the dynamic factor, method B.
 //
 //   m_red    reduced mass of the pair per face width, kg/mm
 //   n_E1     resonance speed of the pinion, 1/min           N = n_1/n_E1
-//   f_pb, f_fα   base pitch and profile form deviation, y_p, y_f   what running-in takes, µm
+//   f_pb, f_fα   base pitch and profile form deviation, y_p, y_f   reduction by running-in, µm
 //   B_p, B_f, B_k   deviations and tip relief, in deflections of the loaded tooth
 #pragma once
 
@@ -15,12 +15,12 @@
 
 namespace gearwright {
 
-/// What running-in takes of a deviation f, µm; with two materials the mean of theirs.
+/// Reduction of a deviation f by running-in, µm; for two materials the mean.
 ///
 /// Formula   ISO 6336-1, 8.3.5, (75) and what follows it: by kind and pitch line velocity v
 double running_in(const std::array<Material, 2>& materials, double deviation, double velocity);
 
-/// Tip relief that running-in makes, C_ay, µm: mean of both materials.
+/// Tip relief due to running-in, C_ay, µm: mean of both materials.
 ///
 /// Formula   ISO 6336-1, 6.5.4, (18)
 double running_in_relief(const std::array<Material, 2>& materials);

@@ -1,4 +1,4 @@
-// The material in the formulas that ISO 6336-1 states for steel on steel.
+// Correction for the material in formulas that ISO 6336-1 gives for steel on steel.
 #pragma once
 
 namespace gearwright {

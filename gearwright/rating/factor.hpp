@@ -1,8 +1,8 @@
-// A number of a strength rating with what a reader needs to lay it beside another report: where in
-// the standard it stands, and which branch of the formula was taken.
+// A number of a strength rating with its clause in the standard and the branch of its formula, so
+// that users can compare it with another report.
 //
-// Text is never built here: both are words of the program, so that a factor costs no more than its
-// number and the search can take the same functions.
+// Both texts are string literals, so a factor costs no more than its number, and the search can use
+// the same functions.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace gearwright {
 
-/// Editions of ISO 6336-1, -2, -3, and the guideline for plastics. What the later edition changed:
-/// docs/theory/11-rating.md.
+/// Editions of ISO 6336-1, -2, -3, and the guideline for plastics. docs/theory/11-rating.md lists
+/// the changes of the later edition.
 enum class RatingEdition { iso_2006, iso_2019, vdi_2736 };
 
 /// "ISO 6336:2006"
@@ -29,7 +29,7 @@ struct Factor {
   const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty: the formula has one form
 };
 
-/// A factor that the standard asked for has not.
+/// A factor that the standard requires and that is missing.
 inline constexpr Factor kNoFactor{std::numeric_limits<double>::quiet_NaN(), "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 

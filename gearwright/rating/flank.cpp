@@ -40,7 +40,7 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     const Factor one{1.0, formula, "helical, ε_β ≥ 1"};
     return {one, one};
   }
-  // Roll angles at the tip, and one pitch; an internal gear's count the other way.
+  // Roll angles at the tip, and one pitch; those of an internal gear have the opposite sign.
   std::array<double, 2> roll{}, step{};
   for (std::size_t i = 0; i < 2; ++i) {
     const RatedGear& g = pair.gears[i];

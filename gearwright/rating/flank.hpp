@@ -3,7 +3,7 @@
 //   σ_H0 = Z_H Z_E Z_ε Z_β √(F_t (u + 1)/(d_1 b u))      σ_H = Z_B,D σ_H0 √(K_A K_γ K_v K_Hβ K_Hα)
 //   σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X               S_H = σ_HG/σ_H
 //
-// Each factor is a function of its own inputs alone. theory: docs/theory/11-rating.md
+// Each factor is a function of its own inputs only. theory: docs/theory/11-rating.md
 #pragma once
 
 #include <optional>
@@ -25,7 +25,8 @@ Factor flank_helix_factor(const RatedPair& pair);                    ///< Z_β [
 /// Radius of relative curvature at the pitch point, ρ_red, mm.
 double pitch_curvature(const RatedPair& pair);
 
-/// What the film of oil depends on; the lower σ_Hlim of the two materials sets its constants.
+/// Inputs of the lubricant film factors; the lower σ_Hlim of the two materials determines their
+/// constants.
 struct Film {
   double sigma_Hlim = 0.0;                  ///< N/mm²
   std::optional<double> viscosity;          ///< ν_40  mm²/s
@@ -33,11 +34,11 @@ struct Film {
   std::optional<std::array<double, 2>> Rz;  ///< of the flanks, µm, pinion and wheel
 };
 
-// At the reference number of cycles; at a limited life they count with Life::reference as exponent.
+// Values at the reference number of cycles; for a limited life their exponent is Life::reference.
 Factor lubricant_factor(const Film& film);                         ///< Z_L [T11.23]
 Factor velocity_factor(const Film& film);                          ///< Z_v [T11.24]
 Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11.25]
-/// Z_W of each gear: above 1 only of a softer one. [T11.26]
+/// Z_W of each gear; above 1 only for the softer one. [T11.26]
 FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Material, 2>& materials,
                                   const Film& film);
 

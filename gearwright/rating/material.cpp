@@ -73,7 +73,7 @@ constexpr std::array<NamedMaterial, 21> kTable{{
 
 constexpr double kBrinellOfVickers = 0.95;
 
-// Of the kinds whose stiffness is not that of steel.
+// Values of the kinds whose stiffness differs from steel.
 void set_elastic(Material& m) {
   if (m.kind == K::cast) {
     m.youngs_modulus = 126000.0;

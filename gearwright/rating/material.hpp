@@ -1,11 +1,11 @@
-// Materials of gears as ISO 6336-5 sorts them, and a table of steels that workshops name.
+// Gear materials by the kinds of ISO 6336-5, and a table of common steels.
 //
 //   σ_Hlim, σ_Flim   allowable stress numbers of the reference test gears, N/mm²
 //   HV, HB           hardness of the surface, Vickers and Brinell; HB ≈ 0.95 HV
 //   R_e              yield strength or 0.2 % proof stress, N/mm²
 //
-// The table is a help for a first answer. Its values are those of quality MQ at a usual hardness;
-// whoever signs a drawing checks them against the standard and the supplier's papers.
+// The table is intended for a first result. Its values are those of quality MQ at a usual hardness.
+// For a final design they must be checked against the standard and the supplier's data.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ std::string_view material_letters(MaterialKind kind);
 /// Values by temperature: °C, N/mm²; rising temperatures.
 using ByTemperature = std::vector<std::array<double, 2>>;
 
-/// On the straight line between two temperatures; none outside the list.
+/// Linear interpolation between two temperatures; none outside the list.
 std::optional<double> at_temperature(const ByTemperature& list, double celsius);
 
 struct Material {
@@ -53,7 +53,7 @@ struct Material {
   std::optional<double> hardness_HV{};     ///< of the surface
   std::optional<double> yield_strength{};  ///< R_e  N/mm²
   bool from_table = false;                 ///< limits of the shipped table
-  /// Of a plastic, in place of the numbers above where they are not empty.
+  /// Values of a plastic, which replace the numbers above if they are not empty.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
   bool surface_hardened() const {
@@ -76,8 +76,8 @@ struct NamedMaterial {
 
 std::span<const NamedMaterial> named_materials();
 
-/// The line of ISO 6336-5 for quality MQ: limits that grow with the hardness, between the ends of
-/// the line; outside them nothing.
+/// The line of ISO 6336-5 for quality MQ: limits that grow with the hardness between the ends of
+/// the line; none outside them.
 ///
 /// Formula   ISO 6336-5, clause 5, σ = A·x + B, x in HV or HB by kind
 /// Source    confirmed by printed reports for case-hardened steel (1500, 430) and for 34CrNiMo6 at
@@ -88,7 +88,7 @@ struct Limits {
 };
 std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 
-/// A row of the table with its limits, at another hardness where one is given.
+/// A row of the table with its limits, at another hardness if one is given.
 ///
 /// Domain    nothing for a name that is not in the table, or a hardness off the kind's line
 std::optional<Material> material_named(std::string_view name,

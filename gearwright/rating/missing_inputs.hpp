@@ -1,4 +1,4 @@
-// What a rating still wants, one by one, so that a door can add what it wants itself: the load, the
+// The missing inputs of a rating as a list, to which interfaces add their own: the load, the
 // materials.
 #pragma once
 

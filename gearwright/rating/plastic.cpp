@@ -33,10 +33,10 @@ HeatTransfer heat_transfer(const std::array<Material, 2>& materials) {
                                                         : HeatTransfer{6300, 895};
 }
 
-// Which gear of the spec stands at a place of the pair.
+// The gear of the spec at a position of the pair.
 int gear_at(const RatedPair& pair, std::size_t place) { return pair.place(1) == place ? 1 : 2; }
 
-// A value of a material at its temperature, or the one number that is given.
+// A value of a material at its temperature, or the single given number.
 Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemperature& list,
                         double number, double celsius, const char* what) {
   if (list.empty()) return number;
@@ -54,7 +54,7 @@ Factor given_or_one(const std::optional<double>& factor) {
                          "product"};
 }
 
-// Those of ISO 6336 that the guideline has not.
+// The factors of ISO 6336 that the guideline does not contain.
 void leave_out(Rating& r) {
   Stiffness& s = r.stiffness;
   for (Factor* f : {&s.c_th, &s.c_prime, &s.c_gamma_alpha, &s.c_gamma_beta, &r.Z_L, &r.Z_v, &r.Z_R})

@@ -6,7 +6,7 @@
 //   R_λG, A_G     heat resistance of the housing, K m²/W, and its surface, m²
 //   ED            relative duty
 //
-// What is not here: wear, deformation of the teeth, static peaks. theory: docs/theory/11-rating.md
+// Wear, deformation of the teeth and static peaks are not covered. theory: docs/theory/11-rating.md
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace gearwright {
 
-/// How warm the teeth run: given, or by the air around and the friction.
+/// Temperatures of the teeth: given, or computed from ambient temperature and friction.
 struct PlasticInput {
   std::optional<std::array<double, 2>> flank_temperature, root_temperature;  ///< °C
   std::optional<double> ambient_temperature;                                 ///< ϑ_0  °C
@@ -31,7 +31,7 @@ struct PlasticInput {
   std::optional<double> root_heat_transfer;   ///< k_ϑ of the root
 };
 
-/// Temperatures of both gears' flanks and roots, °C; none computed of a metal gear.
+/// Temperatures of both gears' flanks and roots, °C; none is computed for a metal gear.
 struct ToothTemperatures {
   FactorPair flank, root;
 };
@@ -50,10 +50,10 @@ double tooth_loss(const RatedPair& pair);
 struct RatingInput;
 struct Rating;
 
-/// What VDI 2736 asks for and the input lacks.
+/// Inputs that VDI 2736 needs and that are missing.
 std::vector<Error> missing_plastic_inputs(const RatingInput& input);
 
-/// By pinion and wheel; rate() is the door.
+/// Ordered as pinion and wheel; called by rate().
 ///
 /// Formula   [T11.45]…[T11.47]
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& input);

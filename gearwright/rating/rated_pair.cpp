@@ -9,10 +9,10 @@ namespace gearwright {
 
 namespace {
 
-// Of an internal gear whose drawing names no cutter gear/ring_cutter.hpp has chosen one without
-// shift, rounded like the gear's own rack. A cutter of the drawing has the shift that its own
-// reference data say, and the rounding of its tip corners: the rack that cut the cutter says nothing
-// of the root of the gear.
+// For an internal gear without a given cutter, gear/ring_cutter.hpp has chosen one without shift,
+// rounded like the rack of the gear. A given cutter has the shift of its own reference data and the
+// rounding of its tip corners. The rack that cut the cutter does not determine the root of the
+// gear.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   RootTool tool;
@@ -22,7 +22,8 @@ RootTool root_tool(const Gear& gear) {
       std::min(rack.root_fillet_radius, full_radius(rack, gear.spec.normal_pressure_angle));
   tool.protuberance = rack.protuberance;
   if (!gear.cut_by) return tool;
-  // What a pinion cutter reached stands in the root diameter, what shift it had in its distance:
+  // The root diameter gives the depth of a pinion cutter, and the generating centre distance gives
+  // its shift:
   // inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
   const ReferenceGeometry<double>& r = gear.reference();
   const double m = gear.spec.normal_module;
@@ -31,7 +32,7 @@ RootTool root_tool(const Gear& gear) {
       side * (r.reference_diameter - gear.root_diameter) / (2 * m) + r.generating_profile_shift;
   tool.cutter_teeth = gear.cut_by->cutter_teeth;
   if (gear.cut_by->by_default) return tool;
-  StraightRack reach;  // of the greatest rounding that fits
+  StraightRack reach;  // relative to the greatest rounding that fits
   reach.dedendum = tool.dedendum;
   tool.fillet = std::min(gear.cut_by->tip_rounding / m,
                          std::max(0.0, full_radius(reach, gear.spec.normal_pressure_angle)));

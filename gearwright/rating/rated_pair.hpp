@@ -1,4 +1,4 @@
-// What ISO 6336 takes of a pair of involute gears on parallel axes: numbers, the pinion first.
+// The inputs of ISO 6336 from a pair of involute gears on parallel axes, the pinion first.
 //
 //   z, m_n, α_n, β     as on the drawing; z < 0 internal, β without its hand
 //   α_t, α_wt, β_b     transverse, working and base angles, rad
@@ -20,7 +20,7 @@ struct RootTool {
   double addendum = 1.0;      ///< h_aP*   of the gear
   double dedendum = 1.25;     ///< h_fP*
   double fillet = 0.38;       ///< ρ_fP*
-  double protuberance = 0.0;  ///< s_pr*   what it leaves of undercut at the root
+  double protuberance = 0.0;  ///< s_pr*   its residual undercut at the root
   int cutter_teeth = 0;       ///< z_0     of a pinion cutter; 0: a rack
   double cutter_shift = 0.0;  ///< x_0
 };
@@ -29,21 +29,21 @@ struct RatedGear {
   int teeth = 0;                    ///< z, negative if internal
   double reference_diameter = 0.0;  ///< d    mm
   double base_diameter = 0.0;       ///< d_b  mm
-  double tip_diameter = 0.0;        ///< d_Na mm, where the flank ends
+  double tip_diameter = 0.0;        ///< d_Na mm, the end of the flank
   double root_diameter = 0.0;       ///< d_f  mm
   double tooth_height = 0.0;        ///< h    mm, root to tip
   double profile_shift = 0.0;       ///< x
   double generating_shift = 0.0;    ///< x_E
   double virtual_teeth = 0.0;       ///< z_n, signed
   double face_width = 0.0;          ///< b    mm
-  double bore = 0.0;                ///< d_i  mm, of a ring its outside; 0: none
+  double bore = 0.0;                ///< d_i  mm, for an internal gear its outside diameter; 0: none
   RootTool tool;
 
   bool internal() const { return teeth < 0; }
 };
 
 struct RatedPair {
-  RatedPair() = default;           ///< empty, and no aggregate: rated_pair() makes it
+  RatedPair() = default;           ///< empty, and not an aggregate; rated_pair() makes it
   std::array<RatedGear, 2> gears;  ///< pinion, wheel
   bool exchanged = false;          ///< the pinion is gear 2 of the spec
   double normal_module = 0.0;      ///< m_n   mm
@@ -66,7 +66,7 @@ struct RatedPair {
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
 };
 
-/// The pinion's numbers and the wheel's, of a list by gears of the spec; the same call turns back.
+/// Reorders a list by gears of the spec into pinion and wheel; the same call reverses it.
 template <class T>
 std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
   return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;

@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMinutesPerHour = 60.0;
-constexpr double kReversed = 0.7;  // of the root's strength that bends both ways
+constexpr double kReversed = 0.7;  // relative root strength for bending in both directions
 
 Factor given(double value) { return {value, "", kGivenFactor}; }
 
@@ -24,7 +24,7 @@ Factor at_life(Factor f, const Life& life) {
   return f;
 }
 
-// Everything by pinion and wheel.
+// All values are ordered as pinion and wheel.
 struct Rater {
   const RatedPair& pair;
   const RatingInput& in;

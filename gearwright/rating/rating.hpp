@@ -4,8 +4,8 @@
 //   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
 //   if (r) use(r->S_F[0].value, r->S_F[0].formula);
 //
-// Lists of two are gear 1 and gear 2 of the spec, whichever of them is the pinion. What the standard
-// asks and nobody gives counts as 1, and its branch says so. Scuffing and micropitting
+// Lists of two are gear 1 and gear 2 of the spec, whichever of them is the pinion. A factor that is
+// not given counts as 1, and its branch states this. Scuffing and micropitting
 // (ISO/TS 6336-20, -21, -22) are not here. By VDI 2736 the same numbers are made of plastics at their
 // temperatures (rating/plastic.hpp); factors that it has not are not there.
 //                                                           theory: docs/theory/11-rating.md
@@ -32,12 +32,12 @@ struct RatingInput {
   double application_factor = 1.0;            ///< K_A
   double mesh_load_factor = 1.0;              ///< K_γ  of power that is shared between meshes
   std::optional<double> life_h;               ///< L_h  h
-  bool reversed = false;                      ///< the teeth bend both ways, as an idler's
+  bool reversed = false;                      ///< true: bending in both directions (idler)
   std::optional<double> viscosity;            ///< ν_40 mm²/s
   std::optional<std::array<int, 2>> quality;  ///< Q of ISO 1328-1
   std::optional<std::array<double, 2>> flank_roughness, root_roughness;  ///< Rz  µm
   std::optional<double> tip_relief;                                      ///< C_a  µm
-  // Factors that the engineer gives himself.
+  // Factors that the user gives.
   std::optional<double> dynamic_factor;               ///< K_v
   std::optional<double> face_load_factor;             ///< K_Hβ
   std::optional<double> face_load_factor_root;        ///< K_Fβ
@@ -52,7 +52,7 @@ struct RatingInput {
 };
 
 struct Rating {
-  Rating() = default;  ///< empty, and no aggregate: rate() makes it
+  Rating() = default;  ///< empty, and not an aggregate; rate() makes it
   RatingEdition edition = RatingEdition::iso_2006;
   Factor F_t;               ///< N
   std::optional<Factor> v;  ///< m/s
@@ -72,10 +72,11 @@ struct Rating {
   FactorPair sigma_F0, sigma_F, sigma_FG, S_F;
   std::optional<Factor> Y_epsilon;               ///< of VDI 2736
   std::optional<ToothTemperatures> temperature;  ///< °C, the same
-  std::vector<Warning> limits;                   ///< of the standard, that this pair passes
+  std::vector<Warning> limits;                   ///< limits of the standard that this pair exceeds
 };
 
-/// What the standard asks for and the input lacks, whatever the pair; as the errors of rate().
+/// Inputs that the standard needs and that are missing, independent of the pair, as the errors of
+/// rate().
 std::optional<Error> missing_input(const RatingInput& input);
 
 /// Formula   [T11.1], [T11.22], [T11.40]

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// ρ_fPv*: the rack's rounding that leaves what a pinion cutter does. [ISO 6336-3, 6.2]
+// ρ_fPv*: the rounding of the rack that is equivalent to a pinion cutter. [ISO 6336-3, 6.2]
 double virtual_fillet(const RootTool& tool) {
   if (tool.cutter_teeth == 0) return tool.fillet;
   const double reach = tool.cutter_shift + tool.dedendum - tool.fillet;
@@ -161,7 +161,8 @@ Factor notch_sensitivity_factor(const Material& material, const CriticalSection&
     std::size_t i = 1;
     while (i + 1 < line.size() && re > line[i].strength) ++i;
     const double share = (re - line[i - 1].strength) / (line[i].strength - line[i - 1].strength);
-    // The layer thins by powers of ten: between two lines its logarithm is straight.
+    // The thickness of the layer varies by powers of ten, so its logarithm is interpolated
+    // linearly.
     return line[i - 1].thickness * std::pow(line[i].thickness / line[i - 1].thickness, share);
   };
   constexpr std::array kTempered{Layer{500, 0.0281}, Layer{600, 0.0194}, Layer{800, 0.0064},

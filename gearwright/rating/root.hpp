@@ -3,8 +3,9 @@
 //   σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT             σ_F = σ_F0 K_A K_γ K_v K_Fβ K_Fα
 //   σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F
 //
-// The critical section lies where a line at 30° to the tooth's centre line touches the fillet, of an
-// internal gear at 60°; the load acts at the outer point of single pair contact (d_en, α_Fen), h_F
+// The critical section lies where a line at 30° to the tooth's centre line (60° for an internal
+// gear) is tangent to the fillet; the load acts at the outer point of single pair contact (d_en,
+// α_Fen), h_F
 // above the section's chord s_Fn, whose fillet has the radius ρ_F.   theory: docs/theory/11-rating.md
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace gearwright {
 
-/// Where the load acts on the tooth: method B, method C.
+/// The point of load application: method B, method C.
 enum class LoadPoint { single_contact, tip };
 
 struct CriticalSection {
@@ -30,22 +31,22 @@ struct CriticalSection {
 };
 
 /// The section of a gear in the normal plane, exactly as its rack cut it (x_E, ρ_fP*, h_fP*, s_pr*);
-/// of an internal gear with ρ_fPv, which stands for its pinion cutter.
+/// for an internal gear with ρ_fPv, which represents its pinion cutter.
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
 /// Domain    nothing where no tangent at 30° (60°) touches the fillet
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 
-/// The face width that a root bears with, mm: a wider gear has one module more at each end than the
-/// common face.
+/// The effective face width of a root, mm: a wider gear has at most one module more at each end
+/// than the common face.
 double root_face_width(const RatedPair& pair, const RatedGear& gear);
 
 /// Y_F [T11.32]; the edition of 2019 takes the share of the load in it, f_ε.
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]
 Factor root_helix_factor(RatingEdition edition, const RatedPair& pair);  ///< Y_β [T11.34]
-/// Y_B [T11.35], of a rim `rim` mm thick; none given: thick enough.
+/// Y_B [T11.35], of a rim `rim` mm thick; a rim that is not given counts as thick enough.
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim);
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade);  ///< Y_DT [T11.36]
 

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDecades = 1e6;      // of the input's torque, to either side
+constexpr double kDecades = 1e6;      // relative to the torque of the input, in both directions
 constexpr double kSameTorque = 1e-9;  // relative
 constexpr double kSameFace = 1e-7;    // relative
 
@@ -19,7 +19,7 @@ bool safe(const RatedPair& pair, const RatingInput& input, const WantedSafety& w
   return r && holds(*r, wanted);
 }
 
-// The least of the four safeties, each in parts of what is wanted of it.
+// The least of the four safety factors, each relative to its required value.
 double share_of_wanted(const Rating& r, const WantedSafety& wanted) {
   double share = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 2; ++i) {
@@ -72,12 +72,13 @@ RatedPair with_face_width(RatedPair pair, double face_width) {
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most) {
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
-  // Safeties grow with the width, but they fall where a tolerance comes to its next step: widths that
-  // hold may lie below a gap, and be few. A safety of s times the wanted one at b is enough at
-  // b s^(−1/kPower) at the earliest, so that no step but the least one passes over a width that holds.
-  constexpr double kPower = 4.0;  // 1 of the load, the rest of overlap, running-in, load factors
-  constexpr double kLeastStep = 1e-4;  // relative: a range of widths narrower than that is no width
-  constexpr double kBlind = 1.001;     // where no rating is to be had
+  // Safety factors grow with the width but decrease where a tolerance reaches its next step, so
+  // sufficient widths may lie below a gap and be few. A safety of s times the required one at b is
+  // sufficient at b s^(−1/kPower) at the earliest, so no step except the least one skips a
+  // sufficient width.
+  constexpr double kPower = 4.0;       // 1 from the load, the rest from overlap and load factors
+  constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths are ignored
+  constexpr double kBlind = 1.001;     // if there is no rating
   double lo = std::min(most, pair.normal_module);
   double hi = lo;
   for (;;) {

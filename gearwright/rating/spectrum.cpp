@@ -13,7 +13,7 @@ namespace {
 constexpr double kLastCycles = 1e10;
 constexpr int kHalvings = 60;
 
-// What one gear's flank or root bears: σ(N) = σ_0 Z(N) (σ_ref/σ_0)^w(N).
+// The strength of the flank or root of one gear: σ(N) = σ_0 Z(N) (σ_ref/σ_0)^w(N).
 struct Strength {
   MaterialKind kind;
   bool flank;
@@ -24,7 +24,7 @@ struct Strength {
     const Life life = flank ? flank_life(kind, cycles, choice) : root_life(kind, cycles, choice);
     return basic * life.factor.value * std::pow(reference / basic, life.reference);
   }
-  // N(σ): infinite below the line's end, 0 above static strength.
+  // N(σ) is infinite below the end of the line and 0 above the static strength.
   double cycles(double stress, const LifeChoice& choice) const {
     if (stress <= at(kLastCycles, choice)) return kInfinity;
     double lo = 0.0, hi = std::log10(kLastCycles);

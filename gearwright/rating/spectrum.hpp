@@ -1,11 +1,12 @@
-// A load spectrum: how much of its life each step of the load takes, and the safety of the whole.
+// A load spectrum: the damage of each load step, and the safety of the whole spectrum.
 //
-//   n_i   cycles of step i        N_i(σ)  cycles that the material bears at the stress σ
+//   n_i   cycles of step i        N_i(σ)  permissible cycles at the stress σ
 //   U     damage Σ n_i/N_i, 1 at failure (Miner)
 //
-// ISO 6336-6: every step is rated with its own load factors, K_A = 1, for the spectrum says what
-// K_A guesses. The safety is the factor on all stresses at which the damage is 1. A stress below the
-// material's line at 10¹⁰ cycles does no damage, one above its static strength breaks at once.
+// ISO 6336-6: every step is rated with its own load factors and K_A = 1, because the spectrum
+// replaces K_A. The safety is the factor on all stresses at which the damage is 1. A stress below
+// the material's line at 10¹⁰ cycles causes no damage, and one above the static strength causes
+// failure.
 #pragma once
 
 #include <vector>

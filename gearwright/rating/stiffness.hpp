@@ -1,4 +1,4 @@
-// How stiff the mesh is: ISO 6336-1, clause 9, method B.
+// Mesh stiffness: ISO 6336-1, clause 9, method B.
 //
 //   q'       flexibility of a pair of teeth per face width, (mm µm)/N        c'_th = 1/q'
 //   c'       the same with gear bodies and rack      c_γα, c_γβ   of the mesh, N/(mm µm)
@@ -25,15 +25,15 @@ struct Stiffness {
   Factor c_gamma_alpha;  ///< c_γα
   Factor c_gamma_beta;   ///< c_γβ
   double C_R, C_B;
-  bool in_range;  ///< x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, for which the standard's q' is stated
+  bool in_range;  ///< x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, the range of the standard's q'
 };
 
-/// Of a web and a rim as a drawing has them, mm.
+/// Dimensions of web and rim from the drawing, mm.
 inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }
 
-/// `specific_load` is F_t K_A/b in N/mm: below 100 the teeth are softer; `elasticity` is E/E_St.
+/// `specific_load` is F_t K_A/b in N/mm: below 100 the stiffness decreases; `elasticity` is E/E_St.
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), of a ring 1/z_n2 = 0
 Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double elasticity,

@@ -84,7 +84,7 @@ class File {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
   int descriptor() const { return descriptor_; }
-  // 0, or the system's error number: some file systems tell of a full disk only here.
+  // 0, or the system's error number. Some file systems report a full disk only here.
   int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
 
  private:
@@ -123,7 +123,7 @@ std::string read_some(const File& file, std::size_t most, const fs::path& path) 
 
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
-// The number that `text` is, if it is one and nothing else.
+// The value of `text`, if the whole text is a number.
 std::optional<std::int64_t> number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -154,7 +154,7 @@ std::string host_name() {
   return host;
 }
 
-// `owner` is HOST.PID; a process of another host may live where we cannot see it.
+// `owner` is HOST.PID; a process of another host may be alive, which cannot be checked here.
 bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;
@@ -197,7 +197,7 @@ std::vector<std::int64_t> ChunkFolder::list() const {
     if (chunk && name == name_of(*chunk)) chunks.push_back(*chunk);
   }
   std::sort(chunks.begin(), chunks.end());
-  // A folder that is renamed into while it is read may show a name twice.
+  // If files are renamed into a folder while it is read, a name may appear twice.
   chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
   return chunks;
 }
@@ -254,8 +254,8 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   GW_EXPECTS(counts.rejected.size() <= kMaxConstraints);
   const fs::path place = path(chunk);
   const std::string head = header(stamp_, chunk, payload, counts);
-  // Another thread may write the same chunk, and a dead process may have had our number: the first
-  // name that nobody has is ours.
+  // Another thread may write the same chunk, and a dead process may have had the same process id,
+  // so the first free name is used.
   std::string part;
   int descriptor = -1;
   for (int n = 0; descriptor < 0; ++n) {
@@ -266,7 +266,8 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   File file(descriptor);
   int error = write_all(file, head);
   if (error == 0) error = write_all(file, payload);
-  // Closed first: only then does a network file system show the bytes to others.
+  // The file is closed first, because only then does a network file system show its bytes to other
+  // hosts.
   if (const int closing = file.close(); error == 0) error = closing;
   if (error == 0 && ::rename(part.c_str(), place.c_str()) != 0) error = errno;
   if (error != 0) {
@@ -288,7 +289,7 @@ void ChunkFolder::remove_stale_parts() const {
     const std::size_t part = name.find(kPart);
     if (part == std::string::npos || name.find(kEnding) > part) continue;
     const std::string_view owner = std::string_view(name).substr(part + kPart.size());
-    // One that will not go costs its space and no more.
+    // A file that cannot be removed only occupies space.
     if (owner_is_dead(owner, host_) || is_old(entry)) ::unlink(entry.c_str());
   }
 }

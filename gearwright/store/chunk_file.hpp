@@ -1,4 +1,4 @@
-// The files of a campaign's finished chunks, each with a header that says what it is.
+// The files of the finished chunks of a campaign, each with a descriptive header.
 //
 //   offset   bytes
 //   0        8      "GWCHUNK1"
@@ -12,10 +12,10 @@
 //   52 + 8k  4      CRC-32 of the header up to here
 //   56 + 8k         the payload
 //
-// All numbers least significant byte first. The file holds nothing of who wrote it and when: two
+// All numbers least significant byte first. The file does not contain its writer or time, so two
 // runs of one campaign write the same bytes.
 //
-// Internal to store/: chunk_store.hpp is the door.
+// Internal to store/, used through chunk_store.hpp.
 #pragma once
 
 #include <cstddef>
@@ -46,22 +46,23 @@ class ChunkFolder {
  public:
   enum class Depth { header, payload };  ///< header: the payload is checked by its length alone
 
-  /// `stamp` tells the campaign's chunks from those of any other.
+  /// `stamp` distinguishes the chunks of different campaigns.
   ChunkFolder(std::filesystem::path folder, std::uint32_t stamp);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path path(std::int64_t chunk) const;
   bool there(std::int64_t chunk) const;
-  /// The numbers of all chunk files, ascending; none where the folder is not there.
+  /// The numbers of all chunk files, ascending; none if the folder does not exist.
   std::vector<std::int64_t> list() const;
 
   /// Empty where there is no such file.
   std::optional<ChunkRead> read(std::int64_t chunk, Depth depth) const;
   /// Whole or not at all.
   void write(std::int64_t chunk, std::string_view payload, const ChunkCounts& counts) const;
-  /// Renames the file so that it is no chunk any more.
+  /// Renames the file so that it no longer counts as a chunk.
   void set_aside(std::int64_t chunk) const;
-  /// Leftovers of processes that are dead on this host, or of anybody and older than a day.
+  /// Removes temporary files of dead processes of this host, and of any process if they are older
+  /// than a day.
   void remove_stale_parts() const;
 
  private:
@@ -70,7 +71,7 @@ class ChunkFolder {
   std::string host_;
 };
 
-/// Whether there is anything at `path`.   Throws  IoError where the system will not say
+/// True if `path` exists.   Throws  IoError if the system cannot determine it
 bool path_exists(const std::filesystem::path& path);
 
 /// CRC-32, as in ZIP.

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Who waits longer waits for a process that hangs.
+// A longer wait means that the other process hangs.
 constexpr int kBusyMilliseconds = 60'000;
 constexpr int kLongestNap = 5;  // ms
 
-// Called with the number of times it was called before; SQLite asks again after it says 1. Its own
-// handler naps up to 100 ms, and two processes that write all the time kept each other waiting 20
-// s.
+// Called with the number of times it was called before; SQLite tries again if it returns 1. The
+// default handler sleeps up to 100 ms, and two processes that write continuously kept each other
+// waiting for 20 s.
 int nap(void*, int before) {
   const int longest_of_all = kBusyMilliseconds / kLongestNap;
   if (before >= longest_of_all) return 0;
@@ -66,14 +66,14 @@ ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>&
   sqlite3* database = nullptr;
   const int status =
       sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  database_.reset(database);  // also after a failure: it holds the sentence
+  database_.reset(database);  // also after a failure, because it contains the message
   if (status != SQLITE_OK) fail();
   if (sqlite3_busy_handler(database, nap, nullptr) != SQLITE_OK) fail();
-  // A rollback journal: the write-ahead log needs memory that all writers share, and nodes have
-  // none.
+  // A rollback journal is used, because the write-ahead log needs memory shared by all writers,
+  // which cluster nodes do not have.
   run("PRAGMA journal_mode = DELETE");
-  // A sync waits until the chunks that all threads have just written are on the platter, three times a
-  // row. The journal tells nothing that the chunk files do not: it need not outlive a power cut.
+  // A sync waits three times per row until the chunks written by all threads are on the disk. The
+  // journal contains nothing beyond the chunk files, so it need not survive a power failure.
   run("PRAGMA synchronous = OFF");
 }
 
@@ -113,7 +113,8 @@ void ChunkJournal::bind(const Statement& statement, int place, const std::string
 bool ChunkJournal::step(const Statement& statement) const {
   const int status = sqlite3_step(statement.get());
   if (status != SQLITE_ROW && status != SQLITE_DONE) {
-    // The sentence is the connection's, and reset keeps it; a lock would outlive the failure.
+    // The message belongs to the connection, and reset keeps it. Without the reset a lock would
+    // remain.
     sqlite3_reset(statement.get());
     fail();
   }
@@ -127,7 +128,7 @@ void ChunkJournal::run(const std::string& sql) {
 }
 
 ChunkJournal::Transaction::Transaction(ChunkJournal& journal) : journal_(journal) {
-  // IMMEDIATE: a reader that turns writer may meet another one and neither could give way.
+  // IMMEDIATE is needed, because two readers that become writers would block each other.
   journal_.run("BEGIN IMMEDIATE");
 }
 
@@ -177,7 +178,7 @@ std::set<std::int64_t> ChunkJournal::chunks() {
   return found;
 }
 
-// `verb` says what becomes of a row that is there already. Without a writer the row has no time.
+// `verb` determines the treatment of an existing row. Without a writer the row has no time.
 void ChunkJournal::insert(const char* verb, const ChunkRow& row, const std::string* writer) {
   GW_EXPECTS(row.counts.rejected.size() == columns_.size());
   Statement& statement = inserts_[verb];

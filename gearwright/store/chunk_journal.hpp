@@ -1,13 +1,12 @@
-// The account of a campaign in SQLite, for people, progress lines and meeting other writers.
+// The journal of a campaign in SQLite, for users, progress output and coordination of writers.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)
 //
 // `bytes` is the length of the payload, `finished` the time in UTC. Both `writer` and `finished`
-// are null in a row that was made up later from its file. Nothing that a search gives depends on
-// what stands here.
+// are null in a row that was restored from its file. No result of a search depends on the journal.
 //
-// Internal to store/: chunk_store.hpp is the door.
+// Internal to store/, used through chunk_store.hpp.
 #pragma once
 
 #include <cstdint>
@@ -32,15 +31,16 @@ struct ChunkRow {
   std::int64_t bytes = 0;
 };
 
-/// Not for several threads at once: the store holds its lock.
+/// Not thread-safe; the store holds its lock.
 ///
-/// Throws    IoError from every member, with SQLite's sentence and the path
+/// Throws    IoError from every member, with SQLite's message and the path
 class ChunkJournal {
  public:
   /// Opens the journal, or makes an empty one.
   ChunkJournal(const std::filesystem::path& path, const std::vector<std::string>& constraints);
 
-  /// Keeps all other writers out until commit(), or until its end, when it is undone.
+  /// Excludes all other writers until commit(). Without commit(), the transaction is undone at its
+  /// end.
   class Transaction {
    public:
     explicit Transaction(ChunkJournal& journal);
@@ -54,15 +54,15 @@ class ChunkJournal {
     bool open_ = true;
   };
 
-  /// What `campaign` holds; empty where nobody has begun one. Within a transaction.
+  /// The contents of `campaign`; empty before the start of a campaign. Within a transaction.
   std::map<std::string, std::string> campaign();
   /// Makes the tables and begins the campaign. Within a transaction.
   void begin(const std::map<std::string, std::string>& campaign);
 
   std::set<std::int64_t> chunks();
-  /// A chunk that was finished now; a row that is there already is replaced.
+  /// Records a chunk that was just finished; an existing row is replaced.
   void finish(const ChunkRow& row, const std::string& writer);
-  /// A chunk whose file was found; a row that is there already is the better one.
+  /// Records a chunk whose file was found; an existing row is kept.
   void found(const ChunkRow& row);
   void forget(std::int64_t chunk);
 

@@ -100,8 +100,8 @@ Error refused_folder(const fs::path& folder, const std::string& why) {
   return {"--out", folder.string(), why};
 }
 
-// Why `as` cannot be done in this folder, if it cannot. `old` is what the journal tells, empty
-// where there is none or an empty one.
+// The reason why `as` is impossible in this folder, if it is. `old` is the content of the journal,
+// empty if there is none.
 std::optional<Error> refusal(const fs::path& folder, const Record& old, const Record& now,
                              const ChunkFolder& files, OpenAs as) {
   const std::vector<std::int64_t> chunks = files.list();
@@ -118,7 +118,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
     changed = fmt::format("{} belongs to another search, and there is no journal",
                           files.path(chunks[i]).filename().string());
   }
-  // Begun and killed before its first chunk: nothing is lost by beginning again.
+  // The search was killed before its first chunk, so it can start again.
   const bool just_begun = changed.empty() && chunks.empty();
   if (as == OpenAs::fresh && !just_begun) {
     const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
@@ -177,16 +177,15 @@ struct ChunkStore::Impl {
   ChunkCounts sum;
 };
 
-// What lies there under a number that the campaign does not have is left alone.
+// Files with a number outside the campaign are not changed.
 std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   std::vector<std::int64_t> chunks = files.list();
   while (!chunks.empty() && !ours(chunks.back())) chunks.pop_back();
   return chunks;
 }
 
-// Sets a broken chunk aside and gives what is wrong with it; empty where there was nothing to do.
-// Another process may have done so since it was read, and a third may have put a whole one: so it
-// is read again while nobody else can set aside.
+// Renames a broken chunk and returns its fault; empty if there was nothing to do. Another process
+// may have renamed or replaced it since it was read, so it is read again under the lock.
 std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   const std::lock_guard lock(mutex);
   ChunkJournal::Transaction transaction(journal);
@@ -195,7 +194,7 @@ std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   if (again) files.set_aside(chunk);
   journal.forget(chunk);
   transaction.commit();
-  sum = {0, 0, std::vector<std::int64_t>(constraints, 0)};  // its share in it is not known any more
+  sum = {0, 0, std::vector<std::int64_t>(constraints, 0)};  // its contribution is no longer known
   counted.assign(counted.size(), false);
   return again ? std::optional(again->damage) : std::nullopt;
 }
@@ -204,7 +203,7 @@ std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
 ChunkRead ChunkStore::Impl::read(std::int64_t chunk, Depth depth) {
   GW_EXPECTS(ours(chunk));
   const std::string path = files.path(chunk).string();
-  for (;;) {  // more than once only where another process replaces a broken chunk meanwhile
+  for (;;) {  // repeated only if another process replaces a broken chunk meanwhile
     auto read = files.read(chunk, depth);
     if (!read) throw IoError("cannot read " + path + ": there is no such chunk");
     if (read->state == ChunkRead::State::whole) return *std::move(read);
@@ -224,16 +223,16 @@ void ChunkStore::Impl::add(std::int64_t chunk, const ChunkCounts& counts) {
   for (std::size_t k = 0; k < constraints; ++k) sum.rejected[k] += counts.rejected[k];
 }
 
-// Checks every file, and makes the journal say what the files say.
+// Checks every file and makes the journal agree with the files.
 void ChunkStore::Impl::square_accounts() {
-  // The rows first: whoever has a row then has a file, or lost it.
+  // The rows are read first, so every row has a file or has lost it.
   const std::set<std::int64_t> rows = journal.chunks();
   std::set<std::int64_t> lost = rows;
   std::vector<ChunkRow> without_row;
   for (const std::int64_t chunk : finished()) {
     lost.erase(chunk);
     const auto read = files.read(chunk, Depth::payload);
-    if (!read) continue;  // another process set it aside just now, and saw to its row
+    if (!read) continue;  // another process has just renamed it and updated its row
     if (read->state == ChunkRead::State::whole) {
       add(chunk, read->counts);
       if (rows.count(chunk) == 0) without_row.push_back({chunk, read->counts, read->size});
@@ -262,7 +261,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   GW_EXPECTS(campaign.chunks >= 0 && rejected_names.size() <= kMaxConstraints);
   const Record record = record_of(campaign, rejected_names);
   ChunkFolder files(folder / "chunks", checksum(text_of(record)));
-  // What is refused leaves no trace in the folder.
+  // A rejected request does not change the folder.
   if (!is_in(folder)) {
     if (auto error = refusal(folder, {}, record, files, as)) return *std::move(error);
   }
@@ -270,7 +269,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   auto impl = std::make_unique<Impl>(folder, campaign.chunks, rejected_names.size(),
                                      std::move(writer), std::move(files), rejected_names);
   {
-    // Of those that begin at the same moment one makes the campaign, the others find it.
+    // If several processes start at the same moment, one makes the campaign and the others find it.
     ChunkJournal::Transaction transaction(impl->journal);
     const Record old = impl->journal.campaign();
     if (auto error = refusal(folder, old, record, impl->files, as)) return *std::move(error);

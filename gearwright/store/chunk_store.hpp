@@ -1,17 +1,17 @@
-// The folder of a large search: numbered chunks of work, each kept whole as soon as it is done.
+// The folder of a large search: numbered chunks of work, each saved as soon as it is finished.
 //
 //   out/chunks/000123.chunk         a finished chunk: header with its counts, bytes
 //   out/chunks/….part.HOST.PID      being written; renamed when it is whole
 //   out/chunks/….chunk.damaged      found broken; counts as missing
 //   out/journal.sqlite              the account: tables `campaign` and `chunks`
 //
-// The chunk files are the truth, the journal is what people and progress lines read. A file is
-// renamed into place before its row is written, so whoever is killed at whatever moment loses the
-// chunk in work and nothing else: the next to open the folder writes the rows that are missing.
-// Shards, ranks and nodes on one file system may work in one folder at once; they meet in the
-// journal, under SQLite's locks, which the file system must support (Lustre: mounted with flock).
-// Nothing is synced to the platter: after a power cut a file may be short, and its checksum tells, or
-// the journal may be broken, and moving it away costs nothing.
+// The chunk files are authoritative, and the journal serves users and progress output. A file is
+// renamed into place before its row is written, so a process that is killed loses only its current
+// chunk. The next process that opens the folder writes the missing rows. Shards, ranks and nodes on
+// one file system may work in one folder at once; they meet in the journal, under SQLite's locks,
+// which the file system must support (Lustre: mounted with flock). Nothing is synced to the
+// platter: after a power cut a file may be short, and its checksum tells, or the journal may be
+// broken, and moving it away costs nothing.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Campaign {
   std::int64_t chunks = 0;
 };
 
-/// What became of a chunk's candidates.
+/// The result counts of a chunk's candidates.
 struct ChunkCounts {
   std::int64_t tested = 0;
   std::int64_t feasible = 0;
@@ -43,15 +43,15 @@ struct ChunkCounts {
 };
 
 enum class OpenAs {
-  fresh,   ///< begins a campaign; one of which chunks are done already, or another, is refused
-  resume,  ///< goes on with the campaign that must be there
-  join     ///< whichever of the two applies: for shards and ranks that start at the same moment
+  fresh,   ///< starts a campaign; rejected if one exists with finished chunks
+  resume,  ///< continues an existing campaign
+  join     ///< either of the two, for shards and ranks that start at the same moment
 };
 
 /// Every member may be called from several threads at once. A store does not survive fork().
 ///
 /// Throws    IoError from every member: a folder that cannot be read or written, a full disk,
-/// SQLite's own sentence with the journal's path
+/// the message of SQLite with the path of the journal
 class ChunkStore {
  public:
   /// Opens `folder`, and checks every chunk file in it against its checksum: a broken one is set

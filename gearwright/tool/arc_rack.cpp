@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// P's arc rises to where it is upright, τ = 0; it ends a little before.
+// The arc of P rises until its tangent is upright, τ = 0; it ends slightly before that.
 constexpr Angle kLastOfP = Angle::degrees(1);
 
 bool is_F(const ArcRack& rack) { return rack.cutter == ArcRack::Cutter::F; }
@@ -50,7 +50,7 @@ std::optional<Error> check_numbers(const ArcRack& rack) {
   return std::nullopt;
 }
 
-// The joint must lie on the flank's circle, above its foot and below its end.
+// The joint must lie on the circle of the flank, above its foot and below its end.
 std::optional<Error> check_joint(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   if (!is_F(rack) && !(rho < rack.arc_radius)) {
@@ -105,7 +105,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (auto error = check_numbers(rack)) return *error;
   if (auto error = check_joint(rack)) return *error;
   RackArc flank = flank_of(rack);
-  // The end above the tip: both sides meet, or the arc is flat (F), or upright (P).
+  // The end above the tip, where both sides meet, or where the arc is flat (F) or upright (P).
   const double meeting = std::min(1.0, std::max(0.0, -flank.center_offset / flank.radius));
   if (is_F(rack)) {
     if (!(meeting < 1.0)) {
@@ -141,7 +141,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
   if (y_c > kHalfPi) {
     const double greatest = full_radius(rack);
-    // F's rounding pushes itself outward, P's inward as it grows.
+    // A larger rounding moves outward for F and inward for P.
     const bool smaller_fits = greatest >= 0.0 && greatest < rho;
     return smaller_fits
                ? refused("rack.root_fillet_radius", rho, {greatest},

@@ -21,21 +21,21 @@ struct ArcRack {
   double arc_radius = 1.4;                ///< ρ*
   double center_a = 0.0;                  ///< a*
   double center_b = 0.0;                  ///< b*
-  std::optional<Angle> pressure_angle{};  ///< ψ_c as the drawing has it: a check, no further number
+  std::optional<Angle> pressure_angle{};  ///< ψ_c from the drawing, used as a check only
   double addendum = 0.9;                  ///< of the gear's tooth above the pitch cylinder
   double dedendum = 0.3;                  ///< how deep the cutter goes
   double root_fillet_radius = 0.35;       ///< the cutter's tip rounding; 0 is a sharp corner
 };
 
-/// Addendum, dedendum and tip rounding where a drawing gives none: F 0.9, 0.3, 0.35; P 0, 1.05,
-/// 0.5. (The paper's figures carry these numbers; its text does not.)
+/// Default addendum, dedendum and tip rounding: F 0.9, 0.3, 0.35; P 0, 1.05, 0.5. (These numbers
+/// are in the figures of the paper, not in its text.)
 ArcRack default_arc_rack(ArcRack::Cutter cutter);
 
-/// The greatest tip rounding: its two sides meet in the middle of the cutter's tip. [T7.5]
+/// The greatest tip rounding, whose two sides meet in the middle of the cutter's tip. [T7.5]
 double full_radius(const ArcRack& rack);
 
-/// Tip rounding and flank as a chain of arcs. The flank's arc goes on past the tip: F's to where
-/// both sides meet, P's until its normal is 1° to the datum line. [T7.1], [T7.2], [T7.4]
+/// Tip rounding and flank as a chain of arcs. The arc of the flank extends beyond the tip: for F
+/// until both sides meet, for P until its normal is at 1° to the datum line. [T7.1], [T7.2], [T7.4]
 ///
 /// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
 ///           `rack.addendum` with what fits; `rack.pressure_angle` when the arc has no such

@@ -7,9 +7,9 @@
 //   τ    normal angle: the outward normal of the gear surface cut there is (sin τ, cos τ)
 //                                              theory: docs/theory/03-rack-and-generation.md
 //
-// A new cutter is a function that returns such a chain; generation/ does the rest.
+// A new cutter is a function that returns such a chain, and generation/ computes the tooth.
 //   Laws  (1) arcs follow each other without a gap   (2) 0 < τ ≤ π/2
-//         (3) heights never fall along the chain     (4) y ≥ 0, falling
+//         (3) heights never decrease along the chain     (4) y ≥ 0, falling
 #pragma once
 
 #include <limits>
@@ -22,9 +22,9 @@
 
 namespace gearwright {
 
-inline constexpr double kMaxModules = 1e4;  ///< no length of a cutter is longer
+inline constexpr double kMaxModules = 1e4;  ///< upper limit of every length of a cutter
 
-/// A straight piece; `end_height` may be infinite (a flank that reaches past every tip).
+/// A straight piece; `end_height` may be infinite (a flank that extends beyond every tip).
 struct EdgeLine {
   Angle tau;       ///< τ  constant
   double y_datum;  ///< y where the (prolonged) line crosses x = 0, mm:  y = y_datum − x tan τ
@@ -43,7 +43,7 @@ struct EdgeCircle {
 struct EdgeArc {
   ArcName cuts;  ///< the part of the tooth it cuts
   std::variant<EdgeLine, EdgeCircle> shape;
-  bool smooth_start = true;  ///< same point and same normal as the end of the arc before
+  bool smooth_start = true;  ///< same point and same normal as the end of the preceding arc
 };
 
 struct CutterEdge {

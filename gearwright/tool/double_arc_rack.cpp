@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// What can be said of each number alone.
+// Checks each number on its own.
 std::optional<Error> check_numbers(const DoubleArcRack& r) {
   const double alpha = r.pressure_angle.deg();
   if (!(alpha > 0.0 && alpha < 90.0))
@@ -103,8 +103,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
                     (r.convex_radius * cos_1 - r.convex_offset);
   const double across = dx * sin_1 + dy * cos_1;
   d.step_radius = (dx * dx + dy * dy) / (2 * across);
-  // From the corner on, the step's normal must turn down to that of the convex arc, from 90° at
-  // most.
+  // The normal of the step starts at the corner with at most 90° and must turn down to that of the
+  // convex arc.
   if (!(across > 0.0 && d.step_radius <= kMaxModules && dy <= d.step_radius * cos_1 &&
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
     return refused("rack.space_width", r.space_width,

@@ -4,13 +4,13 @@
 //   α            pressure angle where the arcs touch the mating gear's
 //   ρ_a, ρ_f     radii of the two arcs
 //   x_a, x_f     heights of their centres over the datum line
-//   l_a          how far the convex arc's centre lies beyond the middle of the tooth
+//   l_a          distance of the convex arc's centre beyond the middle of the tooth
 //   e_f          width of the space where the concave arc is touched
 //   h_ja, h_jf   height and depth at which the step begins and ends       all in normal modules
 //                                              theory: docs/theory/07-circular-arc.md, 7.3
 //
-// The standard's table gives more numbers than are free; the others follow from tangency and are
-// checked against it in the tests.
+// The table of the standard has more numbers than are independent. The others follow from tangency,
+// and the tests compare them with the table.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ struct DoubleArcRack {
 /// Errors    `rack` for a module outside them, with the table that takes its place
 Result<DoubleArcRack> gbt12759_rack(double normal_module);
 
-/// What follows from the numbers, in modules. [T7.6]…[T7.9]
+/// Derived values, in modules. [T7.6]…[T7.9]
 struct DoubleArcDerived {
   double convex_contact_height;  ///< h_k of the convex arc, over the datum line
   double concave_contact_depth;  ///< h_k of the concave one, under it
@@ -54,7 +54,7 @@ struct DoubleArcDerived {
 /// Errors    the member, a number that leaves no such rack, `rack.step_depth` and so on
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
-/// Full-radius tip, concave arc, step, convex arc up to where both sides meet.
+/// Full-radius tip, concave arc, step, and convex arc up to the point where both sides meet.
 ///
 /// Errors    as derived; `rack.addendum`, `rack.dedendum`
 Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);

@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// All but the first cut circular-arc teeth: `arcs_of` tells their arcs.
+/// All except the first cut circular-arc teeth; `arcs_of` returns their arcs.
 using Rack = std::variant<StraightRack, ArcRack, DoubleArcRack, RackOfArcs>;
 
 inline bool is_straight(const Rack& rack) { return std::holds_alternative<StraightRack>(rack); }

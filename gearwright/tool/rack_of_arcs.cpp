@@ -12,12 +12,12 @@ namespace gearwright {
 
 namespace {
 
-// Normals this close are one: a tangent joint.
+// Normals this close are equal, which means a tangent joint.
 constexpr double kSameNormal = 1e-6;  // rad
-constexpr double kAbove90 = 1e-15;    // of 90°: degrees that came out of radians
-constexpr double kOverlap = 1e-12;    // of half the pitch: a full radius, but for rounding
+constexpr double kAbove90 = 1e-15;    // of 90°, for degrees converted from radians
+constexpr double kOverlap = 1e-12;    // of half the pitch, for a full radius with rounding errors
 
-// Arcs are counted from 1, as people do.
+// Arcs are counted from 1.
 Error bad_arc(std::size_t i, std::string rule) {
   return {fmt::format("rack.arcs[{}]", i + 1), "", std::move(rule)};
 }
@@ -45,7 +45,7 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   return std::nullopt;
 }
 
-// The chain as it will be cut: ends joined to the last bit, corners filled in.
+// The chain that is cut, with ends joined to the last bit and corners inserted.
 Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   std::vector<RackArc> chain;
   for (std::size_t i = 0; i < rack.arcs.size(); ++i) {
@@ -83,7 +83,7 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   return chain;
 }
 
-// Ends the last arc where the two sides meet, if moving it by `thinner` (modules) made them cross.
+// Ends the last arc where the two sides meet, if a shift by `thinner` (modules) made them cross.
 void end_in_the_middle(RackArc& arc, double thinner) {
   const double c = -(arc.center_offset + thinner) / arc.radius;
   const bool crossed = point_at(arc, arc.end).y() + thinner < 0.0;

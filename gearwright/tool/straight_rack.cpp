@@ -13,13 +13,13 @@ namespace gearwright {
 namespace {
 
 constexpr Angle kRightAngle = Angle::radians(kHalfPi);
-// No cutter is that large in modules; within it nothing overflows.
+// An upper limit for cutters in modules, within which nothing overflows.
 
 EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) { return {cuts, piece, smooth}; }
 
 EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cuts, piece, smooth}; }
 
-// Checks what can be said of each number alone.
+// Checks each number on its own.
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
   if (!(rack.addendum >= 0.0 && rack.addendum <= kMaxModules)) {
@@ -74,7 +74,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   return std::nullopt;
 }
 
-// Half width of the cutter's space at height x, mm: where the flank stands. [T3.1]
+// Half width of the cutter's space at height x, mm, up to the flank. [T3.1]
 double flank_y(double m, double alpha, double x) {
   return std::numbers::pi * m / 4 - x * std::tan(alpha);
 }
@@ -102,8 +102,8 @@ std::optional<StraightRack> iso53_rack(std::string_view name) {
 }
 
 double full_radius(const StraightRack& rack, Angle normal_pressure_angle) {
-  // The rounding touches the tip land and, at τ = α_n, the line that stands proud of the flank by
-  // pr_P*; it is full when its centre lies in the middle of the cutter's tooth.
+  // The rounding touches the tip land and, at τ = α_n, the line that is offset from the flank by
+  // pr_P*. It is a full radius if its centre lies in the middle of the cutter's tooth.
   const double s = std::sin(normal_pressure_angle.rad());
   const double c = std::cos(normal_pressure_angle.rad());
   return (std::numbers::pi / 4 * c - rack.dedendum * s + rack.protuberance) / (1 - s);
@@ -144,13 +144,13 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   edge.tip_depth = rack.dedendum * m;
   const double pr = rack.protuberance * m;
   const double x_c = -edge.tip_depth + rho;
-  // A full radius has its centre in the middle, to the last bit. [T3.3]
+  // The centre of a full radius lies in the middle, to the last bit. [T3.3]
   const double y_c =
       full ? std::numbers::pi * m / 2 : std::numbers::pi * m / 4 + (rho - pr - x_c * s) / c;
   edge.tip_land_end = y_c;
 
-  // A small protuberance is all rounding: the circle, pr proud of the flank at τ = α, cuts it at
-  // ρ cos(α − τ) = ρ − pr before it gets down to α_pr. [T3.4a]
+  // A small protuberance consists of the rounding only: the circle, offset from the flank by pr at
+  // τ = α, intersects it at ρ cos(α − τ) = ρ − pr before it reaches α_pr. [T3.4a]
   double round_end = alpha;
   bool proud_line = pr > 0.0;
   if (pr > 0.0) {
@@ -162,7 +162,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   edge.arcs.push_back(circle(ArcName::root_fillet,
                              {{x_c, y_c}, -rho, kRightAngle, Angle::radians(round_end)}, true));
   if (proud_line) {
-    // The proud line is tangent to the rounding at τ = α_pr and runs up to the flank. [T3.4]
+    // The line of the protuberance is tangent to the rounding at τ = α_pr and ends at the flank.
+    // [T3.4]
     const double a = round_end;
     const double x_begin = x_c - rho * std::sin(a);
     const double y_begin = y_c - rho * std::cos(a);
@@ -184,7 +185,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     if (pr == 0.0) edge.flank_begin_depth = edge.tip_depth - rho * (1 - s);
   }
 
-  // Where the flank ends and what follows it. [T3.5]
+  // The end of the flank and the part that follows it. [T3.5]
   const double rho_1 = rack.tip_fillet_radius * m;
   if (rack.tool_addendum) {
     edge.flank_end_height = *rack.tool_addendum * m;
@@ -214,7 +215,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (rho_1 > 0.0) {
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
-      // With the flank's end given its half width decides; without, the end rises with ρ_1*.
+      // If the end of the flank is given, its half width decides; otherwise the end rises with
+      // ρ_1*.
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);

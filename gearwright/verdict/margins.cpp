@@ -34,7 +34,7 @@ std::string millimetres(double mm) {
 
 void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
            const std::optional<double>& clearance, double module) {
-  if (!clearance || *clearance < 0.0) return;  // below 0 a warning says more
+  if (!clearance || *clearance < 0.0) return;  // below 0 a warning covers it
   const double threshold = margin.modules * module;
   if (*clearance >= threshold) return;
   findings.push_back({margin.code,
@@ -66,7 +66,7 @@ std::vector<Finding> margin_findings(const Pair& pair) {
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
     if (p == nullptr) continue;
-    // Past an undercut there is no flank to be clear of: `undercut` and `contact_lost` say it.
+    // There is no flank past an undercut, and `undercut` and `contact_lost` report it.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
     judge(findings, kFillet, which, p->fillet_clearance[i], m);
   }

@@ -1,4 +1,4 @@
-// Findings that no warning says: clearances that are too small to trust, and where the teeth touch.
+// Findings without a warning: clearances that are too small, and the position of the contact.
 // Internal to verdict/.
 #pragma once
 

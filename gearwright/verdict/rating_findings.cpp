@@ -36,7 +36,7 @@ std::string rating_remedy(const JudgedRating& rating) {
       "sufficient alone.",
       kMostFaceModules);
   const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
-  // Rounded down, so that it holds as printed.
+  // The value is rounded down, so that the printed torque is permissible.
   if (torque)
     text += fmt::format(" The greatest permissible torque on gear 1 is {:g} N m.",
                         rounded_down(*torque));
@@ -64,7 +64,7 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
     judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
   }
-  // The least of each level first.
+  // The least safety of each level comes first.
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return a.values.front().value / a.values.back().value <
            b.values.front().value / b.values.back().value;

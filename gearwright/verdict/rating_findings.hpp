@@ -1,4 +1,4 @@
-// Safeties of a strength rating that fall short, and what would hold.
+// Insufficient safety factors of a strength rating, and changes that would be sufficient.
 //
 // Internal to verdict/.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace gearwright::detail {
 
-/// "6 mm more face width, or 17CrNiMo6 would hold.": what has been rated to be enough.
+/// "6 mm more face width, or 17CrNiMo6 would hold.": changes that were rated and are sufficient.
 std::string rating_remedy(const JudgedRating& rating);
 
 /// Red where a safety is below 1, amber where it is below the wanted one.

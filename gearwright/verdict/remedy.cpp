@@ -14,7 +14,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// How bad a state is: red findings count before amber ones.
+// The severity of a state: red findings count before amber ones.
 struct Score {
   int red = 0, amber = 0;
   auto operator<=>(const Score&) const = default;
@@ -50,9 +50,10 @@ class Trials {
     return done_.emplace(key, attempt_(change, depth)).first->second;
   }
 
-  /// The score of a change that takes the finding away and makes no other one worse; else none.
+  /// The score of a change that removes the finding and makes no other finding worse; otherwise
+  /// none.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
-    // Most changes are ruled out by the gears as drawn, which cost least.
+    // The gears as drawn rule out most changes at the least cost, so they are tried first.
     if (depth != TryDepth::as_drawn && !score(finding, change, TryDepth::as_drawn))
       return std::nullopt;
     const std::optional<ChangedState>& state = of(change, depth);
@@ -146,7 +147,7 @@ std::optional<double> tip_that_clears(const InvolutePair& pair, int tip) {
   const double radius = std::hypot(pair.gears[t].base_radius(), rho);
   const double now = pair.gears[t].actual_tip_radius();
   const bool shorter = pair.gears[t].internal() ? radius > now : radius < now;
-  // An internal gear without an outline has no flank that begins anywhere.
+  // An internal gear without an outline has no start of the flank.
   if (!shorter || (pair.gears[other].internal() && !pair.gears[other].root_form_radius()))
     return std::nullopt;
   return 2 * radius;
@@ -175,7 +176,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     for (const Lever& lever : levers(*cure, finding, judged)) {
       const auto found = least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
-      // A contact analysis takes milliseconds: the first lever that helps is taken.
+      // A contact analysis takes milliseconds, so the first change that helps is used.
       if (best && (best->score == Score{} || cure->needs_contact)) break;
     }
     if (!best) continue;

@@ -1,9 +1,10 @@
-// What would help against a finding, tried before it is printed.
+// Remedies of findings, each tried before it is printed.
 //
-// For each code a table names the numbers of the spec that can help and in which direction. The least
-// change of each is looked for at which the finding is gone and no other one has come or got worse;
-// of several the change that leaves the fewest findings is taken. The remedy states the number that
-// was tried, with the digits that were tried. A finding that no single change takes away has none.
+// For each code a table names the numbers of the spec that can help and in which direction. For
+// each number, the least change is computed that removes the finding and adds or worsens no other.
+// Of several changes, the one with the fewest remaining findings is used. The remedy states the
+// number that was tried, with the digits that were tried. A finding that no single change takes
+// away has none.
 #pragma once
 
 #include <optional>

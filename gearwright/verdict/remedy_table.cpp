@@ -116,7 +116,8 @@ int gear_of(Whose whose, int own) {
   return 0;
 }
 
-// The profile shift without undercut: of the cutter's place, so an allowance moves it.
+// The profile shift without undercut. It refers to the position of the cutter, so it includes the
+// allowance.
 std::optional<double> shift_without_undercut(const Gear& gear) {
   const InvoluteTeeth* involute = gear.involute();
   if (!gear.undercut || involute == nullptr || !involute->undercut_free_profile_shift)
@@ -189,7 +190,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     case A::lead_crowning:
     case A::lead_slope:
       if (gear(which).internal()) return std::nullopt;
-      lever.span = 80;  // µm; today's value is not in the gear, whose change starts from nothing
+      lever.span = 80;  // µm; the gear lacks the present value, so the change starts at 0
       lever.digits = 0;
       return lever;
     case A::center_distance:

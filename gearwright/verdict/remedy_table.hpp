@@ -1,8 +1,8 @@
-// Which numbers of a spec can help against which finding, and how far they may go.
+// The numbers of a spec that can remove each finding, with their ranges.
 //
-// A cure is a row: the code of a finding, the levers against it in the order in which they are tried,
-// and the clause that holds when the finding is gone. A lever of a row becomes a number of this spec:
-// its value of today, its direction, its span and the step in which it is printed.
+// A cure is a row with the code of a finding, the levers in the order in which they are tried, and
+// the clause that is true after the finding is removed. A lever becomes a number of the spec with
+// its present value, direction, range and printed step.
 #pragma once
 
 #include <optional>
@@ -26,26 +26,26 @@ struct Cure {
   WarningCode code;
   const char* then;  ///< "gear {} is not undercut"; a pair's number instead where `pair_number`
   std::vector<Means> means{};
-  bool needs_contact = false;  ///< the finding is one of a contact analysis
+  bool needs_contact = false;  ///< true for a finding of a contact analysis
 };
 
-/// One number of this spec that may be moved.
+/// One number of this spec that may be changed.
 struct Lever {
   Adjustable what;
   int gear;
-  double now;                     ///< value of today, in the unit of SpecChange
+  double now;                     ///< present value, in the unit of SpecChange
   int direction;                  ///< of the value
   double span;                    ///< greatest change
   int digits;                     ///< decimals of the values that are tried
-  std::optional<double> hint{};   ///< a value that a closed form names
+  std::optional<double> hint{};   ///< a value from a closed form
   std::optional<double> exact{};  ///< the only value to try
 
   double step() const;
-  /// A multiple of the step, the double that its decimals are read as.
+  /// A multiple of the step, as the double of its decimal form.
   double in_steps(double steps) const;
 };
 
-/// Null: no number is known that helps.
+/// Null if no number is known to help.
 const Cure* cure_of(const Finding& finding);
 
 std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged);

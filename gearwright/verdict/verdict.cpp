@@ -53,8 +53,8 @@ double recommended_backlash(double center_distance, double normal_module) {
   return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
 }
 
-// A backlash that is shown as 0.0000 mm is none: right for a table of nominal teeth, not for gears
-// that are to turn.
+// A backlash shown as 0.0000 mm counts as no backlash, which is correct for nominal teeth but not
+// for running gears.
 std::string backlash_words(double j, double center_distance, double normal_module) {
   if (std::abs(j) >= 0.5e-4) return fmt::format("a normal backlash of {:.4f} mm", j);
   return fmt::format("no backlash (ISO/TR 10064-2 recommends at least {:.2f} mm)",
@@ -105,7 +105,7 @@ std::string gears_alone(const Judged& judged) {
   return fmt::format("{} can be cut as specified.", who);
 }
 
-// How it runs, when no finding is red.
+// The statement on how the pair runs, if no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); });
@@ -137,7 +137,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
 }
 
-// What else is not green: everything amber beside the finding that the headline states.
+// The other amber findings, in addition to the finding in the headline.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;
@@ -164,7 +164,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
 }
 
-// The number that a warning is about, where the pair or the gear has it.
+// The number of a warning, if the pair or the gear contains it.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
     const auto& s_an =
@@ -231,7 +231,7 @@ std::vector<Finding> findings_of(const Judged& judged) {
 
 namespace {
 
-// Worst first. Safeties keep the order that they have among each other, the least first.
+// Worst first. Safety factors keep their order, the least first.
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;

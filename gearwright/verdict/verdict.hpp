@@ -1,11 +1,13 @@
-// What a person wants to know first: does it work, and if not, why, and what would help.
+// The verdict: whether the gears work and, if not, the reason and a remedy.
 //
-// One verdict over everything that is known of a job: warnings of gears, pair and contact, margins
-// of clearances, where the teeth touch under the errors, safeties. The worst finding comes first; the
-// headline states it in words. Command line, JSON, Python and page print the same verdict.
+// There is one verdict over all results of a job: warnings of gears, pair and contact, margins of
+// clearances, the position of the contact under the errors, and safety factors. The worst finding
+// comes first; the headline states it in words. Command line, JSON, Python and page print the same
+// verdict.
 //
-// Findings are made at one place, or at several (the ends of tolerances), and merged: worse_of keeps
-// of each finding the worst. verdict_of adds remedies, which are tried (remedy.hpp), and the headline.
+// Findings are computed for the nominal values or for all ends of the tolerances and then merged;
+// worse_of keeps the worst of each finding. verdict_of adds tried remedies (remedy.hpp) and the
+// headline.
 #pragma once
 
 #include <functional>
@@ -21,9 +23,9 @@
 namespace gearwright {
 
 enum class Level {
-  green,  ///< it runs, and nothing asks for a look
-  amber,  ///< it runs; the user should look at what was found
-  red,    ///< as specified it cannot be made or does not run
+  green,  ///< it runs, and nothing needs attention
+  amber,  ///< it runs, but the user should check the findings
+  red,    ///< it cannot be made or does not run as specified
 };
 const char* to_string(Level level);
 
@@ -33,7 +35,7 @@ struct FindingValue {
   bool length;  ///< mm; else a pure number
 };
 
-/// One number of a spec that can be set to another value.
+/// A change of one number of a spec.
 enum class Adjustable {
   profile_shift,        ///< x
   tip_diameter,         ///< d_a   mm
@@ -61,10 +63,10 @@ struct Finding {
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< a sentence each; the remedy may be empty
   std::vector<FindingValue> values{};  ///< the first: the number that is too small
-  std::string at{};                    ///< the ends of tolerances where it is so; empty: as drawn
-  std::optional<SpecChange> change{};  ///< what the remedy states, tried
+  std::string at{};                    ///< tolerance ends at which it occurs; empty: as drawn
+  std::optional<SpecChange> change{};  ///< the changes of the remedy, tried
 
-  /// The message, with where it holds, and the remedy.
+  /// The message, with the tolerance ends at which it occurs, and the remedy.
   std::string whole() const;
 };
 
@@ -72,18 +74,18 @@ struct Verdict {
   Level level = Level::green;
   std::string headline;                 ///< plain words, not escaped
   std::vector<Finding> findings;        ///< worst first
-  std::vector<std::string> not_judged;  ///< what the spec has data for and was not computed:
+  std::vector<std::string> not_judged;  ///< results not computed although the spec has data:
                                         ///< pair, contact, load, rating
 };
 
-/// Margins below which a clearance is worth a look, in normal modules. A tip corner that has left
-/// the flank runs close by the fillet in the best of pairs: 20:40 without shift keeps 0.0009 modules,
-/// and so few stay above 0.01 that a margin of that size would say nothing.
+/// Margins below which a clearance is a finding, in normal modules. A tip corner that has left the
+/// flank passes close to the fillet even in good pairs: the clearance of 20:40 without shift is
+/// 0.0009 modules. Few pairs exceed 0.01, so a margin of that size would not be informative.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
-/// Shares of half the common face: further out than that the pattern is not in its middle.
+/// Shares of half the common face: a pattern beyond this is not central.
 constexpr double kCentralPlace = 0.7;
 
-/// A rating, and what made it: remedies are rated, too.
+/// A rating and its inputs, which are needed because remedies are rated too.
 struct JudgedRating {
   const RatedPair* pair = nullptr;
   const RatingInput* input = nullptr;
@@ -91,29 +93,29 @@ struct JudgedRating {
   WantedSafety wanted{};
 };
 
-/// What is to be judged; all outlive the call.
+/// The data to be judged; all of it must outlive the call.
 struct Judged {
   std::vector<const Gear*> gears;                  ///< one or two, with a pair its gears
   const Pair* pair = nullptr;                      ///< null: not mounted
   const std::vector<Warning>* warnings = nullptr;  ///< of all that was computed
   const ContactResult* contact = nullptr;          ///< of the working flanks; null: not computed
   bool errors = false;                             ///< it is under errors
-  bool shifts_follow = false;         ///< a given centre distance sets an absent profile shift
-  bool distance_sets_shifts = false;  ///< none is given; a profile shift is absent and would follow
-  bool tolerances = false;            ///< findings are judged at their ends too
+  bool shifts_follow = false;                      ///< a given centre distance sets an absent shift
+  bool distance_sets_shifts = false;     ///< no centre distance; one would set an absent shift
+  bool tolerances = false;               ///< findings are judged at their ends too
   std::optional<JudgedRating> rating{};  ///< none: not computed
 };
 
-/// What a changed spec would be like.
+/// The results of a changed spec.
 struct ChangedState {
   std::vector<Finding> findings;
   double contact_ratio = 0.0;  ///< 0: no pair
   double backlash = 0.0;       ///< j_n  mm
 };
-/// How much of a changed spec is computed: gears and pair as drawn, at the ends of the tolerances
-/// too, or with contact under the errors besides.
+/// The extent of the computation of a changed spec: gears and pair as drawn, also at the ends of
+/// the tolerances, or also with contact under the errors.
 enum class TryDepth { as_drawn, at_tolerances, with_contact };
-/// Solves a spec with one change; none: such gears cannot be made or mounted.
+/// Solves a spec with one change; none if such gears cannot be made or mounted.
 using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, TryDepth)>;
 
 /// All findings of one state of the gears, without remedies, in no order.
