@@ -114,7 +114,7 @@ std::string manual_page(const CLI::App& app) {
       ".TP\n.B 2\nThe command line is wrong.\n"
       ".TP\n.B 3\nThe outside world failed: no such file, disk full, memory.\n"
       ".TP\n.B 4\nWith \\-\\-strict: the verdict is not green.\n"
-      ".TP\n.B 5\nA mistake in Gearwright itself; please report the message and the spec.\n"
+      ".TP\n.B 5\nA defect in Gearwright; please report the message and the spec.\n"
       ".SH FILES\n"
       ".TP\n.I .gearwright_files\n"
       "In the folder of a run: what it wrote there. The next run into it removes what it does not\n"
