@@ -25,7 +25,7 @@ std::vector<Column> arc_columns(double radius, double begin, double end, int seg
 }
 
 WallLoop circle(double radius) {
-  // One wall from the +y axis once round.
+  // One wall, from the +y axis around the full circle.
   const Complex top(0.0, radius);
   WallLoop loop;
   loop.walls.push_back(

@@ -55,7 +55,7 @@ struct BodyContour {
 /// Facts     those of closed_contour and bore_contour
 Result<BodyContour> body_contour(const ToothedBody& body);
 
-/// The reason why an arc could not be drawn as closely as was asked.
+/// The error of an arc that cannot be drawn within the requested tolerance.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
 /// A fit of each arc of the outline that makes pieces of other kind than lands, one for all teeth.
@@ -65,7 +65,7 @@ struct ArcFits {
   double deviation_mm = 0.0;             ///< greatest of all
 };
 
-/// `fit` of an arc and the tolerance knows its `deviation_mm`.
+/// `fit` of an arc and the tolerance returns a result with `deviation_mm`.
 ///
 /// Facts     `tolerance_mm`: an arc that does not meet it
 template <class Fit>

@@ -33,7 +33,8 @@ class DxfEntities {
   void text(const std::string& layer, const Vec2& at, const std::string& utf8, double height,
             double degrees);
   /// An arc about the origin from `begin` to `end`, `sweep` rad, as a rational quadratic SPLINE:
-  /// exact, and its ends are the given points, which an ARC entity knows only as angles in degrees.
+  /// exact, and its ends are the given points, which an ARC entity stores only as angles in
+  /// degrees.
   void circular_spline(const std::string& layer, const Vec2& begin, const Vec2& end, double sweep);
   /// Clamped non-rational SPLINE.
   void spline(const std::string& layer, int degree, const std::vector<double>& knots,

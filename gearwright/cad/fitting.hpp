@@ -9,7 +9,7 @@
 //
 //     | |e − N/κ| − 1/|κ| | = |q|/(1 + √(1 + κq))
 //
-// where nothing is divided by κ, and nothing cancels where the radius is huge.
+// without a division by κ and without cancellation for large radii.
 //
 // Marching along an interval by steps that are each as long as a condition allows: where the condition
 // fails for every longer step once it has failed (an error that grows with the length), they are the

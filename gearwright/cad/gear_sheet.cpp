@@ -199,7 +199,8 @@ struct Place {
   int columns;
 };
 
-// A4 stands: views above, data in two columns below. A3 lies: data to the right of the views.
+// A4 is in portrait format, with views above and data in two columns below. A3 is in landscape
+// format, with data to the right of the views.
 Place place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
                const std::vector<DataGroup>& data) {
   if (size == SheetSize::a4) {

@@ -20,8 +20,8 @@ Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
   return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
 }
 
-// Of the two diagonals of the quad between two columns, whether the rising one (this column at the
-// bottom, the next at the top) lies nearer to the surface. The section bulges from its chord by
+// True if the rising one of the two diagonals of the quad between two columns (this column at the
+// bottom, the next at the top) is nearer to the surface. The section bulges from its chord by
 // chord·(n_2 − n_1)/8 along its normal.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
   const double turn = levels.twist * levels.width / levels.steps;

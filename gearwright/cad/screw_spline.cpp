@@ -16,7 +16,7 @@ namespace {
 constexpr int kDegree = 5;
 constexpr int kChecksPerSpan = 24;
 constexpr double kShortestSpan = 1e-9;
-constexpr double kSlowest = 0.01;  // of the mean speed, for the curve's own parameter
+constexpr double kSlowest = 0.01;  // relative to the mean speed, for the curve's own parameter
 
 using ParameterAt = std::function<double(double)>;  // u in [0, 1] to the curve's parameter
 

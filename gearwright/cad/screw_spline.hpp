@@ -23,8 +23,8 @@ namespace gearwright {
 
 using Complex = std::complex<double>;
 
-/// e aimed at, and the most that is handed on, mm. The aim is 1/50 of the finest tolerance that
-/// profile measurement of gears knows (1 µm); what misses even the most is an error, not a surface.
+/// The target and the greatest permitted value of e, mm. The target is 1/50 of the finest tolerance
+/// in profile measurement of gears (1 µm). A surface beyond the greatest value is an error.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
 /// R|ε| aimed at, mm: half of 1e-7, the tolerance of every edge and vertex, since the spline of a
@@ -40,12 +40,13 @@ struct SectionSpline {
   Complex at(double u) const;
 };
 
-/// Spline of degree 5 through the arc from `begin` to `end`, with as few poles as the target asks.
+/// Spline of degree 5 through the arc from `begin` to `end`, with the fewest poles that reach the
+/// target.
 ///
-/// Both the curve's own parameter and its arc length are tried (a trochoid wants the length, an
-/// involute near its base circle the roll angle) and the fewer poles win; the own parameter only
-/// where its slowest speed is above 1/100 of the mean, so that no corner loses its normal. Where
-/// uniform knots do not converge, spans that miss the target are halved.
+/// Both the curve's own parameter and its arc length are tried (a trochoid needs fewer poles by
+/// length, an involute near its base circle by roll angle), and the one with fewer poles is used;
+/// the own parameter only where its slowest speed is above 1/100 of the mean, so that no corner
+/// loses its normal. Where uniform knots do not converge, spans that miss the target are halved.
 ///
 /// Units     mm
 /// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kNodes = 16;
 constexpr int kMaxPanels = 64;
-// The sum of one panel is good to some 1e-14; two sums that agree so far do so by convergence.
+// The sum of one panel has an error of about 1e-14, so two sums that agree to this level have
+// converged.
 constexpr double kStandsStill = 1e-13;
 
 struct Rule {
@@ -59,7 +60,7 @@ double panel_area(const Rule& rule, const Arc& arc, double u0, double u1) {
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes; ++i) {
     Vec2 d = Vec2::Zero();
-    // The constant p_i drops out of a derivative; without it nothing is lost to cancellation.
+    // The constant p_i drops out of a derivative; without it there is no cancellation.
     for (std::size_t j = 0; j < kNodes; ++j) d += rule.derivative[i][j] * (p[j] - p[i]);
     sum += rule.weight[i] * (p[i].x() * d.y() - p[i].y() * d.x());
   }

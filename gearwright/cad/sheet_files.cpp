@@ -25,7 +25,7 @@ const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 std::string number(double mm) { return short_decimals(mm, kDecimals); }
 std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
 
-// From a to b, where the pen stands at a.
+// Draws from a to b, with the pen at a.
 void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
   const Vec2 chord = b - a, left(-chord.y(), chord.x());
   if (bulge == 0.0) {

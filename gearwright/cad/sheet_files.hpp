@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// Between sheets that stand side by side, mm.
+/// Distance between adjacent sheets, mm.
 inline constexpr double kBetweenSheets_mm = 20.0;
 
 struct SheetWords {

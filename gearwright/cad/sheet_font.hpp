@@ -20,7 +20,8 @@ struct SheetLetter {
 
 SheetLetter letter_of(char32_t code);
 
-/// Capitals over the size, and what hangs below the base line over the height of capitals.
+/// Height of capitals relative to the size, and depth of descenders relative to the height of
+/// capitals.
 inline constexpr double kCapital = 0.718;
 inline constexpr double kDescent = 0.21 / kCapital;
 

@@ -9,8 +9,8 @@ namespace gearwright {
 
 namespace {
 
-// mm: extension lines start off the edge and pass the dimension line; words stand off their line;
-// arrows from outside have a tail.
+// mm: gap between extension line and edge, projection beyond the dimension line, distance of words
+// from their line, tail of outside arrows.
 constexpr double kOff = 1, kPast = 1.5, kOverLine = 1.3, kTail = 6;
 constexpr double kInside = 10;  // between two arrows that point outward
 constexpr double kHatch = 2.5;

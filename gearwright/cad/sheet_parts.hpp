@@ -27,14 +27,14 @@ struct TitleBlock {
 /// At the lower right corner of `within`, 180 mm wide; returns the box that it covers.
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
 
-/// Size of the table of data in so many columns, mm.
+/// Size of the data table with this number of columns, mm.
 Vec2 data_size(const std::vector<DataGroup>& groups, int columns);
 /// With its upper left corner at `corner`.
 void draw_data(Sheet& sheet, const Vec2& corner, const std::vector<DataGroup>& groups, int columns);
 
 enum class Direction { across, up };
 
-/// A length or a diameter between two edges, on a line of its own beside them.
+/// A length or a diameter between two edges, on a dimension line next to them.
 struct Dimension {
   Direction direction;
   double begin, end;            ///< mm, along the direction; begin < end
@@ -43,7 +43,7 @@ struct Dimension {
   std::string words;
 };
 
-/// The words stand on the line, or, where they have no room between the edges, beyond it: after the
+/// The words are on the line or, if there is no room between the edges, beyond it: after the
 /// end of a line that runs across, below one that runs up.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 

@@ -23,7 +23,7 @@ constexpr int kWallLooks = 64;      // points of an arc that are looked at for r
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
-// An arc that stays, with the ends it has after the slivers are gone.
+// An arc that remains, with its ends after the removal of slivers.
 struct Piece {
   const Arc* arc;
   Complex begin;

@@ -5,7 +5,8 @@
 //             first
 //   slice     a layer of the body: loops that turn far are cut across into slices of equal height
 //
-// Tooth 0 stands about the x axis: its lower half is the mirrored outline (root to tip), its upper
+// Tooth 0 is symmetric about the x axis: its lower half is the mirrored outline (root to tip), its
+// upper
 // half the outline itself (tip to root); tooth k is tooth 0 times e^{2πik/z}, exact by quarters.
 //
 // Rules that keep faces honest

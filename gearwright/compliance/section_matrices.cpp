@@ -201,7 +201,7 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
 template <class Scalar>
 struct StripSolver<Scalar>::Parts {
   std::vector<Eigen::Index> free;  // dof that are not held, in the order of elimination
-  // Of those, the upper triangles of [T12.6]'s terms by 1, k, k²; one pattern.
+  // For these, the upper triangles of the terms of [T12.6] in 1, k, k², with one pattern.
   std::array<Eigen::SparseMatrix<Scalar>, 3> k;
 };
 

@@ -7,7 +7,7 @@
 //   c    across: 0 on the outline, 1 on the tooth's centre line
 //   Lengths in normal modules.                        theory: docs/theory/12-loaded-contact.md
 //
-// The tooth's centre line is the x axis, tooth k stands k pitches counter-clockwise of it. The mesh
+// The tooth's centre line is the x axis, tooth k is k pitches counter-clockwise of it. The mesh
 // is its own mirror image. Loads act on the side y > 0 of tooth 0.
 #pragma once
 

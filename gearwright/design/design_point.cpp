@@ -39,12 +39,12 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 
 namespace {
 
-constexpr double kFarOff = 1e9;  // modules: nothing is so far outside
+constexpr double kFarOff = 1e9;  // modules, farther outside than any value
 // An end of a piece that is an end of the whole range, modules: both were solved for apart.
 constexpr double kSameEnd = 1e-9;
 
-// The greatest value of f over [a, b], by nodes and golden section beside the highest; of one that
-// does not come above 0 any value of f.
+// The greatest value of f over [a, b], by nodes and golden section around the highest one; any
+// value of f if it does not exceed 0.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -65,7 +65,8 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// Its point with Σ nearest 0 that stands off the walls; with fillets, off those too.
+// Its point with Σ nearest 0 that keeps a distance from the borders and, with fillets, from those
+// too.
 enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
@@ -80,7 +81,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const auto off_walls = [&](double sum) {
     const Vec2 p = place(sum);
     const double wall = graph.wall_distance(p[0], p[1]);
-    // A fillet that is cut is a wall passed; how far from it a point stands is not measured.
+    // A cut fillet counts as a violated border. The distance of a point from it is not computed.
     return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
   };
   const double nearest = std::clamp(0.0, range.lo, range.hi);
@@ -140,8 +141,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
 
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
   if (!graph.problem().limits.avoid_interference) {
-    // Designs need not run: the bare theory, whose point may stand at a wall. Inside them it is known
-    // without the region.
+    // If designs need not run, the point of the plain theory may be at a border. Inside the limits
+    // it is known without the region.
     const ShiftGraph::Sums range = graph.sums();
     if (!(range.lo <= range.hi)) return std::nullopt;
     const Trial& t = graph.trial();
@@ -149,7 +150,7 @@ std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
         balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
     return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
   }
-  // Fillets cost more than all walls together and are cut at few places.
+  // The check of fillets costs more than all other borders together and is rarely violated.
   const auto place = place_off_walls(graph, Fillets::left_out);
   return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
 }

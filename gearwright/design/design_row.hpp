@@ -37,7 +37,8 @@ struct DesignRow {
   /// of gear 2; none for an internal gear, whose flank end depends on its cutter.
   std::array<std::optional<double>, 2> form_clearance{};
   double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
-  /// S_H, S_F of each gear; none: not asked for, or the standard has no form factor for its root.
+  /// S_H, S_F of each gear; none if not requested, or if the standard has no form factor for its
+  /// root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
   /// True if the following values of the region are computed.
   bool whole = false;
@@ -49,8 +50,8 @@ struct DesignRow {
   std::optional<double> max_sliding() const;
 };
 
-/// The row of a trial; none: nothing of it is feasible. The shifts are the same with any detail;
-/// `point` leaves the region's numbers out, which cost a hundred times as much as the rest.
+/// The row of a trial; none if it is not feasible. The shifts do not depend on the detail. `point`
+/// omits the values of the region, which cost a hundred times as much as the rest.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 /// The same of a region that is known.

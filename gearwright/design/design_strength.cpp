@@ -35,7 +35,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.shift[i] >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cutter of the wheel, an internal gear, where the tip of the pinion stays off the fillet it cuts.
+// The cutter of an internal gear as wheel, if the tip of the pinion is clear of the fillet that it
+// cuts.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0) return std::nullopt;
@@ -161,7 +162,7 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
 
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row) {
   if (!problem.rating) return std::nullopt;
-  // No number is no proof: not less rather than enough.
+  // A missing number proves nothing, so the comparison is "not less".
   const auto holds = [](const auto& safeties, const std::optional<double>& least) {
     return !least || std::all_of(safeties.begin(), safeties.end(),
                                  [&](const auto& s) { return s && *s >= *least; });

@@ -25,7 +25,7 @@ constexpr double kMinTipFillet = 0.1;  // modules: r_t of a cutter that does not
 constexpr double kSameRatio = 0.02;
 // Sums of shifts on one diagonal of the grid of 0.001, modules.
 constexpr double kSameSum = 1e-6;
-// Helix angles are rounded to so many parts of a degree, as a drawing writes them.
+// Helix angles are rounded to this fraction of a degree, as on drawings.
 constexpr double kHelixSteps = 1e9;
 // Relative, beyond the base circles: on them nothing meshes.
 constexpr double kOffBase = 1e-9;
@@ -65,7 +65,7 @@ struct Cut {
   double distance, mounted;
 };
 
-// A pair of shifts: what stopped it as it was cut, or its rank if it mounts.
+// A pair of shifts, with the condition that rejected it, or its rank if it can be mounted.
 struct Candidate {
   double x1, x2;
   Verdict verdict;

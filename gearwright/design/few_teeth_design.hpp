@@ -6,9 +6,9 @@
 //   gears are then shortened by C.   theory: docs/theory/06-few-teeth.md, 6.7
 //
 // Every candidate is generated exactly. The shifts are searched on a grid of 0.05, then on finer
-// ones around the best, to 0.001. What is asked of a mounted pair is asked of the best candidate
-// first, and then of the next until one passes: interference takes ten times as long to find as the
-// teeth take to cut.
+// ones around the best, to 0.001. The conditions of a mounted pair are checked for the best
+// candidate first, and then for the next ones until one is accepted: interference takes ten times
+// as long to find as the teeth take to cut.
 #pragma once
 
 #include <array>

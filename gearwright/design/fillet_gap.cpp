@@ -35,8 +35,8 @@ class Fillet {
   }
   double end() const { return end_; }
 
-  // The gap at the place whose normal stands tau from the rack's own; ∞ where the corner does not
-  // come.
+  // The gap at the point whose normal is at tau to that of the rack; ∞ if the corner does not reach
+  // it.
   double gap(double tau, const Corner& c) const {
     const double sine = std::sin(tau);
     const double cosine = std::cos(tau);

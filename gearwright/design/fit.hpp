@@ -50,7 +50,7 @@ struct Fit {
   std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
 };
 
-/// Answers the question that the absent numbers ask.
+/// Computes the absent values.
 ///
 ///   gears known                a of Σ; both Σ of a; neither: the minimum centre distance
 ///   helices and place known    x1 + x2

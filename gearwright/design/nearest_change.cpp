@@ -92,7 +92,7 @@ class Least {
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
   }
-  // Trials that the sieve lets pass with the knob at its far end.
+  // Trials that pass the filter with the limit at its far end.
   template <class F>
   void each_candidate(const F& f) {
     knob_->set(problem_, far_);

@@ -23,7 +23,7 @@ struct NearestChange {
   std::string field;  ///< the member of SearchProblem, "limits.contact_ratio"; beside it
       ///< "rating.torque", "rating.power", and of both gears `gear1`'s `material.name`
   std::string from;  ///< as given, "1.2" or "[99, 101]"
-  std::string to;    ///< with which a design exists: rounded to the side that lets it through
+  std::string to;    ///< value with which a design exists, rounded to the feasible side
   /// |to − from| in units of the value itself (distance, ratio, teeth), of 1, or of 2 (sliding);
   /// `coprime` counts 0.5, and to allow interference, whose designs do not run, 100.
   double effort;  ///< they are ordered by it
@@ -31,16 +31,16 @@ struct NearestChange {
 
 struct NearestChanges {
   std::vector<NearestChange> changes;  ///< smallest first
-  /// Members whose trials were not all asked: a change of them, if any is named, lets a design
-  /// through, but a smaller one may do so too.
+  /// Members whose trials were not all evaluated. A named change of them makes a design feasible,
+  /// but a smaller one may also do so.
   std::vector<std::string> bounded;
-  std::int64_t asked = 0;  ///< trials whose graph was asked for, a few times each at most
+  std::int64_t asked = 0;  ///< trials whose graph was computed, a few times each
   bool stopped = false;    ///< by the watch: what was found until then
   /// The rated design that comes nearest to the required safety factors.
   std::optional<DesignRow> safest;
 };
 
-/// More trials than this are not asked again and again.
+/// The greatest number of trials that are evaluated repeatedly.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
 /// Questions to graphs for one limit. The slowest kind, shortened tips, answers some 2000 a second.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;

@@ -68,7 +68,7 @@ class Search {
   /// Some trial of [from, to) is feasible; stops at the first.
   bool exists(std::int64_t from, std::int64_t to) const;
 
-  /// Calls f for every trial that the sieve lets pass, until it returns false.
+  /// Calls f for every trial that passes the filter, until f returns false.
   void candidates(const std::function<bool(const Trial&)>& f, const SearchWatch& watch = {}) const;
 
   ShiftGraph graph(const Trial& trial) const;

@@ -46,7 +46,7 @@ enum class Objective {
   shift,
   area,
   sliding,
-  formula_contact_ratio,  ///< of Eq. 10, whatever the flanks are
+  formula_contact_ratio,  ///< of Eq. 10, independent of the flanks
   mass,
   safety  ///< the least of S_H/S_Hmin, S_F/S_Fmin
 };

@@ -85,8 +85,8 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  // Where disc < 0 the line lies above the whole branch. The ends then stand in the wrong order, by
-  // a distance that is 0 with disc, so that a width over Σ is continuous.
+  // If disc < 0, the line lies above the whole branch. The ends are then in reverse order, with a
+  // distance that vanishes with disc, so the width is continuous in Σ.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
   raise(lo_2, middle - half);

@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The problem with nothing but its tip thickness asked.
+// The problem with the tip thickness as the only limit.
 SearchProblem with_tip(const SearchProblem& problem, double thickness) {
   SearchProblem asked = problem;
   asked.limits.min_shift.reset();

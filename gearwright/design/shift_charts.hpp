@@ -53,7 +53,7 @@ struct IdenticalGears {
       contact_ratio;  ///< ε_α; none: no working angle, or no limits
 };
 
-/// Gears of gear 1's rack with opposite hands on parallel axes, mounted as the problem says, at the
+/// Gears of gear 1's rack with opposite hands on parallel axes, mounted as in the problem, at the
 /// centre distance that follows from their shifts.
 ///
 /// Domain    1 ≤ from ≤ to (contract)

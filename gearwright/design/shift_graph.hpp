@@ -107,7 +107,7 @@ class ShiftGraph {
   /// Domain    within sums() (contract: there is a working angle)
   SumPlace place(double sum) const;
 
-  /// The range of Σ that the limits on Σ alone leave, with the first `limits` of them asked.
+  /// The range of Σ that the limits on Σ alone leave, with the first `limits` of them evaluated.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -128,7 +128,7 @@ class ShiftGraph {
     return bounds_before_path(place(sum), sum, limits);
   }
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
-  /// One end of that slice, without its name: an area is an integral of such.
+  /// One end of that slice, without its name, for the integral of the area.
   double slice_end(double sum, LineSide side) const;
   /// The result of bounds_before_path() without names, which is sufficient for most lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
@@ -158,8 +158,8 @@ class ShiftGraph {
   /// tips.
   std::array<Interval, 2> shift_limits() const;
 
-  /// The same as margin() without the band of centre distances, whose ends are a wish: how far a point stands
-  /// from where something stops working.   Domain: within sums()
+  /// The same as margin() without the band of centre distances, whose ends are a choice of the
+  /// user: the distance of a point from the nearest violated limit.   Domain: within sums()
   double wall_distance(double x1, double x2) const;
 
  private:

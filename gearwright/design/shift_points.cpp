@@ -64,7 +64,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   }
-  // Doubt about one limit does not save a candidate that another kills.
+  // An undecided limit does not keep a candidate that another limit rejects.
   return out ? Verdict::outside : ask ? Verdict::ask : Verdict::inside;
 }
 

@@ -3,9 +3,9 @@
 //   h           step of the grid; x1 = i h, x2 = j h
 //   candidate   a point within the rectangle of the shift limits and the band of Σ
 //
-// Lanes (design/candidate.hpp) judge the candidates against all limits; within kSieveDoubt of one,
-// and on crossed axes, the graph does. Numbers that are kept come from the scalar formulas of the
-// pair, so that a table is the same on every machine.
+// Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of
+// a limit, and on crossed axes, the graph decides. Numbers that are kept come from the scalar
+// formulas of the pair, so that a table is the same on every machine.
 #pragma once
 
 #include <array>

@@ -51,15 +51,17 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// No side has so many corners: beyond, two bounds are one to rounding.
+// Upper limit for the corners of a side. With more, two bounds are equal within rounding.
 constexpr std::size_t kMaxChanges = 40;
 // Two spacings of doubles, relative: nothing lies between such sums.
 constexpr double kSameSum = 4e-16;
-// How far beside a change the edges are looked at: of the stretch, and in modules, past the width of
+// The distance from a change at which the edges are evaluated: relative to the interval, and in
+// modules, past the width of
 // kOneBound within which the name of an edge is a matter of rounding.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
-// The very ends of a piece are corners; so much of its width inside them one edge has a name.
+// The ends of a piece are corners. At this fraction of its width inside them, the edge has a unique
+// name.
 constexpr double kInset = 1e-7;
 // An end of a piece that is an end of the whole range, modules: both were solved for apart.
 constexpr double kSameEnd = 1e-9;
@@ -134,8 +136,8 @@ double sum_at(double from, double to, double theta) {
 // Near the tip of the path's curve x1 runs away as √Σ: seven digits more take three halvings there.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modules²
-// A bound of x1 is a difference of radii: its rounding, for each module of them, must not look like
-// a curve that wants to be halved again and again.
+// A bound of x1 is a difference of radii: its rounding, per module, must not look like a curve that
+// needs repeated bisection.
 constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
@@ -162,8 +164,8 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
   return area;
 }
 
-// Where both ends of a slice are roots that meet, as those of interference, x1 is good to the root of
-// Σ's rounding: modules.
+// If both ends of a slice are roots that meet, as for interference, the error of x1 is the square
+// root of the rounding of Σ, in modules.
 constexpr double kPinch = 2e-6;
 
 // A slice at an end of a piece. Between two roots of the path's length it is one point, and the

@@ -40,7 +40,7 @@ struct ShiftRegion {
   std::optional<Vec2> off_walls;        ///< the same of those off the walls: point_off_walls()
 };
 
-/// Its numbers; none: nothing is feasible.   Accuracy  ends and corners to rounding, area to 1e-12
+/// Its values; none if nothing is feasible.   Accuracy  ends and corners to rounding, area to 1e-12
 std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
@@ -50,9 +50,10 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
 /// does not count as a border.
 inline constexpr double kWallDistance = 0.05;
 
-/// The point of the line of Eq. 11 with Σ nearest 0 that stands off the walls; none: the line has no
-/// point inside them. Where designs that interfere are not excluded it may stand at a wall, and is
-/// none then: the region knows it (`balanced`).   Cost  one evaluation of all limits where Σ = 0 will do
+/// The point of the line of Eq. 11 with Σ nearest 0 that keeps a distance from the borders; none if
+/// the line has no such point. If interference is not excluded, the point may be at a border and is
+/// then none, because the region contains it (`balanced`).   Cost  one evaluation of all limits
+/// where Σ = 0 will do
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 
 /// Between the sums a and b the line of Eq. 11 stays outside a limit that is straight in the plane: no
@@ -64,9 +65,9 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b);
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
-/// A point for a design: the one off the walls, else the balanced one, else the middle of lo and hi, of a region in pieces or
-/// where that middle stands nearer to a wall than half as far as it could, the middle of the longest
-/// piece.
+/// A point for a design: the one away from the borders, otherwise the balanced one, otherwise the
+/// middle of lo and hi. For a region in pieces, or if that middle is closer to a border than half
+/// the possible distance, it is the middle of the longest piece.
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
 /// The last of these.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);

@@ -48,8 +48,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     if (!pieces.empty()) return pieces;
     return beside_zero([&](double sum) { return f(sum) + kTouching; });
   };
-  // First where the interval of x1 exists before the path's length is asked, then where its longest
-  // path is long enough.
+  // First the range in which the interval of x1 exists without the limit of the path length, then
+  // the range in which its longest path is sufficient.
   const auto wide = exactly_or_touching(width, range.lo, range.hi);
   if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
   std::vector<Interval> found;

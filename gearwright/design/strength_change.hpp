@@ -33,7 +33,8 @@ void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);
 /// of a plastic.
 std::vector<Material> stronger_steels(const SearchRating& rating);
 
-/// The design that comes nearest to the safeties that are wanted, of so many trials in a random order.
+/// The design that comes nearest to the required safety factors, among this number of trials in
+/// random order.
 std::optional<DesignRow> safest_design(const SearchProblem& problem, const SearchWatch& watch,
                                        std::int64_t most_questions);
 

@@ -26,8 +26,8 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// The shifts at which the tip stands on the base circle: an external tooth begins there, an
-// internal gear's ends.
+// The shifts at which the tip is on the base circle, where an external tooth begins and an internal
+// tooth ends.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
   // Rounding to the safe side, because the thickness is evaluated at both ends.

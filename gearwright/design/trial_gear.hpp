@@ -49,7 +49,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
 /// The greatest x within the limits with tip alteration k: at k < 0 the tooth is thicker at its tip
-/// than the limits know. Below `x_min` when there is none.
+/// than the limits assume. Below `x_min` if there is none.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// A number that it is not below, without solving for it.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);

@@ -244,7 +244,7 @@ void RemovalField::make_cells() {
   const std::vector<double> u = with_ends(std::log(inner), kinks_u_, std::log(outer));
   const std::vector<double> z = with_ends(-half, kinks_z_, half);
   for (std::size_t i = 0; i + 1 < u.size(); ++i) {
-    // The middle of a cell says on which side of each start it lies.
+    // The middle of a cell determines on which side of each start it lies.
     const double L = length(std::exp((u[i] + u[i + 1]) / 2), extent_.r0);
     const auto beyond = [](const Ramp& r, double x) {
       return r.placed && (x - r.from) / (r.to - r.from) > 0.0;

@@ -26,7 +26,7 @@ struct ToleranceSubject {
   std::optional<double> contact_ratio{};              ///< ε_γ  of the mounted pair; none: no pair
 };
 
-/// All µm, rounded as the standard says.
+/// All values are in µm, rounded by the rules of the standard.
 struct FlankToleranceValues {
   double single_pitch;                           ///< f_ptT
   double cumulative_pitch;                       ///< F_pT, total

@@ -39,7 +39,7 @@ struct LoadedPair {
   double share = 0.0;          ///< of the whole load
   LoadedPoint point{};         ///< of points; the rest of lines
   Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slices from −z on
-  Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 where nothing presses
+  Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 without contact
   Eigen::VectorXd half_width;  ///< mm
   std::vector<std::array<double, 2>> radius;  ///< mm of each place on both gears
 };
@@ -93,12 +93,12 @@ struct LoadedTorque {
   bool beyond_flank = false;  ///< true if an ellipse extends beyond an end of the flank
   Eigen::VectorXd face_load;  ///< N/mm per slice from −z on, mean of the positions
   /// The greatest principal stress over the positions, MPa, of each gear: a row per root point, a
-  /// column per slice from −z on; 0 where nothing pulls.
+  /// column per slice from −z on; 0 without tension.
   std::array<Eigen::MatrixXd, 2> root_stress;
   /// The least principal stress there, 0 without compression; a fillet is compressed while
   /// neighbouring teeth carry load.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
-  /// Where root_stress is greatest.
+  /// The position of the greatest root_stress.
   std::array<double, 2> least_at_max{LoadedPosition::kNone, LoadedPosition::kNone};
 };
 
@@ -108,7 +108,8 @@ struct LoadedContact {
   LoadRegime regime = LoadRegime::line;
   std::array<FaceSlices, 2> slices;    ///< mm, on each gear; of lines the same on both
   std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
-  /// Of each gear along the fillet that is pulled, from the root on: mm in the section, with the
+  /// Positions of each gear along the fillet in tension, starting at the root: mm in the section,
+  /// with the
   /// tooth's centre line as x axis and the loaded flank at y > 0.
   std::array<std::vector<std::complex<double>>, 2> root_points;
   long unfinished = 0;  ///< positions, of all torques
@@ -148,7 +149,7 @@ class LoadedTurn {
   std::vector<std::vector<double>> perfect_share_;  // the greatest, [torque][position]
   LoadedContact found_;
   std::atomic<bool> too_fine_{false};
-  std::mutex root_;  // of the greatest root stress, whatever the order of the positions
+  std::mutex root_;  // of the greatest root stress, for any order of the positions
 };
 
 }  // namespace gearwright

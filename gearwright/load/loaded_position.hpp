@@ -36,7 +36,7 @@ struct Position {
   std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
 };
 
-// Of each gear at its root points and slices, in N.
+// Values of each gear at its root points and slices, in N.
 using RootStress = std::array<RootSwing, 2>;
 
 class PositionSolver {

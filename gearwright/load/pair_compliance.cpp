@@ -79,7 +79,8 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
-    // R where the pinion's tip touches, the flattest place, axes as close as the reference circles.
+    // R at the contact of the pinion's tip, the flattest point, for axes at the reference centre
+    // distance.
     const double between = (gear_2.base_radius() - gear_1.base_radius()) *
                            std::tan(gear_1.reference().transverse_pressure_angle);
     const double base = gear_1.base_radius() / gear_1.tip_form_radius();

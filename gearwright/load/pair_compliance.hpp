@@ -16,8 +16,8 @@
 
 namespace gearwright {
 
-/// How teeth touch under load: along the lines of parallel involute flanks, or about points, as crossed
-/// and circular-arc teeth do.
+/// The kind of contact under load: along lines, for parallel involute flanks, or about points, for
+/// crossed and circular-arc teeth.
 enum class LoadRegime { line, point };
 std::string_view to_string(LoadRegime regime);
 
@@ -57,7 +57,7 @@ bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& 
 struct PairCompliance {
   std::array<std::shared_ptr<const ToothTable>, 2> table;
   std::array<ElasticBody, 2> bodies;
-  std::array<FaceSlices, 2> slices;  ///< mm, on each gear; of lines the same on both
+  std::array<FaceSlices, 2> slices;  ///< mm, on each gear; equal on both for line contact
   double half_width = 0.0;           ///< a0  mm
 };
 

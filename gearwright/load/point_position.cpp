@@ -260,7 +260,7 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   for (int turn = 0; turn < kMostTurns && !still; ++turn) {
     for (Index i = 0; i < n; ++i) {
       const PointPlace& p = at.places[i];
-      // A place that does not bear has the footprint of a small force, so that it is somewhere.
+      // An unloaded position has the footprint of a small force, so that its position is defined.
       const double least = kIdle * q.moment / q.arm[i];
       all.laid[i] = lay(p, std::max(force[i], least), ellipse[i]);
       q.gap[i] = (at.te - p.te) * p.arm + ellipse[i].relief;

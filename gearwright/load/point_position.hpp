@@ -1,5 +1,5 @@
-// One position of a loaded pair whose teeth touch about points, as crossed and circular-arc teeth do:
-// where each tooth pair is nearest, how its place yields, and what a torque makes of them.
+// One position of a loaded pair whose teeth touch about points, as crossed and circular-arc teeth
+// do: the nearest point of each tooth pair, its compliance, and the loads under a torque.
 //
 // Internal to load/.                       theory: docs/theory/12-loaded-contact.md, 12.6
 #pragma once
@@ -24,7 +24,7 @@ struct PointPlace {
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
   Eigen::Vector2d along;  // (ds, dz) on flank 1 of a mm along the major axis
-  // Of a mm along the major and the minor axis, on each gear: along the face and in radius.
+  // Steps along the face and in radius on each gear, per mm along the major and the minor axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
@@ -33,7 +33,7 @@ struct PointPlace {
 struct Ellipse {
   double middle = 0.0;     // mm along the major axis from the touch
   double curvature = 0.0;  // k1 less what the bodies bend  1/mm
-  double relief = 0.0;     // mm: what the bodies yield beyond the mean over the footprint
+  double relief = 0.0;     // mm, deflection of the bodies relative to the mean over the footprint
 };
 
 // A place on the major axis of an ellipse, on both gears.
@@ -81,7 +81,7 @@ class PointSolver {
   // x, or as far towards it from a place on the flanks as these reach.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
-  // How the bodies bend along the major axis of place i.
+  // The bending of the bodies along the major axis of position i.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
                std::size_t i);
 

@@ -100,7 +100,7 @@ PointSharing share_points(const PointProblem& q) {
     x = next;
     r = left;
   }
-  constexpr double kEnough = 1e-10;  // where rounding lets nothing get smaller
+  constexpr double kEnough = 1e-10;  // at which rounding prevents a further decrease
   out.found = size(r) <= kEnough;
   out.force = all.force(x);
   // To the moment itself: the residual of the last step is rounding.

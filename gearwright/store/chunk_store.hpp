@@ -92,7 +92,7 @@ class ChunkStore {
   /// The sum over all finished chunks, whoever finished them.   Throws  IoError as get()
   ChunkCounts totals() const;
 
-  /// What open() found and mended, one sentence each.
+  /// The repairs made by open(), one sentence each.
   const std::vector<std::string>& notes() const;
 
  private:

@@ -154,7 +154,7 @@ std::size_t ParquetWriter::State::write_chunk(const ColumnChunk& chunk, Thrift& 
   write(content);
 
   group.open();
-  group.i64(2, 0);  // the entry stands in the footer alone
+  group.i64(2, 0);  // the entry is in the footer only
   group.open(3);
   group.i32(1, physical_type(column.type));
   group.list(2, Thrift::Kind::i32, column.optional ? 2 : 1);
@@ -211,7 +211,7 @@ std::string ParquetWriter::State::footer() const {
     out.binary(4, chunk.column.name);
     if (chunk.column.type == ParquetType::text) {
       out.i32(6, kUtf8);
-      out.open(10);  // says the same to newer readers: a union with the empty struct of strings
+      out.open(10);  // the same for newer readers: a union with the empty struct of strings
       out.open(1);
       out.close();
       out.close();

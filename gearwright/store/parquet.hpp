@@ -1,12 +1,12 @@
 // Result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and MATLAB read.
 //
 // A table is flat: named columns, each of one type, rows written one after another. Rows are held
-// back until a row group is full, then go out column by column; memory is that of one group
-// whatever the length of the table, but for some 100 bytes of footer for a group's column.
+// back until a row group is full, then go out column by column; memory is that of one group,
+// independent of the length of the table, but for some 100 bytes of footer for a group's column.
 //
 //   int32, int64   PLAIN
 //   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
-//                  lets like exponents stand beside each other
+//                  places similar exponents next to each other
 //   text           PLAIN, UTF-8
 //
 // Everything is compressed by zstd, with its checksum: a reader notices a damaged file. Chunks
@@ -29,7 +29,7 @@ namespace gearwright {
 enum class ParquetType { int32, int64, float64, text };
 
 struct ParquetColumn {
-  std::string name;  ///< UTF-8, unique in its table whatever the case of a to z
+  std::string name;  ///< UTF-8, unique in its table regardless of the case of a to z
   ParquetType type;
   bool optional = false;  ///< a row may leave it out: null
 };
@@ -87,8 +87,8 @@ class ParquetWriter {
   std::unique_ptr<State> state_;
 };
 
-/// What a key says in the footer of a table that ParquetWriter made; none: there is no such table, or
-/// it does not have the key.
+/// The value of a key in the footer of a table made by ParquetWriter; none if there is no such
+/// table or key.
 ///
 /// Throws    IoError where the file is there and cannot be read
 std::optional<std::string> parquet_note(const std::filesystem::path& file, std::string_view key);

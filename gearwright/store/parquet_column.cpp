@@ -52,11 +52,11 @@ void write_range(Thrift& out, const std::string& values) {
     not_numbers = static_cast<std::size_t>(
         std::count_if(numbers.begin(), numbers.end(), [](Number x) { return x != x; }));
   }
-  // Readers disagree about where NaN stands in the order: with one among them there is no range.
+  // Readers disagree about the order of NaN, so values with a NaN have no range.
   if (!numbers.empty() && not_numbers == 0) {
     auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     Number range[] = {*least, *greatest};
-    if constexpr (real) {  // the format wants both zeros inside, as they are equal
+    if constexpr (real) {  // the format requires both zeros inside, because they are equal
       if (range[0] == 0) range[0] = -0.0;
       if (range[1] == 0) range[1] = 0.0;
     }

@@ -17,12 +17,12 @@ inline bool is_straight(const Rack& rack) { return std::holds_alternative<Straig
 
 inline Result<RackOfArcs> arcs_of(const RackOfArcs& rack) { return rack; }
 
-/// Of the gear's tooth above the datum line, in normal modules.
+/// Addendum of the gear's tooth above the datum line, in normal modules.
 inline double addendum_of(const Rack& rack) {
   return std::visit([](const auto& r) { return r.addendum; }, rack);
 }
 
-/// How deep the cutter goes, in normal modules.
+/// Depth of the cutter below the datum line, in normal modules.
 inline double dedendum_of(const Rack& rack) {
   return std::visit([](const auto& r) { return r.dedendum; }, rack);
 }

@@ -14,8 +14,8 @@ namespace {
 
 // Normals this close are equal, which means a tangent joint.
 constexpr double kSameNormal = 1e-6;  // rad
-constexpr double kAbove90 = 1e-15;    // of 90°, for degrees converted from radians
-constexpr double kOverlap = 1e-12;    // of half the pitch, for a full radius with rounding errors
+constexpr double kAbove90 = 1e-15;    // relative to 90°, for degrees converted from radians
+constexpr double kOverlap = 1e-12;    // relative to half the pitch, for rounding
 
 // Arcs are counted from 1.
 Error bad_arc(std::size_t i, std::string rule) {
