@@ -285,7 +285,7 @@ void say(Quantities<V>& q) {
       .doors(kPage)
       .greater_first()
       .digits(4);
-  q.record("", "region", "of the profile shifts that satisfy every limit", region_table,
+  q.record("", "region", "the profile shifts that satisfy every limit", region_table,
            [](const V& v) { return Value(region_quantities().of(v)); })
       .always()
       .doors(kJson);

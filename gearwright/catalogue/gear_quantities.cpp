@@ -131,15 +131,14 @@ void say(Quantities<Gear>& q) {
        [](const G& g) { return Value(g.root_diameter); })
       .always();
   q.mm(kDiameters, "root_form_diameter_mm", "root form diameter", "d_Ff",
-       "where the usable flank starts: the crossing with the root as cut, or C",
+       "start of the usable flank: the intersection with the root as cut, or C",
        [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
       .expected(is_involute);
   q.mm(kDiameters, "tip_form_diameter_mm", "tip form diameter", "d_Fa",
-       "where the usable flank ends: J, chamfer or tip; null where no flank is left",
-       tip_form_diameter)
+       "end of the usable flank: J, chamfer or tip; null if no flank is left", tip_form_diameter)
       .expected(is_involute);
   q.mm(kDiameters, "finished_tip_diameter_mm", "finished tip diameter", "",
-       "where the tooth really ends: blank, cutter's bottom or point; an internal gear's is d_a",
+       "actual end of the tooth: blank, cutter's bottom or point; d_a for an internal gear",
        [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
       .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
   q.mm(kTooth, "base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",

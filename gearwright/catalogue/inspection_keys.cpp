@@ -7,10 +7,10 @@ const KeyTable& measure_keys() {
       "measure",
       "Positions and tools of the measurements; only the verb measure reads this table",
       {Key::positive("chord_diameter_mm", "", &MeasureInput::chord_diameter,
-                     "the reference diameter, or the middle of the usable flank where that lies "
-                     "off it",
-                     "where the calliper's jaws touch, on the usable flank; the tooth thickness is "
-                     "given there too"),
+                     "the reference diameter, or the middle of the usable flank if that diameter "
+                     "lies outside it",
+                     "contact diameter of the calliper's jaws, on the usable flank; the tooth "
+                     "thickness refers to it too"),
        Key::number("span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
                    "the number whose contacts are nearest to the V circle d + 2 x m_n",
                    "teeth between the anvils of a span measurement; spaces of an internal gear")

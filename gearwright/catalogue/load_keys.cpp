@@ -34,10 +34,10 @@ const KeyTable& load_keys() {
            .with_fields({"rotations"}),
        Key::number(
            "slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
-           "32; on a narrow face as many as are m_n/4 wide, 0.4 m_n of helical teeth, "
-           "of internal pairs wider still",
-           "slices over the common face; none narrower than four half widths of contact. Of "
-           "teeth that touch at points over each gear's face"),
+           "32; on a narrow face, slices of width m_n/4, or 0.4 m_n for helical teeth, and wider "
+           "for internal pairs",
+           "slices over the common face, each at least four half widths of contact; for point "
+           "contact over each gear's face"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
                  "`draft`: a coarser mesh of the teeth, two to three times as fast"),
        Key::number(

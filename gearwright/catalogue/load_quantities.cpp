@@ -74,9 +74,9 @@ void say_position(Quantities<P>& q) {
         "if no teeth touch or the forces do not converge",
         [](const P& p) { return Value(p.position->te.arcsec()); });
   q.add(Type::number, Unit::um, "", "approach_um", "approach under load", "Θ r_b2",
-        "along the line of action in the transverse section, of teeth that touch at points along "
-        "their normals, from the first touch of the unloaded flanks, deflections included; the "
-        "bodies' twist is in it",
+        "along the line of action in the transverse section, or along the normals for point "
+        "contact, from the first contact of the unloaded flanks; includes deflections and the "
+        "twist of the bodies",
         [](const P& p) { return Value(p.position->approach * kUmPerMm); });
   q.pure("", "share", "load shares", "",
          "of each loaded tooth pair, the one nearest to its exit last; for point contact, of each "

@@ -115,13 +115,13 @@ const Quantities<PinMeasure>& pin_quantities() {
          "the least, as a micrometer finds it [T10.9]; null: an internal helical gear",
          [](const P& p) { return Value(p.reading.two_free); });
     q.mm("", "three_mm", "over two pins between parallel anvils", "M_dR",
-         "of helical gears over three pins too [T10.10]; of spur gears as over two; null: an "
+         "also over three pins on helical gears [T10.10]; as over two pins on spur gears; null: an "
          "internal helical gear",
          [](const P& p) { return Value(p.reading.three); });
     q.mm("", "three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
-         "one anvil rests on both neighbours, which lies deeper on a spur gear with an odd number "
-         "of "
-         "teeth [T10.30]; of others as between parallel anvils; null: an internal helical gear",
+         "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur gear "
+         "with an odd number of teeth [T10.30]; on other gears as between parallel anvils; null: "
+         "an internal helical gear",
          [](const P& p) { return Value(p.reading.three_pins); });
     say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
@@ -142,7 +142,7 @@ const Quantities<BallSizes>& size_quantities() {
   using S = BallSizes;
   static const Quantities<S> kAll("measure.ball_sizes", [](Quantities<S>& q) {
     q.mm("", "ideal_mm", "touching at the V circle", "D_M",
-         "or at the middle of the usable flank where that circle lies off it [T10.11]",
+         "or at the middle of the usable flank if that circle lies outside it [T10.11]",
          [](const S& s) { return Value(s.ideal); })
         .always();
     q.mm("", "metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977",

@@ -11,7 +11,7 @@ const KeyTable& measured_keys() {
   using I = IdentifyProblem;
   static const KeyTable table{
       "measured",
-      "Readings of an unknown gear, for the verb identify; an uncertainty is that of 95 %",
+      "Readings of an unknown gear, for the verb identify; uncertainties are for 95 %",
       {{.key = "span_mm",
         .symbol = "W_k",
         .kind = KeyKind::any,

@@ -91,9 +91,9 @@ const KeyTable& arc_rack_keys() {
        Key::number("arc_radius", "ρ*", some_length(), &ArcRack::arc_radius, kRequired,
                    "radius of the flank's arc [T7.1] [T7.2]"),
        Key::number("center_a", "a*", any_length(), &ArcRack::center_a, kRequired,
-                   "how far the arc's centre lies beyond the middle"),
+                   "distance of the arc's centre beyond the middle"),
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
-                   "how far the arc's centre lies from the pitch plane"),
+                   "distance of the arc's centre from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
                    "the value on the drawing: an error if the arc has no such point, a warning "
                    "(`pressure_angle`) if the pair touches at an angle that differs by more than "
@@ -134,7 +134,7 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("convex_height", "x_a*", any_length(), &DoubleArcRack::convex_height, "0.0163",
                    "height of its centre over the datum line"),
        Key::number("convex_offset", "l_a*", any_length(), &DoubleArcRack::convex_offset, "0.6289",
-                   "how far its centre lies beyond the middle of the tooth"),
+                   "distance of its centre beyond the middle of the tooth"),
        Key::number("step_height", "h_ja*", some_length(), &DoubleArcRack::step_height, "0.16",
                    "height over the datum line at which the step begins"),
        Key::number("step_depth", "h_jf*", some_length(), &DoubleArcRack::step_depth, "0.2",
@@ -169,7 +169,8 @@ const KeyTable& rack_arc_keys() {
       "One arc of a rack's edge; lengths in normal modules",
       {Key::word("part", {"root_fillet", "flank", "joint", "tip_fillet"},
                  KeyPlace::by<RackArc, ArcPart>(set_part), "\"flank\"",
-                 "what it cuts; a joint lies between two flanks and touches nothing"),
+                 "the part of the tooth that it cuts; a joint lies between two flanks and has no "
+                 "contact"),
        Key::number("center_height", "x", {}, &RackArc::center_height, kRequired,
                    "height of the arc's centre over the datum line"),
        Key::number("center_offset", "y", {}, &RackArc::center_offset, kRequired,
