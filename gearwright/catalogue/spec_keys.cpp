@@ -39,7 +39,7 @@ const KeyTable& spec_keys() {
                  "how the two gears are mounted"),
        table_key("errors", error_keys, &SpecTables::errors, "errors of mounting and of the teeth"),
        table_key("contact", contact_keys, &SpecTables::contact,
-                 "how the contact of the pair is looked at"),
+                 "how the contact of the pair is computed"),
        table_key("compensate", compensate_keys, &SpecTables::compensate,
                  "which corrections the verb compensate may make"),
        table_key("load", load_keys, &SpecTables::load,
