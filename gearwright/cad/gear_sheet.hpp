@@ -38,7 +38,7 @@ struct GearSheetInput {
 struct GearSheet {
   Sheet sheet;
   std::string scale;    ///< "1:2"
-  double deviation_mm;  ///< of the outline from the exact one, in the gear's mm
+  double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 
 /// `tolerance_mm`: of the outline, in the gear's mm.

@@ -108,7 +108,7 @@ std::string json_vector(const Eigen::Vector3f& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
 
-// Column by column, as glTF stores it; nothing for the identity, its default.
+// The matrix by columns, as in glTF; empty for the identity, which is the default.
 std::string json_matrix(const Eigen::Isometry3d& pose) {
   Eigen::Matrix4d m = pose.matrix();
   m.topRightCorner<3, 1>() *= kMetresPerMm;

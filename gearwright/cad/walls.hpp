@@ -74,10 +74,10 @@ struct BodyWalls {
 
 /// Cuts a body into walls.
 ///
-/// Facts     refused with a sentence: a bore that bore_error refuses (`bore.diameter_mm` and its
-///           keyway's keys); a ring without a rim around its roots (its bore is the rim) or with a
-///           keyway; flanks that cross or a root beyond the axis (`teeth`); an arc that no spline
-///           meets within kSectionMax_mm
+/// Facts     errors: a bore that bore_error rejects (`bore.diameter_mm` and the keys of its
+///           keyway); a ring without a rim around its roots (its bore is the rim) or with a keyway;
+///           flanks that cross or a root beyond the axis (`teeth`); an arc that no spline meets
+///           within kSectionMax_mm
 /// Domain    face width > 0, outline.teeth ≠ 0, the outline's laws hold within 1e-6 mm (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int kLengthSteps = 64;    // per element; the error of the chord length is 1e-6
-constexpr double kSameNode = 1e-7;  // modules: one point, computed from two sides
+constexpr double kSameNode = 1e-7;  // modules: points this close are equal
 constexpr double kNoArc = 1e-6;     // modules: shorter arcs are ignored
 constexpr double kMinRim = 0.3;     // modules of body behind the teeth
 

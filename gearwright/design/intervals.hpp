@@ -185,7 +185,7 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b, int nod
   return superlevel(f, a, b, nodes, hump).pieces;
 }
 
-/// The same; where there are none, those where f ≥ −touch.
+/// The same intervals; if there are none, those with f ≥ −touch.
 ///
 /// Domain    touch well below −hump.below
 template <class F>

@@ -34,7 +34,7 @@ ShiftEdge edge_of(const ShiftSlice& s, Side side) {
 }
 double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
 
-// Zero where the edges a and b bound x1 at one place.
+// Zero at the point where the edges a and b give the same bound of x1.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
   // An edge that does not bound is placed far away, at a value that a root finder can use.

@@ -21,7 +21,7 @@ namespace gearwright {
 /// One stretch of the boundary, named after the limit that it is.
 struct RegionEdge {
   ShiftEdge edge;
-  std::vector<Vec2> points;  ///< ends of a straight one; of a curve points on it, ends included
+  std::vector<Vec2> points;  ///< ends of a straight edge, or points of a curve with its ends
 };
 
 /// The requested extent of a region: its existence and a point in it, or also its area.

@@ -42,7 +42,7 @@ template <class T, class F>
 NewtonRoot<T> newton_in_bracket(const F& f, T lo, T hi, T start, bool rising) {
   using std::abs;
   GW_EXPECTS(!(start < lo) && !(hi < start));
-  constexpr int kBudget = 400;  // 50 digits halve 170 times at most, twice over
+  constexpr int kBudget = 400;  // 50 digits need at most 170 bisections, doubled
   const T ulps = T(2) * std::numeric_limits<T>::epsilon();
   NewtonRoot<T> root{start, T(0), 0, NewtonStop::iterations};
   T last = hi - lo;

@@ -82,7 +82,7 @@ std::string te_part(const ContactReport& report) {
   if (spectrum.empty())
     return curves + fmt::format("<p class=\"nopicture\">{}</p>\n",
                                 report.driving.contact_lost
-                                    ? "There is no spectrum, for contact is lost."
+                                    ? "There is no spectrum, because contact is lost."
                                     : "The curve is flat: it has no waves.");
   return curves + beside(spectrum,
                          "A periodic curve is a sum of harmonics. The first bar is one wave per "
@@ -139,7 +139,7 @@ std::string multiples_part(const ContactReport& report) {
 
 std::string map_part(const ContactReport& report) {
   if (!report.map) return {};
-  return "<h3>How much misalignment it bears</h3>\n" +
+  return "<h3>Permissible misalignment</h3>\n" +
          beside(
              map_figure(report),
              "Each place is a pair with these two errors; its shade says how uneven its rotation "

@@ -127,7 +127,7 @@ std::optional<double> shift_without_undercut(const Gear& gear) {
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 
-// Decimals of a length in mm that is a hundredth of this module, or a finer part of it.
+// The number of decimals, in mm, that resolves a hundredth of this module or a finer fraction.
 int digits_for(double module, int more) {
   return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
 }
