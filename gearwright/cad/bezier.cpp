@@ -79,7 +79,8 @@ BezierChain chain_of(const Arc& arc, const ByLength& curve, double tolerance) {
 
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
-  // 16 looks see the crest of a hump to a hundredth; the verification sees to the rest.
+  // 16 samples resolve the maximum of one hump to a hundredth, and the verification covers the
+  // rest.
   const ByLength curve(arc);
   BezierChain chain = chain_of(arc, curve, 0.98 * tolerance_mm);
   if (chain.deviation_mm > tolerance_mm && chain.deviation_mm < 2.0 * tolerance_mm) {

@@ -133,12 +133,12 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // 24 looks see the crest of an error of a hump or two to a hundredth; where a parameter runs
-  // unevenly they do not, the verification finds that, and four times as many look again.
+  // 24 samples resolve the maximum of an error with one or two humps to a hundredth. For an uneven
+  // parameter they do not, which the verification detects, and four times as many samples are used.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // Far off, the looks are not to blame: 4096 steps are too few, or rounding too coarse.
+    // A large excess is not due to the samples: 4096 steps are too few, or rounding is too coarse.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;
@@ -152,7 +152,7 @@ double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
   return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
 }
 
-// Mirroring turns a bulge over, and so does running it backwards: pieces do one or the other.
+// Mirroring changes the sign of a bulge, and so does reversal. Each piece has one of the two.
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm) {
   const auto fits = fit_arcs(outline, contour, tolerance_mm, fit_biarcs);

@@ -137,8 +137,8 @@ class ShellWriter {
     return id;
   }
 
-  // Axes on the gear's axis. One instance a statement: compilers order arguments as they like, and
-  // the numbers are to be the same everywhere.
+  // Axes on the gear's axis. Each statement makes one instance, because the evaluation order of
+  // arguments depends on the compiler and the numbers must be the same everywhere.
   Id frame(double z, const Vec3& x) {
     const Id origin = centre(z);
     const Id up = direction(Vec3::UnitZ());

@@ -41,15 +41,17 @@ struct Contour {
   double outer_radius;  ///< greatest radius of the outline, mm
 };
 
-/// Chains the teeth. Arcs shorter than 1e-6 mm give no piece: the next begins where they began.
+/// Chains the teeth. Arcs shorter than 1e-6 mm give no piece, and the next piece begins at their
+/// start.
 ///
 /// Facts     refused: an outline that crosses the middle of the tooth or of the space (severed)
 /// Domain    teeth ≠ 0, at least one arc, arcs joined bit for bit, the first point on the ray π/|z|
 ///           and the last one on the x axis within 1e-6 mm (contract)
 Result<Contour> closed_contour(const Outline& outline);
 
-/// Points of the half outline's arc, root to tip, as the piece runs: mirrored or reversed, turned,
-/// first and last replaced by the piece's own ends.
+/// Points of the half outline's arc, from root to tip, in the position and direction of the piece:
+/// mirrored or reversed and turned, with the first and last point replaced by the ends of the
+/// piece.
 /// Domain    not a land, at least two points, the ends within 1e-6 mm of the arc's ends (contract)
 std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
                          const std::vector<Vec2>& root_to_tip);

@@ -42,8 +42,8 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 }
 
 struct StepLimits {
-  double shortest;  ///< of the interval's unit: a step this short is taken, fit or not
-  double known;     ///< the end is known well enough when bracketed within this part of the step
+  double shortest;  ///< relative to the interval: a step this short is always accepted
+  double known;     ///< relative to the step: width of the bracket at which the end is accepted
 };
 
 /// The greatest x in (from, to] with fits(x), by a bracket grown from `guess`, a step length.

@@ -43,7 +43,7 @@ class EarClipper {
     for (std::size_t left = points_.size(); left > 2; --left) {
       std::size_t best = best_ear();
       if (quality_[best] == kNoEar) {
-        // Cutting an ear can free one that is not its neighbour when three corners are in line.
+        // If three corners are collinear, cutting an ear can make a distant corner an ear.
         for (std::size_t i = next_[last_], k = 0; k < left; i = next_[i], ++k) rate(i);
         best = best_ear();
         if (quality_[best] == kNoEar) return std::nullopt;

@@ -25,14 +25,14 @@ namespace {
 // and 2ε of 8ε at a = ρΔ, which makes the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
-// Metal between the root and the bore, or a ring's rim: less is no body, mm.
+// Least material between the root and the bore or the rim, mm.
 constexpr double kWallMin_mm = 1e-3;
 
 // The chords of a thin wall's two sides must not meet: its tolerance is this part of its thickness.
 constexpr double kWallShare = 0.25;
 
-// Refused beyond: a file of 200 MB that no printer reads, and some seconds for the caps of a tooth
-// (the square of its points).
+// Limits beyond which a mesh is rejected: a file of 200 MB, which printers cannot read, and some
+// seconds for the caps of a tooth (quadratic in its points).
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
