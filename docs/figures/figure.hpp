@@ -90,5 +90,6 @@ Figure search_figure();
 Figure inspection_figure();
 Figure load_figure();
 Figure rating_figure();
+Figure drive_figure();
 
 }  // namespace gearwright::figures

@@ -263,6 +263,20 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::changes_left_out, "changes_left_out", kNote,
      "verb search: changes of the limits were not searched, or not all of them; the message has "
      "the reason"},
+    // Of whole drives.
+    {C::not_coaxial, "not_coaxial", kProblem,
+     "of the verb drive: no profile shift brings the meshes of a planet to one centre distance, or "
+     "an idler finds no place",
+     "the gears do not fit on common axes"},
+    {C::planets_collide, "planets_collide", kProblem,
+     "of the verb drive: the tip circles of neighbouring planets overlap, or there are fewer places "
+     "than planets",
+     "neighbouring planets cut each other"},
+    {C::unequal_spacing, "unequal_spacing", kCaution,
+     "of the verb drive: planets do not stand at equal pitch", "the planets stand at unequal pitch"},
+    {C::redundant_meshes, "redundant_meshes", kCaution,
+     "of the verb drive: a closed loop of meshes shares its torque by compliance; no torques",
+     "a closed loop of meshes has no torques without compliance"},
 }};
 
 constexpr bool each_has_its_row() {

@@ -110,6 +110,11 @@ enum class WarningCode {
   designs_cut,
   edges_left_out,
   changes_left_out,
+  // Of whole drives, the worst first.
+  not_coaxial,
+  planets_collide,
+  unequal_spacing,
+  redundant_meshes,
   count  ///< the number of codes, not a code
 };
 

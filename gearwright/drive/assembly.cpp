@@ -1,0 +1,218 @@
+#include "gearwright/drive/assembly.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include "gearwright/base/number_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+/// Degrees: an angle of a drawing with two decimals means the place that is so near.
+constexpr double kSamePlace = 0.01;
+/// Teeth more or less that are tried when others are proposed.
+constexpr int kMostTeethChanged = 12;
+
+using Row = std::vector<long long>;  // A | b of a mesh
+
+// Of a mesh: z of each rider on χ, −z of the central gear on u.
+std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
+  std::vector<Row> rows;
+  for (const std::size_t m : group.meshes) {
+    Row row(group.riders.size() + 1, 0);
+    for (const int side : {0, 1}) {
+      const DriveGear& gear = graph.gear(graph.meshes[m], side);
+      const auto rider = std::find(group.riders.begin(), group.riders.end(), gear.body);
+      if (rider == group.riders.end()) {
+        row.back() -= gear.factor();
+      } else {
+        row[static_cast<std::size_t>(rider - group.riders.begin())] += gear.factor();
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Euclid's steps between rows are unimodular: once the columns of A are in echelon form, the rows
+// without any entry of A left are Y·[A | b].
+long long places_of(std::vector<Row> rows, std::size_t riders) {
+  std::size_t top = 0;
+  for (std::size_t column = 0; column < riders; ++column) {
+    for (;;) {
+      std::size_t least = rows.size();
+      std::size_t entries = 0;
+      for (std::size_t r = top; r < rows.size(); ++r) {
+        if (rows[r][column] == 0) continue;
+        ++entries;
+        if (least == rows.size() || std::abs(rows[r][column]) < std::abs(rows[least][column]))
+          least = r;
+      }
+      if (entries == 0) break;
+      std::swap(rows[top], rows[least]);
+      if (entries == 1) {
+        ++top;
+        break;
+      }
+      for (std::size_t r = top + 1; r < rows.size(); ++r) {
+        const long long times = rows[r][column] / rows[top][column];
+        for (std::size_t c = 0; c < rows[r].size(); ++c) rows[r][c] -= times * rows[top][c];
+      }
+    }
+  }
+  long long places = 0;
+  for (std::size_t r = top; r < rows.size(); ++r) places = std::gcd(places, rows[r].back());
+  return places;
+}
+
+// "ring 55 or 58", "sun 18": single gears with a few teeth more or less that assemble at equal pitch.
+std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
+  std::vector<std::size_t> gears;
+  for (const std::size_t m : group.meshes)
+    for (const std::size_t g : graph.meshes[m].gears)
+      if (std::find(gears.begin(), gears.end(), g) == gears.end()) gears.push_back(g);
+  std::vector<std::string> proposals;
+  for (const std::size_t g : gears) {
+    for (int change = 1; change <= kMostTeethChanged; ++change) {
+      std::vector<std::string> found;
+      for (const int sign : {-1, 1}) {
+        DriveGraph other = graph;
+        int& teeth = other.gears[g].teeth;
+        teeth += teeth < 0 ? -sign * change : sign * change;
+        if (std::abs(teeth) < 5 || check_graph(other)) continue;
+        if (assembly_places(other, group) % group.count == 0)
+          found.push_back(std::to_string(std::abs(teeth)));
+      }
+      if (found.empty()) continue;
+      proposals.push_back(fmt::format("{} {}", graph.gears[g].name, fmt::join(found, " or ")));
+      break;
+    }
+  }
+  return fmt::format("{}", fmt::join(proposals, ", "));
+}
+
+Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, long long places,
+                                           int count) {
+  if (degrees.size() != static_cast<std::size_t>(count))
+    return Error{"drive.positions", std::to_string(degrees.size()),
+                 fmt::format("must be as many angles as there are planets, {}", count)};
+  std::vector<Rational> turns;
+  for (const double given : degrees) {
+    const double u = (given - degrees.front()) / 360.0;
+    // Where any place will do, an angle is exact to a millionth of a degree.
+    const long long grid = places > 0 ? places : 360'000'000;
+    const double n = std::round(u * static_cast<double>(grid));
+    const double off = std::abs(u - n / static_cast<double>(grid)) * 360.0;
+    if (off > kSamePlace)
+      return refused(
+          "drive.positions", given,
+          fmt::format("teeth do not meet there; the {} places are multiples of {}°, and "
+                      "the next one is {}°",
+                      places, format_number(360.0 / static_cast<double>(places)),
+                      format_number(degrees.front() + 360.0 * n / static_cast<double>(grid))));
+    turns.push_back(Rational::of(static_cast<long long>(n), grid).frac());
+  }
+  return turns;
+}
+
+bool equal_pitch(const std::vector<Rational>& turns) {
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const Rational want =
+        Rational::of(static_cast<long long>(i), static_cast<long long>(turns.size()));
+    if (!(turns[i] == want)) return false;
+  }
+  return true;
+}
+
+// The two meshes of a stepped planet with central gears: one on each of two gears of one rider.
+std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const PlanetGroup& group,
+                                              const std::vector<Rational>& turns) {
+  if (group.riders.size() != 1 || group.meshes.size() != 2) return std::nullopt;
+  std::array<const DriveGear*, 2> own{}, central{};
+  for (const std::size_t k : {0, 1}) {
+    const DriveMesh& mesh = graph.meshes[group.meshes[k]];
+    const int rider = graph.gear(mesh, 0).body == group.riders[0] ? 0 : 1;
+    own[k] = &graph.gear(mesh, rider);
+    central[k] = &graph.gear(mesh, 1 - rider);
+  }
+  if (own[0] == own[1]) return std::nullopt;
+  const long long z1 = own[0]->teeth;
+  const long long z2 = own[1]->teeth;
+  const Rational step = Rational::of(1, std::lcm(z1, z2));
+  std::vector<Rational> list;
+  for (const Rational& u : turns) {
+    // −u (z_s/z_p1 − z_r/z_p2), z_r < 0: whichever of the central gears are rings. [T13.14]
+    const Rational angle =
+        u * (Rational::of(central[1]->factor(), z2) - Rational::of(central[0]->factor(), z1));
+    list.push_back((angle / step).frac() * step);
+  }
+  return list;
+}
+
+}  // namespace
+
+long long assembly_places(const DriveGraph& graph, const PlanetGroup& group) {
+  return places_of(mesh_conditions(graph, group), group.riders.size());
+}
+
+Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
+  Assembly made;
+  made.places = assembly_places(graph, group);
+  const long long n = group.count;
+  for (const std::size_t rider : group.riders) {
+    if (graph.bodies[rider].positions_deg.empty()) continue;
+    auto turns = given_places(graph.bodies[rider].positions_deg, made.places, group.count);
+    if (!turns) return turns.error();
+    made.turns = std::move(turns).take();
+    made.equal = equal_pitch(made.turns);
+    return made;
+  }
+  const bool divides = made.places % n == 0;
+  const auto at_equal_pitch = [&] {
+    for (long long i = 0; i < n; ++i) made.turns.push_back(Rational::of(i, n));
+    made.equal = true;
+  };
+  if (graph.spacing == Spacing::equal_clocked) {
+    at_equal_pitch();
+    if (auto list = clocking(graph, group, made.turns)) {
+      made.clocking = std::move(*list);
+      return made;
+    }
+    if (!divides)
+      return Error{
+          "drive.spacing", "equal_clocked",
+          "only a stepped planet can be clocked, two gears on it with a central gear each; "
+          "use \"nearest\""};
+    return made;
+  }
+  if (divides) {
+    at_equal_pitch();
+    if (graph.spacing != Spacing::opposite || n % 2 == 0) return made;
+  }
+  if (graph.spacing == Spacing::equal) {
+    const std::string others = teeth_that_assemble(graph, group);
+    return Error{
+        "drive.spacing", "equal",
+        fmt::format("{} planets at equal pitch do not assemble: there are {} places in a "
+                    "turn, and {} does not divide that{}; or use \"nearest\"",
+                    n, made.places, n,
+                    others.empty() ? std::string() : fmt::format(". These would: {}", others))};
+  }
+  if (graph.spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
+    return Error{
+        "drive.spacing", "opposite",
+        fmt::format("{} planets in {} places cannot stand opposite each other: both numbers "
+                    "must be even; use \"nearest\"",
+                    n, made.places)};
+  for (long long i = 0; i < n; ++i)
+    made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));
+  return made;
+}
+
+}  // namespace gearwright

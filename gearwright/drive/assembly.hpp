@@ -1,0 +1,40 @@
+// Where the copies of a planet may stand round the carrier so that all their teeth mesh.
+//
+//   u      place of a copy in turns, counter-clockwise from copy 0
+//   N*     number of places per turn: u = n/N* [T13.12]; 0: any place will do
+//   δ      clocking of a stepped planet's second gear against its first [T13.14]
+//                                              theory: docs/theory/13-drives.md
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/drive/drive_graph.hpp"
+#include "gearwright/drive/rational.hpp"
+
+namespace gearwright {
+
+struct Assembly {
+  long long places = 0;            ///< N*, 0: any
+  bool equal = false;              ///< the copies stand at equal pitch
+  std::vector<Rational> turns;     ///< u of each copy, u_0 = 0
+  std::vector<Rational> clocking;  ///< δ of each copy, turns; empty: copies are equal
+};
+
+/// N* of a group.
+///
+/// Formula   Turned by u round the carrier while central gears stand, a copy meshes iff every mesh
+///           has moved by whole teeth, A χ + b u ∈ Zᴹ. With Y a saturated integer basis of y A = 0,
+///           N* = gcd |y·b|; [T13.12]
+long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
+
+/// Places of the copies by the body's positions, else by the graph's spacing: n_i = floor(i N*/N +
+/// 1/2), [T13.13].
+///
+/// Errors    `drive.spacing` that does not assemble, with tooth numbers near by that would;
+///           `drive.positions` at which teeth do not meet, with the next place.
+///           Fewer places than copies are a fact: some copies get the same place.
+Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
+
+}  // namespace gearwright

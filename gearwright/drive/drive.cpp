@@ -1,0 +1,273 @@
+#include "gearwright/drive/drive.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Ring or rack second, as pairs have them: the law of a mesh does not depend on the order.
+DriveGraph normalised(DriveGraph graph) {
+  for (DriveMesh& mesh : graph.meshes)
+    if (graph.gear(mesh, 0).factor() < 0) std::swap(mesh.gears[0], mesh.gears[1]);
+  return graph;
+}
+
+std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& graph,
+                                                             const DriveGeometry& geometry) {
+  std::vector<std::optional<MeshEfficiency>> list;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    list.emplace_back();
+    if (const auto given = graph.meshes[m].efficiency) {
+      list.back() = MeshEfficiency{*given, *given};
+    } else if (const auto& pair = geometry.pairs[m]; pair && pair->involute()) {
+      const auto& eta = pair->involute()->efficiency;
+      if (eta && eta->gear1_drives && eta->gear2_drives)
+        list.back() = MeshEfficiency{*eta->gear1_drives, *eta->gear2_drives};
+    }
+  }
+  return list;
+}
+
+// Speeds of all bodies at those of the inputs; with one input it is 1.
+std::optional<std::vector<double>> speeds_of(const Drive& drive) {
+  const DriveGraph& graph = drive.graph;
+  const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
+  if (inputs.size() != graph.inputs.size()) return std::nullopt;
+  std::vector<double> speeds;
+  for (std::size_t b = 0; b < graph.bodies.size(); ++b)
+    speeds.push_back(drive.motion.speed(b, inputs));
+  return speeds;
+}
+
+std::optional<Error> find_flows(Drive& drive) {
+  std::vector<MeshEfficiency> known;
+  for (const auto& eta : drive.efficiencies) {
+    if (!eta) return std::nullopt;
+    known.push_back(*eta);
+  }
+  const auto speeds = speeds_of(drive);
+  if (!speeds || !drive.motion.redundant.empty()) return std::nullopt;
+  auto flow = power_flow(drive.graph, *speeds, known);
+  if (!flow) return flow.error();
+  drive.flow = std::move(flow).take();
+  if (drive.graph.inputs.size() != 1) return std::nullopt;
+  DriveGraph turned = drive.graph;
+  std::swap(turned.inputs.front(), turned.output);
+  std::vector<double> backward = *speeds;
+  const double w_out = (*speeds)[drive.graph.output];
+  for (double& w : backward) w /= w_out;
+  auto back = power_flow(turned, backward, known);
+  if (!back) return back.error();
+  drive.backward = std::move(back).take();
+  return std::nullopt;
+}
+
+struct CentralMesh {
+  std::size_t mesh;
+  const DriveGear *central, *rider;
+};
+
+std::optional<CentralMesh> first_central(const DriveGraph& graph, const PlanetGroup& group,
+                                         bool ring) {
+  for (const std::size_t m : group.meshes) {
+    const DriveGear& a = graph.gear(graph.meshes[m], 0);
+    const DriveGear& b = graph.gear(graph.meshes[m], 1);
+    const bool a_rides = graph.body(a).carrier == group.carrier;
+    const bool b_rides = graph.body(b).carrier == group.carrier;
+    if (a_rides == b_rides) continue;
+    const DriveGear& central = a_rides ? b : a;
+    if ((central.teeth < 0) == ring) return CentralMesh{m, &central, a_rides ? &a : &b};
+  }
+  return std::nullopt;
+}
+
+std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
+                                    const CentralMesh& ring) {
+  const auto& one = drive.geometry.pairs[sun.mesh];
+  const auto& two = drive.geometry.pairs[ring.mesh];
+  if (sun.rider != ring.rider || !one || !two || !one->involute() || !two->involute())
+    return std::nullopt;
+  const DriveMesh& mesh = drive.graph.meshes[sun.mesh];
+  const int which = &drive.graph.gear(mesh, 0) == sun.rider ? 1 : 2;
+  // Without a flow the sun is taken to drive, unless it is the output.
+  bool sun_drives = drive.graph.output != sun.central->body;
+  if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[sun.mesh] >= 0)
+    sun_drives = drive.flow->driver[sun.mesh] == 2 - which;
+  return sun_ring_phase(sun.rider->teeth, thickness_share(*one->involute(), which),
+                        thickness_share(*two->involute(), 1), sun_drives);
+}
+
+Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmonics) {
+  PlanetSet set{group, {}, {}, {}, {}, {}, {}, {}, {}};
+  auto assembly = assemble(drive.graph, group);
+  if (!assembly) return assembly.error();
+  set.assembly = std::move(assembly).take();
+  const std::vector<Rational>& turns = set.assembly.turns;
+  const auto sun = first_central(drive.graph, group, false);
+  const auto ring = first_central(drive.graph, group, true);
+  if (sun) set.sun_phases = mesh_phases(sun->central->teeth, turns);
+  if (ring) set.ring_phases = mesh_phases(ring->central->teeth, turns);
+  if (sun) set.sun_teeth = sun->central->teeth;
+  if (ring) set.ring_teeth = ring->central->teeth;
+  if (sun && ring) set.sun_ring_phase = phase_between(drive, *sun, *ring);
+  const std::vector<Rational>& phases = sun ? set.sun_phases : set.ring_phases;
+  if (!phases.empty()) set.phasing = phasing(phases, turns, harmonics);
+  std::optional<GeometryFault> fault;
+  if (group.count > 1)
+    set.neighbours = neighbours(drive.graph, group, drive.geometry, set.assembly, fault);
+  if (fault) drive.geometry.faults.push_back(*fault);
+  return set;
+}
+
+// Σ_m |λ_m/T| 2π j_m/p_bt,m of one end. [T13.20]
+std::optional<double> play_at(const Drive& drive, std::size_t body) {
+  const auto loads = lossless_loads(drive.graph, drive.motion, body);
+  double sum = 0.0;
+  for (std::size_t m = 0; m < loads.size(); ++m) {
+    if (!loads[m].fits()) return std::nullopt;
+    if (loads[m].zero()) continue;
+    const auto& pair = drive.geometry.pairs[m];
+    if (!pair || !pair->involute()) return std::nullopt;
+    const Gear& gear = pair->gear(1);
+    const double j =
+        pair->involute()->mesh.backlash.normal_base / std::cos(gear.reference().base_helix_angle);
+    sum += std::abs(loads[m].value()) * 2 * std::numbers::pi * j /
+           gear.reference().base_pitch_transverse;
+  }
+  return sum;
+}
+
+std::optional<DriveBacklash> backlash_of_drive(const Drive& drive) {
+  if (drive.motion.freedom != 1 || !drive.motion.redundant.empty()) return std::nullopt;
+  const auto in = play_at(drive, drive.graph.inputs.front());
+  const auto out = play_at(drive, drive.graph.output);
+  if (!in || !out) return std::nullopt;
+  return DriveBacklash{*in, *out};
+}
+
+std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& meshes) {
+  std::string list;
+  for (const std::size_t m : meshes) list += (list.empty() ? "" : ", ") + graph.meshes[m].name;
+  return list;
+}
+
+void find_facts(Drive& drive) {
+  const auto say = [&](WarningCode code, std::string message) {
+    drive.findings.push_back({code, std::move(message), 0});
+  };
+  for (const GeometryFault& fault : drive.geometry.faults)
+    say(WarningCode::not_coaxial, fault.message);
+  for (const PlanetSet& set : drive.sets) {
+    const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
+    if (set.neighbours && set.neighbours->clearance < 0.0)
+      say(WarningCode::planets_collide,
+          fmt::format("Neighbouring {} cut each other by {:.4f} mm; at most {} fit at equal pitch.",
+                      planet, -set.neighbours->clearance, set.neighbours->most));
+    if (set.assembly.places > 0 && set.group.count > set.assembly.places) {
+      say(WarningCode::planets_collide,
+          fmt::format("{} of {} have only {} in a turn where their teeth meet: some would stand in "
+                      "one place.",
+                      set.group.count, planet,
+                      set.assembly.places == 1 ? std::string("one place")
+                                               : fmt::format("{} places", set.assembly.places)));
+      continue;
+    }
+    if (!set.assembly.equal && set.group.count > 1)
+      say(WarningCode::unequal_spacing,
+          fmt::format("{} of {} do not stand at equal pitch: there are {} places in a turn.",
+                      set.group.count, planet, set.assembly.places));
+  }
+  if (!drive.motion.redundant.empty())
+    say(WarningCode::redundant_meshes,
+        fmt::format(
+            "The meshes {} form a closed loop that stays movable: how they share the torque "
+            "depends on their compliance, and no torques are computed.",
+            names_of(drive.graph, drive.motion.redundant)));
+  if (drive.flow && drive.flow->self_locking())
+    say(WarningCode::self_locking,
+        fmt::format("With this friction {} cannot drive {}: the drive locks itself.",
+                    drive.graph.bodies[drive.graph.inputs.front()].name,
+                    drive.graph.bodies[drive.graph.output].name));
+  if (drive.backward && drive.backward->self_locking())
+    say(WarningCode::self_locking,
+        fmt::format("With this friction {} cannot drive {} backwards: the drive locks itself.",
+                    drive.graph.bodies[drive.graph.output].name,
+                    drive.graph.bodies[drive.graph.inputs.front()].name));
+}
+
+}  // namespace
+
+std::optional<double> Drive::speed_rpm(std::size_t body) const {
+  if (graph.speeds_rpm.size() != graph.inputs.size()) return std::nullopt;
+  return motion.speed(body, graph.speeds_rpm);
+}
+
+std::optional<double> Drive::speed_ratio(std::size_t body) const {
+  if (graph.inputs.size() == 1) return motion.speeds[body][0].value();
+  const auto rpm = speed_rpm(body);
+  if (!rpm || graph.speeds_rpm.front() == 0.0) return std::nullopt;
+  return *rpm / graph.speeds_rpm.front();
+}
+
+std::optional<std::size_t> Drive::frame_of_body(std::size_t body) const {
+  for (const DriveMesh& mesh : graph.meshes)
+    for (const int side : {0, 1})
+      if (graph.gear(mesh, side).body == body) return graph.frame(mesh);
+  return std::nullopt;
+}
+
+std::optional<double> Drive::relative_speed_ratio(std::size_t body) const {
+  const auto own = speed_ratio(body);
+  const auto frame = frame_of_body(body);
+  if (!own || !frame) return own;
+  if (graph.inputs.size() == 1) return (motion.speeds[body][0] - motion.speeds[*frame][0]).value();
+  return *own - *speed_ratio(*frame);
+}
+
+std::optional<double> Drive::frequency_ratio(std::size_t mesh) const {
+  const DriveMesh& m = graph.meshes[mesh];
+  const DriveGear& a = graph.gear(m, 0);
+  const auto frame = graph.frame(m);
+  if (graph.inputs.size() == 1) {
+    const Rational w_c = frame ? motion.speeds[*frame][0] : Rational();
+    return std::abs((Rational(a.teeth) * (motion.speeds[a.body][0] - w_c)).value());
+  }
+  const auto w_a = speed_ratio(a.body);
+  const auto w_c = frame ? speed_ratio(*frame) : std::optional(0.0);
+  if (!w_a || !w_c) return std::nullopt;
+  return std::abs(a.teeth * (*w_a - *w_c));
+}
+
+Result<Drive> make_drive(const DriveInput& input) {
+  if (auto error = check_graph(normalised(input.graph))) return *error;
+  Drive drive;
+  drive.graph = normalised(input.graph);
+  auto motion = drive_motion(drive.graph);
+  if (!motion) return motion.error();
+  drive.motion = std::move(motion).take();
+  drive.geometry = drive_geometry(drive.graph);
+  drive.efficiencies = mesh_efficiencies(drive.graph, drive.geometry);
+  if (auto error = find_flows(drive)) return *error;
+  for (const PlanetGroup& group : planet_groups(drive.graph)) {
+    auto set = planet_set(drive, group, input.harmonics);
+    if (!set) return set.error();
+    drive.sets.push_back(std::move(set).take());
+  }
+  drive.backlash = backlash_of_drive(drive);
+  find_facts(drive);
+  for (const DriveGraph& stage : input.stages) {
+    auto made = make_drive({stage, {}, input.harmonics});
+    if (!made) return made.error();
+    drive.stages.push_back(std::move(made).take());
+  }
+  return drive;
+}
+
+}  // namespace gearwright

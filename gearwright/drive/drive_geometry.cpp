@@ -1,0 +1,274 @@
+#include "gearwright/drive/drive_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/math/involute.hpp"
+#include "gearwright/pair/shift.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Fault = GeometryFault;
+
+// Whether both gears of a mesh have teeth, not only numbers of them.
+bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
+  return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
+}
+
+ShiftProblem shift_problem(const DriveGraph& graph, const DriveMesh& mesh,
+                           const DriveGeometry& made) {
+  const DriveGear& a = graph.gear(mesh, 0);
+  const DriveGear& b = graph.gear(mesh, 1);
+  ShiftProblem problem;
+  problem.z1 = a.teeth;
+  problem.z2 = b.teeth;
+  problem.normal_module = a.spec->normal_module;
+  problem.normal_pressure_angle = a.spec->normal_pressure_angle;
+  problem.helix_angle = {a.spec->helix_angle, b.spec->helix_angle};
+  problem.x1 = made.shift[mesh.gears[0]];
+  problem.x2 = made.shift[mesh.gears[1]];
+  return problem;
+}
+
+// Meshes of one distance: those of a planet with central gears, else a mesh by itself.
+std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph) {
+  std::vector<std::vector<std::size_t>> classes;
+  std::vector<std::optional<std::size_t>> planet;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const std::size_t a = graph.gear(graph.meshes[m], 0).body;
+    const std::size_t b = graph.gear(graph.meshes[m], 1).body;
+    const bool rides_a = graph.bodies[a].carrier.has_value();
+    const bool rides_b = graph.bodies[b].carrier.has_value();
+    std::optional<std::size_t> rider;
+    if (rides_a != rides_b) rider = rides_a ? a : b;
+    std::size_t k = 0;
+    while (k < classes.size() && !(rider && planet[k] == rider)) ++k;
+    if (k == classes.size()) {
+      classes.emplace_back();
+      planet.push_back(rider);
+    }
+    classes[k].push_back(m);
+  }
+  return classes;
+}
+
+class Completion {
+ public:
+  Completion(const DriveGraph& graph, DriveGeometry& made) : graph_(graph), made_(made) {}
+
+  void of_class(std::vector<std::size_t> meshes) {
+    std::erase_if(meshes, [&](std::size_t m) { return !has_teeth(graph_, graph_.meshes[m]); });
+    if (meshes.empty()) return;
+    std::optional<double> distance;
+    for (const std::size_t m : meshes)
+      if (!distance) distance = graph_.meshes[m].center_distance;
+    if (!distance) {
+      const DriveMesh& first = graph_.meshes[meshes.front()];
+      for (const std::size_t g : first.gears) made_.shift[g] = made_.shift[g].value_or(0.0);
+      const auto solved = complete_shifts(shift_problem(graph_, first, made_));
+      if (!solved) return fault(first, solved.error());
+      distance = solved->center_distance;
+    }
+    while (!meshes.empty()) {
+      const auto next = std::min_element(meshes.begin(), meshes.end(),
+                                         [&](auto m, auto n) { return unknowns(m) < unknowns(n); });
+      complete(*next, *distance);
+      meshes.erase(next);
+    }
+  }
+
+ private:
+  // A mesh with both shifts unknown comes last: others may give one of them.
+  int unknowns(std::size_t m) const {
+    int count = 0;
+    for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;
+    return count;
+  }
+
+  void complete(std::size_t m, double distance) {
+    const DriveMesh& mesh = graph_.meshes[m];
+    made_.distance[m] = distance;
+    if (unknowns(m) == 0) return;
+    ShiftProblem problem = shift_problem(graph_, mesh, made_);
+    problem.center_distance = distance;
+    const auto solved = complete_shifts(problem);
+    if (!solved) return fault(mesh, solved.error());
+    made_.shift[mesh.gears[0]] = solved->x1;
+    made_.shift[mesh.gears[1]] = solved->x2;
+  }
+
+  void fault(const DriveMesh& mesh, const Error& error) {
+    made_.faults.push_back({Fault::Kind::not_coaxial,
+                            fmt::format("No profile shift brings {} to its centre distance: {}.",
+                                        mesh.name, error.rule)});
+  }
+
+  const DriveGraph& graph_;
+  DriveGeometry& made_;
+};
+
+std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
+                                    std::vector<Fault>& faults) {
+  CylindricalSpec spec = *gear.spec;
+  spec.teeth = gear.teeth;
+  spec.profile_shift = shift;
+  if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
+  auto made = make_gear(spec);
+  if (!made) {
+    faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be: {}.", gear.name,
+                                                        made.error().message())});
+    return std::nullopt;
+  }
+  auto cut = made->internal() ? cut_by_default(*made) : std::nullopt;
+  return cut ? std::move(*cut) : std::move(made).take();
+}
+
+// Places of the riders in the carrier's frame: distance from its axis, and angle of copy 0.
+struct Rider {
+  double distance, angle, tip_diameter;
+};
+
+std::optional<double> distance_between(const DriveGraph& graph, const PlanetGroup& group,
+                                       const DriveGeometry& geometry, std::size_t a,
+                                       std::optional<std::size_t> b) {
+  for (const std::size_t m : group.meshes) {
+    const std::size_t one = graph.gear(graph.meshes[m], 0).body;
+    const std::size_t two = graph.gear(graph.meshes[m], 1).body;
+    const auto other = one == a ? std::optional(two) : two == a ? std::optional(one) : std::nullopt;
+    if (!other) continue;
+    const bool matches = b ? *other == *b : !graph.bodies[*other].carrier;
+    if (matches) return geometry.distance[m];
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const PlanetGroup& group,
+                                               const DriveGeometry& geometry,
+                                               std::optional<Fault>& fault) {
+  std::vector<Rider> riders;
+  // Angles are chained: each rider after the first by the triangle with one that is placed.
+  for (std::size_t i = 0; i < group.riders.size(); ++i) {
+    const std::size_t body = group.riders[i];
+    const auto a = distance_between(graph, group, geometry, body, std::nullopt);
+    double tip = 0.0;
+    for (std::size_t g = 0; g < graph.gears.size(); ++g) {
+      if (graph.gears[g].body != body) continue;
+      if (!geometry.gears[g]) return std::nullopt;
+      tip = std::max(tip, geometry.gears[g]->tip_diameter);
+    }
+    if (!a) return std::nullopt;
+    double angle = 0.0;
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto between = distance_between(graph, group, geometry, body, group.riders[j]);
+      if (!between) continue;
+      const double r = riders[j].distance;
+      const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
+      if (!(std::abs(cosine) <= 1.0)) {
+        fault = {Fault::Kind::not_coaxial,
+                 fmt::format("{} and {} find no place on {}: no triangle has the sides {:.4f}, "
+                             "{:.4f} and {:.4f} mm.",
+                             graph.bodies[body].name, graph.bodies[group.riders[j]].name,
+                             graph.bodies[group.carrier].name, *a, r, *between)};
+        return std::nullopt;
+      }
+      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
+      break;
+    }
+    riders.push_back({*a, angle, tip});
+  }
+  return riders;
+}
+
+double tip_gap(const Rider& a, const Rider& b, double turned) {
+  const double angle = b.angle + turned - a.angle;
+  // The distance of polar points; at one radius 2 a sin(Δ/2), which cancels less.
+  const double half = std::sin(angle / 2);
+  const double d = a.distance - b.distance;
+  const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
+  return between - (a.tip_diameter + b.tip_diameter) / 2;
+}
+
+// Over all copies; of copies that stand alone only riders that do not mesh, which have none here.
+double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
+  double least = kInfinity;
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    for (std::size_t j = i + 1; j < turned.size(); ++j)
+      for (const Rider& a : riders)
+        for (const Rider& b : riders) least = std::min(least, tip_gap(a, b, turned[j] - turned[i]));
+  return least;
+}
+
+}  // namespace
+
+DriveGeometry drive_geometry(const DriveGraph& graph) {
+  DriveGeometry made;
+  made.distance.resize(graph.meshes.size());
+  made.pairs.resize(graph.meshes.size());
+  made.gears.resize(graph.gears.size());
+  for (const DriveGear& gear : graph.gears) made.shift.push_back(gear.shift);
+  Completion completion(graph, made);
+  for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
+  for (std::size_t g = 0; g < graph.gears.size(); ++g)
+    if (graph.gears[g].spec && made.shift[g])
+      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], made.faults);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const DriveMesh& mesh = graph.meshes[m];
+    const auto& one = made.gears[mesh.gears[0]];
+    const auto& two = made.gears[mesh.gears[1]];
+    if (!one || !two || !made.distance[m]) continue;
+    auto pair = mount(*one, *two, {made.distance[m], std::nullopt, graph.friction, std::nullopt});
+    if (pair) {
+      made.pairs[m] = std::move(pair).take();
+    } else {
+      made.faults.push_back({Fault::Kind::no_pair, fmt::format("{} cannot be mounted: {}.",
+                                                               mesh.name, pair.error().message())});
+    }
+  }
+  return made;
+}
+
+std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
+                                     const DriveGeometry& geometry, const Assembly& assembly,
+                                     std::optional<GeometryFault>& fault) {
+  const auto riders = place_riders(graph, group, geometry, fault);
+  if (!riders) return std::nullopt;
+  Neighbours found{kInfinity, 1};
+  std::vector<double> turned;
+  for (const Rational& u : assembly.turns) turned.push_back(2 * std::numbers::pi * u.value());
+  found.clearance = least_gap_of(*riders, turned);
+  constexpr int kMost = 1000;  // more planets than any gear has teeth for
+  for (int n = 2; n <= kMost; ++n) {
+    turned.clear();
+    for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
+    // At equal pitch copy 0 sees every distance that there is.
+    double gap = kInfinity;
+    for (int i = 1; i < n; ++i)
+      for (const Rider& a : *riders)
+        for (const Rider& b : *riders)
+          gap = std::min(gap, tip_gap(a, b, turned[static_cast<std::size_t>(i)]));
+    if (gap < 0.0) break;
+    found.most = n;
+  }
+  return found;
+}
+
+double thickness_share(const InvolutePair& pair, int which) {
+  const auto side = static_cast<std::size_t>(which - 1);
+  const Gear& gear = pair.gears[side];
+  const double alpha_wt =
+      std::acos(pair.input.gears[side].radius / pair.mesh.rack.sides[side].pitch_radius);
+  const auto& reference = gear.reference();
+  return 0.5 +
+         (2 * reference.generating_profile_shift * std::tan(gear.spec.normal_pressure_angle.rad()) +
+          gear.spec.teeth * (involute(reference.transverse_pressure_angle) - involute(alpha_wt))) /
+             std::numbers::pi;
+}
+
+}  // namespace gearwright

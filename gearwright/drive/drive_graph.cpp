@@ -1,0 +1,127 @@
+#include "gearwright/drive/drive_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gearwright {
+
+namespace {
+
+bool holds(const std::vector<std::size_t>& list, std::size_t body) {
+  return std::find(list.begin(), list.end(), body) != list.end();
+}
+
+std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
+  const DriveBody& body = graph.bodies[index];
+  if (body.count < 1)
+    return refused("drive.body", body.count,
+                   fmt::format("body {} must have at least one copy", body.name));
+  if (body.count > 1 && !body.carrier)
+    return refused("drive.body", body.count,
+                   fmt::format("body {} rides on nothing; only a planet has copies", body.name));
+  if (!body.carrier) return std::nullopt;
+  if (*body.carrier == index)
+    return Error{"drive.body", body.name, "a body cannot ride on itself; name its carrier"};
+  if (graph.bodies[*body.carrier].carrier)
+    return Error{"drive.body", body.name,
+                 fmt::format("its carrier {} rides on another body; carriers of planets turn about "
+                             "a fixed axis here",
+                             graph.bodies[*body.carrier].name)};
+  return std::nullopt;
+}
+
+std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) {
+  const DriveGear& a = graph.gear(mesh, 0);
+  const DriveGear& b = graph.gear(mesh, 1);
+  const auto wrong = [&](std::string rule) { return Error{"drive.mesh", mesh.name, rule}; };
+  if (a.body == b.body)
+    return wrong(fmt::format("both gears sit on body {}; a mesh joins gears of two bodies",
+                             graph.body(a).name));
+  if (a.rack) return wrong("names a rack first; name its pinion first");
+  if (a.teeth < 0 && b.factor() < 0)
+    return wrong("neither gear is external; a ring or a rack meshes with an external gear");
+  if (a.teeth + b.teeth == 0 && !b.rack)
+    return wrong(
+        fmt::format("ring and gear have the same {} teeth and cannot turn against each "
+                    "other; give the ring more",
+                    std::abs(a.teeth)));
+  if (const int sum = a.teeth + b.teeth; !b.rack && (a.teeth < 0 || b.teeth < 0) && sum > 0)
+    return wrong(
+        fmt::format("the ring has fewer teeth than the gear inside it ({} and {}); no "
+                    "ring is smaller than its gear",
+                    -std::min(a.teeth, b.teeth), std::max(a.teeth, b.teeth)));
+  const auto& carrier_a = graph.body(a).carrier;
+  const auto& carrier_b = graph.body(b).carrier;
+  if (carrier_a && carrier_b && carrier_a != carrier_b)
+    return wrong(
+        fmt::format("its planets ride on two carriers, {} and {}; meshed planets ride on "
+                    "one",
+                    graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
+  if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
+    return wrong("its planets have different numbers of copies; meshed planets come in pairs");
+  if (b.rack && carrier_a)
+    return wrong("its pinion rides on a carrier; a rack meshes with a gear of a fixed axis");
+  if (mesh.efficiency && !(*mesh.efficiency > 0.0 && *mesh.efficiency <= 1.0))
+    return refused("drive.mesh", *mesh.efficiency,
+                   fmt::format("the efficiency of {} must lie above 0 and not above 1", mesh.name));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::size_t> DriveGraph::frame(const DriveMesh& mesh) const {
+  const auto& first = body(gear(mesh, 0)).carrier;
+  return first ? first : body(gear(mesh, 1)).carrier;
+}
+
+bool DriveGraph::is_fixed(std::size_t body) const { return holds(fixed, body); }
+bool DriveGraph::is_input(std::size_t body) const { return holds(inputs, body); }
+
+std::optional<Error> check_graph(const DriveGraph& graph) {
+  if (graph.bodies.empty() || graph.meshes.empty())
+    return absent_input("drive.mesh", "; a drive has bodies, gears on them and meshes of gears");
+  for (std::size_t i = 0; i < graph.bodies.size(); ++i)
+    if (auto error = check_body(graph, i)) return error;
+  for (const DriveGear& gear : graph.gears) {
+    if (!gear.rack && gear.teeth == 0)
+      return Error{"drive.gear", gear.name, "has no teeth; a ring's number is negative"};
+    if (gear.rack && graph.body(gear).carrier)
+      return Error{"drive.gear", gear.name,
+                   "is a rack on a planet; a rack's body rides on nothing"};
+  }
+  for (const DriveMesh& mesh : graph.meshes)
+    if (auto error = check_mesh(graph, mesh)) return error;
+  return std::nullopt;
+}
+
+std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
+  // Riders are joined where they mesh: each carries the least index of those it is joined with.
+  std::vector<std::size_t> group(graph.bodies.size());
+  for (std::size_t i = 0; i < group.size(); ++i) group[i] = i;
+  for (const DriveMesh& mesh : graph.meshes) {
+    const std::size_t a = graph.gear(mesh, 0).body;
+    const std::size_t b = graph.gear(mesh, 1).body;
+    if (!graph.bodies[a].carrier || !graph.bodies[b].carrier) continue;
+    const auto [low, high] = std::minmax(group[a], group[b]);
+    std::replace(group.begin(), group.end(), std::size_t(high), std::size_t(low));
+  }
+  std::vector<PlanetGroup> groups;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const DriveBody& body = graph.bodies[i];
+    if (!body.carrier || group[i] != i) continue;
+    PlanetGroup made{*body.carrier, {}, {}, body.count};
+    for (std::size_t j = i; j < group.size(); ++j)
+      if (group[j] == i) made.riders.push_back(j);
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+      const DriveMesh& mesh = graph.meshes[m];
+      if (holds(made.riders, graph.gear(mesh, 0).body) ||
+          holds(made.riders, graph.gear(mesh, 1).body))
+        made.meshes.push_back(m);
+    }
+    groups.push_back(std::move(made));
+  }
+  return groups;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,98 @@
+// A drive as a graph: bodies that turn or move, gears on them, bodies that ride on others, meshes.
+//
+//   body     turns about an axis, or moves (a rack's); may ride on a carrier, in N copies: a planet
+//   gear     z > 0 external, z < 0 ring, or a rack; sits on one body
+//   mesh     two gears; its frame c is the carrier that one of its bodies rides on, else the housing
+//                                              theory: docs/theory/13-drives.md
+//
+// A planetary set and a train of stages are short forms of such a graph (drive/short_forms.hpp) and
+// nothing else: everything is computed from the graph.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+struct DriveBody {
+  std::string name;
+  std::optional<std::size_t> carrier;  ///< the body that it rides on
+  int count = 1;                       ///< N, copies of a body that rides
+  std::vector<double> positions_deg;   ///< of the copies, from copy 0; empty: by `spacing`
+};
+
+/// What is known of the teeth of a gear; without a module there is no geometry.
+struct DriveGear {
+  std::string name;
+  std::size_t body = 0;
+  int teeth = 0;                        ///< z, < 0 for a ring
+  bool rack = false;                    ///< its body moves: v/p_t stands for its speed
+  std::optional<CylindricalSpec> spec;  ///< all but the shift; its teeth are `teeth`
+  std::optional<double> shift;          ///< x; absent: it follows
+
+  /// The number that stands for it in [T13.1]: z, of a rack −1.
+  int factor() const { return rack ? -1 : teeth; }
+};
+
+struct DriveMesh {
+  std::string name;
+  std::array<std::size_t, 2> gears{};
+  std::optional<double> efficiency;       ///< η with the frame at rest; absent: of the pair
+  std::optional<double> center_distance;  ///< a  mm
+};
+
+/// How the copies of a planet stand round the carrier.
+enum class Spacing {
+  nearest,        ///< at equal pitch if it assembles, else at the nearest places that do
+  equal,          ///< at equal pitch, else an error
+  equal_clocked,  ///< at equal pitch, each stepped planet clocked for its place
+  opposite,       ///< every planet has one opposite it
+};
+
+struct DriveGraph {
+  std::vector<DriveBody> bodies;
+  std::vector<DriveGear> gears;
+  std::vector<DriveMesh> meshes;
+  std::vector<std::size_t> fixed, inputs;  ///< bodies
+  std::size_t output = 0;
+  std::vector<double> speeds_rpm;   ///< of the inputs; empty: not given
+  std::optional<double> torque_Nm;  ///< on the first input
+  double friction = 0.05;           ///< μ of meshes without an efficiency
+  Spacing spacing = Spacing::nearest;
+  bool idler_left = true;  ///< which of two mirrored places an idler takes, seen from the planet
+
+  const DriveGear& gear(const DriveMesh& mesh, int which) const {
+    return gears[mesh.gears[static_cast<std::size_t>(which)]];
+  }
+  const DriveBody& body(const DriveGear& gear) const { return bodies[gear.body]; }
+  /// The carrier of a mesh; none: the housing.   Domain  a checked graph
+  std::optional<std::size_t> frame(const DriveMesh& mesh) const;
+  bool is_fixed(std::size_t body) const;
+  bool is_input(std::size_t body) const;
+};
+
+/// Whether the graph can be computed at all: names, indices, teeth, frames.
+///
+/// Errors    `drive.mesh` between riders of two carriers, of racks that meet no external gear of
+///           the housing; `drive.gear` without teeth; `drive.body` that rides on itself
+std::optional<Error> check_graph(const DriveGraph& graph);
+
+/// Planets that move as one: the bodies of one carrier that mesh with each other, and the meshes
+/// of any of them. All have as many copies.
+struct PlanetGroup {
+  std::size_t carrier;
+  std::vector<std::size_t> riders;  ///< bodies
+  std::vector<std::size_t> meshes;
+  int count;  ///< N
+};
+
+/// In the order of their first riders.   Domain  a checked graph
+std::vector<PlanetGroup> planet_groups(const DriveGraph& graph);
+
+}  // namespace gearwright

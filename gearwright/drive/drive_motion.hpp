@@ -1,0 +1,42 @@
+// Speeds of every body of a drive, exactly: one system of whole numbers.
+//
+//   W      meshes × bodies: z_a on body a, z_b on body b, −(z_a + z_b) on the frame, W ω = 0 [T13.1]
+//   f      degrees of freedom = bodies − rank of W with a row for each fixed body [T13.2]
+//   i      = n_in/n_out, signed [T13.3]
+//                                              theory: docs/theory/13-drives.md
+//
+// In the frame of a mesh the pitch circles roll, whatever the shifts and the centre distance.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/drive/drive_graph.hpp"
+#include "gearwright/drive/rational.hpp"
+
+namespace gearwright {
+
+struct DriveMotion {
+  int freedom = 0;  ///< f
+  /// ω of each body per unit speed of each input: speeds[body][input].
+  std::vector<std::vector<Rational>> speeds;
+  std::optional<Rational> ratio;   ///< i; none: several inputs
+  std::optional<Rational> period;  ///< turns of the input after which all stands as at the start
+  /// Meshes of closed loops that stay movable: their torques are a matter of compliance.
+  std::vector<std::size_t> redundant;
+
+  /// ω of a body at the speeds of the inputs, in their unit.
+  double speed(std::size_t body, const std::vector<double>& inputs) const;
+};
+
+/// The row of a mesh in W.   Domain  a checked graph
+std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
+
+/// Formula   W ω = 0, ω = 0 of fixed bodies, inputs one by one at speed 1; [T13.1]…[T13.5]
+/// Domain    a checked graph with at least one input (contract)
+/// Errors    `drive.fixed`: locked (the loops that contradict are named) or undetermined;
+///           `drive.input`, `drive.output`: held, standing still, contradicting
+Result<DriveMotion> drive_motion(const DriveGraph& graph);
+
+}  // namespace gearwright

@@ -1,0 +1,50 @@
+// When the meshes of a group of planets come one after the other, and what cancels by that.
+//
+//   γ_i    periods by which a tooth event of copy i comes after that of copy 0, the sun turning
+//          counter-clockwise as the carrier sees it [T13.16]
+//   R_k, F_k^±   share of harmonic k that is left of torque and axial force, and of a transverse
+//          force that turns with and against the sun [T13.18]
+//                                              theory: docs/theory/13-drives.md
+#pragma once
+
+#include <vector>
+
+#include "gearwright/drive/assembly.hpp"
+
+namespace gearwright {
+
+/// Of the first harmonic. [T13.19]
+enum class PhasingClass {
+  in_phase,    ///< R = 1: torques add, forces cancel
+  sequential,  ///< R = 0 and a force that turns is left
+  counter,     ///< nothing is left
+  mixed,       ///< some of each
+};
+
+struct Resultant {
+  double torque, force_forward, force_backward;  ///< R_k, F_k^+, F_k^−
+};
+
+struct Phasing {
+  PhasingClass kind = PhasingClass::mixed;
+  std::vector<Resultant> resultants;  ///< of harmonics 1, 2, …
+};
+
+/// γ_i of a central gear of z teeth, z < 0 of a ring.
+///
+/// Formula   γ_i = frac(z u_i); [T13.16]
+std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
+
+/// Formula   R_k = |Σ e^{−2πikγ_i}|/N, F_k^± = |Σ e^{−2πikγ_i ± 2πi u_i}|/N; [T13.18], [T13.19]
+/// Domain    as many phases as places, at least one (contract)
+Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,
+                int harmonics);
+
+/// Periods by which the contact of a planet gear with a ring comes after that with a sun, both at
+/// their pitch points on loaded flanks; `share_1`, `share_2`: its thickness over the pitch on the two
+/// working circles.
+///
+/// Formula   frac(z_p/2 ∓ (s_1/p_1 + s_2/p_2)/2), − where the sun drives; [T13.17]
+double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun_drives);
+
+}  // namespace gearwright

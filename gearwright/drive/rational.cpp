@@ -1,0 +1,169 @@
+#include "gearwright/drive/rational.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Wide = Rational::Wide;
+
+Wide common_divisor(Wide a, Wide b) {
+  if (a < 0) a = -a;
+  if (b < 0) b = -b;
+  while (b != 0) a = std::exchange(b, a % b);
+  return a;
+}
+
+std::optional<long long> narrow(Wide n) {
+  if (n < std::numeric_limits<long long>::min() || n > std::numeric_limits<long long>::max())
+    return std::nullopt;
+  return static_cast<long long>(n);
+}
+
+}  // namespace
+
+Rational Rational::too_large() {
+  Rational r;
+  r.q_ = 0;
+  return r;
+}
+
+Rational Rational::lowest(Wide p, Wide q) {
+  const Wide d = common_divisor(p, q);
+  Rational r;
+  r.p_ = q < 0 ? -(p / d) : p / d;
+  r.q_ = q < 0 ? -(q / d) : q / d;
+  return r;
+}
+
+Rational Rational::of(long long p, long long q) {
+  GW_EXPECTS(q != 0);
+  return lowest(p, q);
+}
+
+int Rational::sign() const {
+  GW_EXPECTS(fits());
+  return p_ > 0 ? 1 : p_ < 0 ? -1 : 0;
+}
+
+std::optional<long long> Rational::numerator() const {
+  return fits() && narrow(q_) ? narrow(p_) : std::nullopt;
+}
+
+std::optional<long long> Rational::denominator() const {
+  return fits() && narrow(p_) ? narrow(q_) : std::nullopt;
+}
+
+Rational Rational::floor() const {
+  if (!fits()) return *this;
+  Wide n = p_ / q_;
+  if (p_ % q_ < 0) --n;
+  Rational r;
+  r.p_ = n;
+  return r;
+}
+
+Rational Rational::frac() const { return *this - floor(); }
+
+Rational Rational::operator-() const {
+  Rational r = *this;
+  r.p_ = -p_;
+  return r;
+}
+
+Rational operator+(const Rational& a, const Rational& b) {
+  if (!a.fits() || !b.fits()) return Rational::too_large();
+  const Wide d = common_divisor(a.q_, b.q_);
+  Wide left, right, p, q;
+  if (__builtin_mul_overflow(a.p_, b.q_ / d, &left) ||
+      __builtin_mul_overflow(b.p_, a.q_ / d, &right) || __builtin_add_overflow(left, right, &p) ||
+      __builtin_mul_overflow(a.q_ / d, b.q_, &q))
+    return Rational::too_large();
+  return Rational::lowest(p, q);
+}
+
+Rational operator*(const Rational& a, const Rational& b) {
+  if (!a.fits() || !b.fits()) return Rational::too_large();
+  // Cancelled crosswise first, the products are in lowest terms and as small as they can be.
+  const Wide d = common_divisor(a.p_, b.q_);
+  const Wide e = common_divisor(b.p_, a.q_);
+  Wide p, q;
+  if (__builtin_mul_overflow(a.p_ / d, b.p_ / e, &p) ||
+      __builtin_mul_overflow(a.q_ / e, b.q_ / d, &q))
+    return Rational::too_large();
+  return Rational::lowest(p, q);
+}
+
+Rational operator/(const Rational& a, const Rational& b) {
+  if (!a.fits() || !b.fits()) return Rational::too_large();
+  GW_EXPECTS(b.p_ != 0);
+  Rational inverse;
+  inverse.p_ = b.p_ < 0 ? -b.q_ : b.q_;
+  inverse.q_ = b.p_ < 0 ? -b.p_ : b.p_;
+  return a * inverse;
+}
+
+bool operator==(const Rational& a, const Rational& b) {
+  GW_EXPECTS(a.fits() && b.fits());
+  return a.p_ == b.p_ && a.q_ == b.q_;
+}
+
+Rational least_common_multiple(const Rational& a, const Rational& b) {
+  // lcm(a, b) = a · (numerator of b/a in lowest terms) = a · b/gcd, and gcd = a/denominator(b/a).
+  if (!a.fits() || !b.fits()) return a + b;
+  const Rational quotient = b / a;
+  const auto denominator = quotient.denominator();
+  return denominator ? b * Rational(*denominator) : Rational::too_large();
+}
+
+std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns) {
+  std::vector<std::size_t> pivots;
+  for (std::size_t column = 0; column < columns && pivots.size() < rows.size(); ++column) {
+    const std::size_t top = pivots.size();
+    std::size_t pivot = top;
+    while (pivot < rows.size() && rows[pivot][column].zero()) ++pivot;
+    if (pivot == rows.size()) continue;
+    std::swap(rows[top], rows[pivot]);
+    const Rational lead = rows[top][column];
+    for (Rational& x : rows[top]) x = x / lead;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Rational factor = rows[i][column];
+      if (i == top || factor.zero()) continue;
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        rows[i][j] = rows[i][j] - factor * rows[top][j];
+    }
+    pivots.push_back(column);
+  }
+  return pivots;
+}
+
+std::optional<std::size_t> rank_of(RationalMatrix rows) {
+  if (rows.empty()) return 0;
+  const std::size_t rank = reduce_rows(rows, rows.front().size()).size();
+  for (const auto& row : rows)
+    for (const Rational& x : row)
+      if (!x.fits()) return std::nullopt;
+  return rank;
+}
+
+RationalMatrix left_kernel(const RationalMatrix& rows) {
+  if (rows.empty()) return {};
+  // [A | I]: a row whose part of A vanishes has its y in the part of I.
+  const std::size_t columns = rows.front().size();
+  RationalMatrix both = rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    both[i].resize(columns + rows.size());
+    both[i][columns + i] = 1;
+  }
+  const std::size_t rank = reduce_rows(both, columns).size();
+  RationalMatrix kernel;
+  for (std::size_t i = rank; i < both.size(); ++i)
+    kernel.emplace_back(both[i].begin() + static_cast<std::ptrdiff_t>(columns), both[i].end());
+  return kernel;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,74 @@
+// Exact fractions of whole numbers, whose overflow is a state of its own and never a wrong number.
+//
+//   p/q in lowest terms, q > 0; q = 0: a result did not fit into 127 bits
+//                                              theory: docs/theory/13-drives.md, [T13.3]
+//
+// A fraction that did not fit makes every fraction that is computed from it one that did not fit, as
+// a NaN does. Code computes to the end and looks once.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace gearwright {
+
+class Rational {
+ public:
+  __extension__ using Wide = __int128;
+
+  Rational() = default;  ///< 0
+  Rational(long long whole)
+      : p_(whole) {}  // NOLINT(google-explicit-constructor): every one is a
+                      // fraction
+  /// p/q.   Domain  q ≠ 0 (contract)
+  static Rational of(long long p, long long q);
+  static Rational too_large();  ///< one that does not fit
+
+  bool fits() const { return q_ != 0; }
+  bool zero() const { return q_ != 0 && p_ == 0; }
+  bool whole() const { return q_ == 1; }
+  /// −1, 0, 1.   Domain  fits() (contract)
+  int sign() const;
+  double value() const { return static_cast<double>(p_) / static_cast<double>(q_); }
+  /// p and q; none where one of them has more than 63 bits.
+  std::optional<long long> numerator() const;
+  std::optional<long long> denominator() const;
+  /// v − floor(v), of [0, 1).
+  Rational frac() const;
+  /// The greatest whole number that is not above it.
+  Rational floor() const;
+
+  friend Rational operator+(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a, const Rational& b) { return a + -b; }
+  friend Rational operator*(const Rational& a, const Rational& b);
+  /// Domain  b ≠ 0 (contract)
+  friend Rational operator/(const Rational& a, const Rational& b);
+  Rational operator-() const;
+  /// Domain  both fit (contract)
+  friend bool operator==(const Rational& a, const Rational& b);
+
+ private:
+  static Rational lowest(Wide p, Wide q);
+
+  Wide p_ = 0, q_ = 1;
+};
+
+/// Least common multiple of two whole numbers > 0; one that does not fit stays such.
+Rational least_common_multiple(const Rational& a, const Rational& b);
+
+/// Rows of equal length.
+using RationalMatrix = std::vector<std::vector<Rational>>;
+
+/// Reduces the rows: each leading entry is 1 and stands alone in its column. Pivots are looked for in
+/// the first `columns` columns only; returns their columns, row by row.
+///
+/// Formula   Gauss–Jordan elimination over the fractions: the rank is exact
+std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
+
+/// Rank of the matrix; none: a number did not fit.
+std::optional<std::size_t> rank_of(RationalMatrix rows);
+
+/// Basis of the y with y·A = 0, one row each; empty where the rows are independent or did not fit.
+RationalMatrix left_kernel(const RationalMatrix& rows);
+
+}  // namespace gearwright

@@ -1,0 +1,264 @@
+#include "gearwright/drive/short_forms.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace gearwright {
+
+namespace {
+
+using M = SetMember;
+
+constexpr std::array<M, kSetMembers> kMembers{M::sun,     M::sun2, M::idler, M::planet,
+                                              M::planet2, M::ring, M::ring2};
+
+bool is_ring(M m) { return m == M::ring || m == M::ring2; }
+
+struct SetMesh {
+  std::string name;
+  M first, second;
+};
+
+std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  const M second = has(M::planet2) ? M::planet2 : M::planet;
+  std::vector<SetMesh> list;
+  if (has(M::sun) && has(M::idler)) list.push_back({"sun_idler", M::sun, M::idler});
+  if (has(M::idler)) list.push_back({"idler_planet", M::idler, M::planet});
+  if (has(M::sun) && !has(M::idler)) list.push_back({"sun_planet", M::sun, M::planet});
+  if (has(M::sun2)) list.push_back({"sun2_planet", M::sun2, second});
+  if (has(M::ring)) list.push_back({"planet_ring", M::planet, M::ring});
+  if (has(M::ring2)) list.push_back({"planet_ring2", second, M::ring2});
+  return list;
+}
+
+// The hand of each member against the sun's: it turns over in every external mesh.
+double hand_of(const PlanetarySpec& spec, M member) {
+  const double planet = spec.z(M::idler) ? 1.0 : -1.0;
+  switch (member) {
+    case M::sun: return 1.0;
+    case M::sun2: return -planet;
+    case M::idler: return -1.0;
+    default: return planet;
+  }
+}
+
+CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
+  CylindricalSpec made;
+  made.normal_module = spec.module.of(member).value_or(spec.normal_module.value_or(0.0));
+  made.normal_pressure_angle = spec.normal_pressure_angle;
+  const auto& own_helix = spec.helix_deg.each[static_cast<std::size_t>(member)];
+  const double sun = spec.helix_deg.each[0].value_or(spec.helix_deg.all.value_or(0.0));
+  made.helix_angle = Angle::degrees(own_helix.value_or(hand_of(spec, member) * sun));
+  made.face_width = spec.face_width.of(member).value_or(0.0);
+  made.thickness_allowance = spec.allowance.of(member).value_or(0.0);
+  made.tip_diameter = spec.tip_diameter.of(member);
+  if (spec.rack) made.rack = *spec.rack;
+  return made;
+}
+
+std::optional<Error> check_set(const PlanetarySpec& spec) {
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  if (!has(M::planet))
+    return absent_input("planetary.planet", "; a set has planets, planet = 20 for example");
+  if (has(M::idler) && !has(M::sun))
+    return Error{"planetary.idler", std::to_string(*spec.z(M::idler)),
+                 "lies between the sun and the planet, and there is no sun"};
+  if (has(M::planet2) && !has(M::sun2) && !has(M::ring2))
+    return Error{"planetary.planet2", std::to_string(*spec.z(M::planet2)),
+                 "meshes with sun2 and ring2, and there is neither"};
+  if (meshes_of(spec).empty())
+    return absent_input("planetary.ring", "; planets mesh with a sun or a ring");
+  for (const M m : kMembers) {
+    if (!has(m) || is_ring(m) || *spec.z(m) > 0) continue;
+    return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
+                   "must be a number of teeth, 1 or more; only a ring's may be negative");
+  }
+  if (spec.planets < 1)
+    return refused("planetary.planets", spec.planets, "must be at least one planet");
+  return std::nullopt;
+}
+
+std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std::string>& names,
+                                 const std::string& field, std::vector<std::size_t>& bodies) {
+  for (const std::string& name : names) {
+    auto body = find_body(graph, name, field);
+    if (!body) return body.error();
+    bodies.push_back(*body);
+  }
+  return std::nullopt;
+}
+
+// What is held, drives and is driven where the set does not say it.
+std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  std::vector<std::string> inputs = spec.inputs;
+  if (inputs.empty()) inputs = {has(M::sun) ? "sun" : has(M::sun2) ? "sun2" : "carrier"};
+  std::vector<std::string> fixed;
+  if (spec.fixed) {
+    fixed = *spec.fixed;
+  } else {
+    fixed = {has(M::ring) ? "ring" : has(M::ring2) ? "ring2" : "sun"};
+  }
+  std::string output = spec.output;
+  const auto taken = [&](const std::string& name) {
+    return std::find(inputs.begin(), inputs.end(), name) != inputs.end() ||
+           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
+  };
+  if (output.empty()) {
+    output = "carrier";
+    for (const char* other : {"ring2", "ring", "sun2", "sun"})
+      if (taken(output) && find_body(graph, other, "")) output = other;
+  }
+  if (auto error = find_bodies(graph, fixed, "drive.fixed", graph.fixed)) return error;
+  if (auto error = find_bodies(graph, inputs, "drive.input", graph.inputs)) return error;
+  auto out = find_body(graph, output, "drive.output");
+  if (!out) return out.error();
+  graph.output = *out;
+  return std::nullopt;
+}
+
+// A graph that is one pair of gears on fixed axes.
+DriveGraph pair_graph(const PairStage& stage) {
+  DriveGraph graph;
+  for (const std::size_t i : {0, 1}) {
+    const std::string name = i == 0 ? "gear1" : "gear2";
+    graph.bodies.push_back({name, std::nullopt, 1, {}});
+    graph.gears.push_back({name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i]});
+  }
+  graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
+  graph.inputs = {0};
+  graph.output = 1;
+  return graph;
+}
+
+// Appends a stage: its input is the body `joined` of the train so far.
+void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefix,
+            std::optional<std::size_t> joined) {
+  std::vector<std::size_t> body(stage.bodies.size());
+  for (std::size_t b = 0; b < body.size(); ++b) {
+    if (joined && b == stage.inputs.front()) {
+      body[b] = *joined;
+      continue;
+    }
+    body[b] = train.bodies.size();
+    train.bodies.push_back(stage.bodies[b]);
+    train.bodies.back().name = prefix + stage.bodies[b].name;
+  }
+  for (std::size_t b = 0; b < body.size(); ++b) {
+    if (joined && b == stage.inputs.front()) continue;
+    if (auto& carrier = train.bodies[body[b]].carrier) carrier = body[*stage.bodies[b].carrier];
+  }
+  const std::size_t first_gear = train.gears.size();
+  for (DriveGear gear : stage.gears) {
+    gear.name = prefix + gear.name;
+    gear.body = body[gear.body];
+    train.gears.push_back(std::move(gear));
+  }
+  for (DriveMesh mesh : stage.meshes) {
+    mesh.name = prefix + mesh.name;
+    for (std::size_t& g : mesh.gears) g += first_gear;
+    train.meshes.push_back(std::move(mesh));
+  }
+  for (const std::size_t b : stage.fixed) train.fixed.push_back(body[b]);
+  if (!joined) {
+    for (const std::size_t b : stage.inputs) train.inputs.push_back(body[b]);
+    train.speeds_rpm = stage.speeds_rpm;
+    train.torque_Nm = stage.torque_Nm;
+  }
+  train.friction = stage.friction;
+  train.spacing = stage.spacing;
+  train.output = body[stage.output];
+}
+
+}  // namespace
+
+const char* to_string(SetMember member) {
+  constexpr const char* kNames[] = {"sun", "sun2", "idler", "planet", "planet2", "ring", "ring2"};
+  return kNames[static_cast<std::size_t>(member)];
+}
+
+std::optional<double> PerMesh::of(const std::string& mesh) const {
+  for (const auto& [name, value] : each)
+    if (name == mesh) return value;
+  return all;
+}
+
+Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
+                              const std::string& field) {
+  std::vector<std::string> known;
+  for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
+    if (graph.bodies[b].name == name) return b;
+    known.push_back(graph.bodies[b].name);
+  }
+  return Error{field, name,
+               fmt::format("there is no such body; there are {}", fmt::join(known, ", "))};
+}
+
+Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
+  if (auto error = check_set(spec)) return *error;
+  DriveGraph graph;
+  std::array<std::size_t, kSetMembers> gear_of{};
+  // Bodies: central gears, the carrier, then what rides on it; a stepped planet is one body.
+  for (const M m : {M::sun, M::sun2, M::ring, M::ring2})
+    if (spec.z(m)) graph.bodies.push_back({to_string(m), std::nullopt, 1, {}});
+  const std::size_t carrier = graph.bodies.size();
+  graph.bodies.push_back({"carrier", std::nullopt, 1, {}});
+  for (const M m : {M::planet, M::idler})
+    if (spec.z(m))
+      graph.bodies.push_back({to_string(m), carrier, spec.planets, spec.positions_deg});
+  for (const M m : kMembers) {
+    if (!spec.z(m)) continue;
+    const auto body = find_body(graph, m == M::planet2 ? "planet" : to_string(m), "");
+    const int teeth = is_ring(m) ? -std::abs(*spec.z(m)) : *spec.z(m);
+    gear_of[static_cast<std::size_t>(m)] = graph.gears.size();
+    DriveGear gear{to_string(m), *body, teeth, false, std::nullopt, spec.profile_shift.of(m)};
+    if (spec.normal_module || spec.module.of(m)) gear.spec = teeth_of(spec, m);
+    graph.gears.push_back(std::move(gear));
+  }
+  for (const SetMesh& mesh : meshes_of(spec)) {
+    const auto distance = spec.center_distance.of(mesh.name);
+    const bool named =
+        std::any_of(spec.center_distance.each.begin(), spec.center_distance.each.end(),
+                    [&](const auto& e) { return e.first == mesh.name; });
+    graph.meshes.push_back({mesh.name,
+                            {gear_of[static_cast<std::size_t>(mesh.first)],
+                             gear_of[static_cast<std::size_t>(mesh.second)]},
+                            spec.efficiency.of(mesh.name),
+                            named || graph.meshes.empty() ? distance : std::nullopt});
+  }
+  graph.speeds_rpm = spec.speeds_rpm;
+  graph.torque_Nm = spec.torque_Nm;
+  graph.friction = spec.friction;
+  graph.spacing = spec.spacing;
+  if (auto error = set_ends(spec, graph)) return *error;
+  return graph;
+}
+
+Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
+  DriveInput made;
+  std::optional<std::size_t> joined;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    Result<DriveGraph> stage = stages[k].planetary ? graph_of(*stages[k].planetary)
+                                                   : Result<DriveGraph>(pair_graph(stages[k].pair));
+    if (!stage) return stage.error();
+    DriveGraph own = std::move(stage).take();
+    if (!stages[k].planetary) {
+      own.speeds_rpm = stages[k].speeds_rpm;
+      own.torque_Nm = stages[k].torque_Nm;
+    }
+    if (k > 0 && own.inputs.size() != 1)
+      return Error{
+          "drive.input", std::to_string(own.inputs.size()),
+          fmt::format("stage {} must have one input, the output of the stage before it", k + 1)};
+    append(made.graph, own, fmt::format("s{}_", k + 1), joined);
+    joined = made.graph.output;
+    made.stages.push_back(std::move(own));
+  }
+  return made;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,102 @@
+// Planetary sets and trains of stages: short forms of a drive's graph.
+//
+// A set has a sun, planets and a ring, or others of the members below; a stage of a train is a pair
+// of gears or a set. Both expand to bodies, gears and meshes, and everything is computed from these.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gearwright/drive/drive.hpp"
+
+namespace gearwright {
+
+/// The gears of a set, in the order in which its meshes are formed.
+enum class SetMember { sun, sun2, idler, planet, planet2, ring, ring2 };
+inline constexpr std::size_t kSetMembers = 7;
+const char* to_string(SetMember member);
+
+/// One number for all gears of a set, or one for each that is named.
+struct PerMember {
+  std::optional<double> all;
+  std::array<std::optional<double>, kSetMembers> each{};
+
+  std::optional<double> of(SetMember member) const {
+    const auto& own = each[static_cast<std::size_t>(member)];
+    return own ? own : all;
+  }
+};
+
+/// One number for all meshes, or one for each by its name.
+struct PerMesh {
+  std::optional<double> all;
+  std::vector<std::pair<std::string, double>> each{};
+
+  std::optional<double> of(const std::string& mesh) const;
+};
+
+struct PlanetarySpec {
+  /// Absent: no such gear. A ring's number may have either sign.
+  std::array<std::optional<int>, kSetMembers> teeth{};
+  int planets = 1;
+  std::optional<double> normal_module;  ///< m_n  mm; none: no geometry
+  Angle normal_pressure_angle = Angle::degrees(20);
+  PerMember module;         ///< of single gears  mm
+  PerMember profile_shift;  ///< x
+  PerMember helix_deg;      ///< β of the sun; of others where they are named
+  PerMember face_width;     ///< b  mm
+  PerMember allowance;      ///< E_sn  mm
+  PerMember tip_diameter;   ///< d_a  mm
+  PerMesh efficiency;
+  PerMesh center_distance;                        ///< mm; a number: of the first mesh
+  double friction = 0.05;                         ///< μ
+  std::optional<std::vector<std::string>> fixed;  ///< absent: the ring
+  std::vector<std::string> inputs;                ///< empty: the sun
+  std::string output;                             ///< empty: the carrier
+  std::vector<double> speeds_rpm;
+  std::optional<double> torque_Nm;
+  Spacing spacing = Spacing::nearest;
+  std::vector<double> positions_deg;
+  std::optional<Rack> rack;
+
+  std::optional<int>& z(SetMember member) { return teeth[static_cast<std::size_t>(member)]; }
+  const std::optional<int>& z(SetMember member) const {
+    return teeth[static_cast<std::size_t>(member)];
+  }
+};
+
+/// Two gears on fixed axes, the wheel's number < 0 for a ring.
+struct PairStage {
+  std::array<int, 2> teeth{};
+  std::array<std::optional<CylindricalSpec>, 2> specs;
+  std::array<std::optional<double>, 2> shifts;
+  std::optional<double> efficiency, center_distance;
+};
+
+struct StageSpec {
+  std::optional<PlanetarySpec> planetary;  ///< else the pair
+  PairStage pair;
+  std::vector<double> speeds_rpm{};   ///< of the pair's input
+  std::optional<double> torque_Nm{};  ///< on it
+};
+
+/// The index of a body by its name.
+///
+/// Errors    `field` with the nearest name and all that there are
+Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
+                              const std::string& field);
+
+/// Bodies sun, planet, ring, carrier and so on; meshes sun_planet, planet_ring and so on.
+///
+/// Errors    a member that is missing, a set without a mesh; `fixed`, `input`, `output` that no body
+///           has
+Result<DriveGraph> graph_of(const PlanetarySpec& spec);
+
+/// The whole train, and its stages by themselves. Bodies are s1_sun, s2_gear1; what joins two stages
+/// is one body, with the name that it has in the first of them.
+Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
+
+}  // namespace gearwright
