@@ -15,9 +15,6 @@ struct Row {
   std::string_view sentence;
 };
 
-constexpr std::string_view kOnePair =
-    "planetary sets and gear trains are not supported; a spec has one pair, [gear1] and [gear2]; "
-    "write one spec for each mesh, with a negative number of teeth for an internal gear";
 constexpr std::string_view kRackMate =
     "a rack as a mating part is gear 2: [gear2] with form = \"rack\". The rack that cuts a gear is "
     "[gear1.rack]";
@@ -46,9 +43,6 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear#.measured.helix_deg", "",
      "the reading of the helix angle is helix_angle_deg, at the reference cylinder"},
     {"measured", "", "readings belong to a gear: [gear1.measured]"},
-    {"planetary", "", kOnePair},
-    {"stage", "", kOnePair},
-    {"drive", "", kOnePair},
     {"search.kind", "",
      "a search finds pairs of gears; planetary sets and trains are not supported"},
     {"*.herringbone", "", kOneHelix},

@@ -1,5 +1,7 @@
 #include "gearwright/catalogue/pair_keys.hpp"
 
+#include "gearwright/catalogue/inspection_keys.hpp"
+
 namespace gearwright {
 
 namespace {

@@ -30,6 +30,7 @@ std::string_view unit_text(Unit unit) {
     case Unit::kilowatt: return "kW";
     case Unit::megapascal: return "N/mm²";
     case Unit::per_minute: return "1/min";
+    case Unit::hertz: return "Hz";
     case Unit::newton_per_mm: return "N/mm";
     case Unit::newton_per_mm_um: return "N/(mm µm)";
     case Unit::newton_per_um: return "N/µm";
@@ -58,6 +59,7 @@ std::string_view unit_suffix(Unit unit) {
     case Unit::kilowatt: return "_kW";
     case Unit::megapascal: return "_MPa";
     case Unit::per_minute: return "_rpm";
+    case Unit::hertz: return "_hz";
     case Unit::newton_per_mm: return "_N_per_mm";
     case Unit::celsius: return "_C";
     case Unit::kg: return "_kg";
@@ -83,6 +85,7 @@ int digits_of(const QuantityInfo& info) {
     case Unit::newton:
     case Unit::newton_metre:
     case Unit::per_minute: return 1;
+    case Unit::hertz: return 3;
     case Unit::kilowatt:
     case Unit::newton_per_mm:
     case Unit::megapascal: return 2;

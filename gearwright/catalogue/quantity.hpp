@@ -34,6 +34,7 @@ enum class Unit {
   kilowatt,
   megapascal,
   per_minute,
+  hertz,
   newton_per_mm,
   newton_per_mm_um,  ///< stiffness of a mesh per face width
   newton_per_um,

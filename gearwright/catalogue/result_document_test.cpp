@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -49,6 +50,9 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"pair", &pair_quantities().table()},
       {"rack", &rack_quantities().table()},
       {"rack_pair", &rack_pair_quantities().table()},
+      {"drive", &drive_quantities().table()},
+      {"drive.bodies", &drive_body_quantities().table()},
+      {"drive.meshes", &drive_mesh_quantities().table()},
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},

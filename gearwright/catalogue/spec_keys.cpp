@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/rack_bar_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
@@ -14,6 +15,14 @@ Key table_key(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
   Key k = Key::part(key, table, std::move(place), meaning);
   k.in_documents = true;
   return k;
+}
+
+Key stage_key() {
+  return {.key = "stage",
+          .kind = KeyKind::table,
+          .list = KeyList{.least = 1, .most = 100},
+          .tables = {stage_keys},
+          .meaning = "the stages of a train, for the verb drive"};
 }
 
 Key gear_2_key() {
@@ -47,7 +56,9 @@ const KeyTable& spec_keys() {
        table_key("rating", rating_keys, &SpecTables::rating,
                  "settings of the verb rate: load, life, accuracy, mounting"),
        table_key("fit", fit_keys, &SpecTables::fit, "what the verb fit is asked"),
-       table_key("search", search_keys, {}, "what a design search is asked")}};
+       table_key("search", search_keys, {}, "what a design search is asked"),
+       table_key("planetary", planetary_keys, {}, "a planetary set, for the verb drive"),
+       stage_key(), table_key("drive", drive_keys, {}, "a drive as a graph, for the verb drive")}};
   return table;
 }
 

@@ -214,7 +214,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
      "the clipped ε_α is below 1, and the overlap compensates for it; the message has the least "
      "face width"},
-    {C::self_locking, "self_locking", kNote, "the named gear cannot drive with this friction"},
+    {C::self_locking, "self_locking", kNote,
+     "the named gear, or the end of a drive, cannot drive with this friction"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
@@ -265,17 +266,18 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the reason"},
     // Of whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
-     "of the verb drive: no profile shift brings the meshes of a planet to one centre distance, or "
-     "an idler finds no place",
+     "verb drive: no profile shift brings the meshes of a planet to one centre distance, or an "
+     "idler "
+     "finds no place",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
-     "of the verb drive: the tip circles of neighbouring planets overlap, or there are fewer places "
-     "than planets",
+     "verb drive: the tip circles of neighbouring planets overlap, or there are fewer places than "
+     "planets",
      "neighbouring planets cut each other"},
     {C::unequal_spacing, "unequal_spacing", kCaution,
-     "of the verb drive: planets do not stand at equal pitch", "the planets stand at unequal pitch"},
+     "verb drive: planets do not stand at equal pitch", "the planets stand at unequal pitch"},
     {C::redundant_meshes, "redundant_meshes", kCaution,
-     "of the verb drive: a closed loop of meshes shares its torque by compliance; no torques",
+     "verb drive: a closed loop of meshes shares its torque by compliance; no torques are computed",
      "a closed loop of meshes has no torques without compliance"},
 }};
 

@@ -8,6 +8,7 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -136,14 +137,17 @@ Json error_schema() {
 }  // namespace
 
 std::vector<const QuantityTable*> result_tables() {
-  return with_inner_tables(
-      {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
-       &outline_quantities().table(), &pair_quantities().table(), &rack_quantities().table(),
-       &rack_pair_quantities().table(), &contact_quantities().table(),
-       &compensate_quantities().table(), &load_quantities().table(), &rating_quantities().table(),
-       &fit_quantities().table(), &identify_quantities().table(), &drawing_quantities().table(),
-       &search_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
-       &verdict_quantities().table()});
+  return with_inner_tables({&gear_quantities().table(),       &measure_quantities().table(),
+                            &as_rack_quantities().table(),    &outline_quantities().table(),
+                            &pair_quantities().table(),       &rack_quantities().table(),
+                            &rack_pair_quantities().table(),  &drive_quantities().table(),
+                            &drive_body_quantities().table(), &drive_mesh_quantities().table(),
+                            &contact_quantities().table(),    &compensate_quantities().table(),
+                            &load_quantities().table(),       &rating_quantities().table(),
+                            &fit_quantities().table(),        &identify_quantities().table(),
+                            &drawing_quantities().table(),    &search_quantities().table(),
+                            &file_quantities().table(),       &warning_quantities().table(),
+                            &verdict_quantities().table()});
 }
 
 Json result_schema() {
@@ -170,6 +174,7 @@ Json result_schema() {
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;
+  properties["drive"] = schema.reference(drive_quantities().table());
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
   properties["load"] = schema.reference(load_quantities().table());

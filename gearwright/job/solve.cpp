@@ -27,6 +27,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
 }  // namespace
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {
+  if (spec.drive) return "";
   if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
   if (!spec.has(2)) return "";
   // A fit finds the place, helices and shifts.
@@ -42,6 +43,9 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
     return absent_input("gear1.normal_module",
                         "; the spec contains readings of an unknown gear; run gearwright identify, "
                         "whose --take 1 writes a spec for this verb");
+  }
+  if (spec.drive) {
+    return Error{"", "", "the spec describes a drive, which the verb drive computes"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",

@@ -12,6 +12,7 @@
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -185,6 +186,8 @@ Result<Answer> run_fit(const JobSpec& spec, Progress* progress) {
   return answer;
 }
 
+Result<Answer> run_drive(const JobSpec& spec, Progress*) { return answer_drive(spec); }
+
 using Take = Verb::Take;
 
 constexpr Verb kVerbs[] = {
@@ -210,6 +213,10 @@ constexpr Verb kVerbs[] = {
      "Strength by ISO 6336: every factor with its place in the standard, stresses, safeties",
      "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, false, Take::none, "",
      run_rate},
+    {"drive",
+     "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash",
+     "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
+     Take::none, "", run_drive},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
      Take::none, "", run_measure},

@@ -84,7 +84,8 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
 
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   std::vector<Error> missing;
-  if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1])
+  if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1] ||
+      spec.drive)
     return missing;
   const bool two = spec.given.contains("gear2");
   const bool torque = !spec.load.torques.empty();

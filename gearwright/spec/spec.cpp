@@ -13,6 +13,7 @@
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_search.hpp"
@@ -155,7 +156,12 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   };
   spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
   const bool unknown = spec.measured[0] || spec.measured[1];
-  if (!gear_1 && !search && !unknown) {
+  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // spec/read_drive.cpp
+  if (is_drive(tree)) {
+    for (const char* table : {"gear1", "gear2", "pair", "search"})
+      t.refuse(table, "a spec has a drive or a pair of gears, not both");
+    lacks.of([&] { spec.drive = std::make_shared<const DriveInput>(read_drive(tree, folder)); });
+  } else if (!gear_1 && !search && !unknown) {
     lacks.add({absent_input("gear1",
                             "; a spec describes a gear in a table [gear1] with at least "
                             "teeth and normal_module_mm")});

@@ -23,6 +23,7 @@
 namespace gearwright {
 
 struct IdentifyProblem;  // inspection/identify.hpp
+struct DriveInput;       // drive/drive.hpp
 struct SpecTree;         // spec/parse_spec.hpp
 
 struct JobSpec : SpecTables {
@@ -30,6 +31,7 @@ struct JobSpec : SpecTables {
   /// The same as a tree of tables, with what gear 2 has from gear 1; null in a spec that was not read.
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;              ///< the paths of the keys in the text
+  std::shared_ptr<const DriveInput> drive;  ///< null: the spec has no drive
   std::optional<RackBar> rack;  ///< gear 2 is a rack, and `gears` has the pinion alone
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.

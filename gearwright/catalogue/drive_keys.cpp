@@ -1,0 +1,192 @@
+#include "gearwright/catalogue/drive_keys.hpp"
+
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMostTeeth = 100'000;
+constexpr std::string_view kBodies = "a body or a list of bodies";
+constexpr std::string_view kMembers = "a number, or a table of numbers by member";
+constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
+
+// A key whose value has several forms; the reader has code for it.
+Key formed(std::string_view key, std::string_view symbol, std::string_view form,
+           std::string_view fallback, std::string_view meaning) {
+  const bool required = fallback == kRequired;
+  return {.key = key,
+          .symbol = symbol,
+          .kind = KeyKind::any,
+          .form = std::string(form),
+          .required = required,
+          .fallback = required ? std::string_view() : fallback,
+          .meaning = meaning};
+}
+
+Key tables_key(std::string_view key, const KeyTable& (*table)(), std::string_view meaning) {
+  return {.key = key,
+          .kind = KeyKind::table,
+          .list = KeyList{.least = 1, .most = 1000},
+          .tables = {table},
+          .meaning = meaning};
+}
+
+Key member(SetMember which, std::string_view meaning, bool ring = false) {
+  return Key::number(
+      to_string(which), "z",
+      ring ? KeyRange{.lo = -kMostTeeth, .hi = kMostTeeth, .zero = false}
+           : KeyRange::between(1, kMostTeeth),
+      KeyPlace::within<PlanetarySpec>([which](auto& set) -> auto& { return set.z(which); }), "",
+      meaning);
+}
+
+Key fixed_key() { return formed("fixed", "", kBodies, "the ring", "what is held"); }
+Key speed_key() {
+  return formed("speed_rpm", "n", "a number, or a list in the order of the inputs", "",
+                "speed of the input");
+}
+Key torque_key() {
+  return formed("torque_Nm", "T", "a number, or a list in the order of the inputs", "",
+                "torque on the input");
+}
+
+template <class Input>
+Key spacing_key(Spacing Input::*place) {
+  return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place,
+                   "\"nearest\"",
+                   "how the planets stand: at equal pitch if they assemble, else at the nearest "
+                   "places; or an error if they do not; or clocked; or in opposite pairs");
+}
+
+}  // namespace
+
+const KeyTable& planetary_keys() {
+  using P = PlanetarySpec;
+  static const KeyTable table{
+      "planetary",
+      "A planetary set; the members that are present make it",
+      {member(SetMember::sun, "number of teeth of the sun"),
+       member(SetMember::sun2, "that of a second sun, which meshes with `planet2` or `planet`"),
+       member(SetMember::planet, "that of the planet"),
+       member(SetMember::planet2, "that of the second gear of a stepped planet"),
+       member(SetMember::ring, "that of the ring, of either sign", true),
+       member(SetMember::ring2, "that of a second ring, which meshes with `planet2` or `planet`",
+              true),
+       member(SetMember::idler, "that of an idler between sun and planet"),
+       Key::number("planets", "N", KeyRange::between(1, 1000), &P::planets, "1",
+                   "number of planets"),
+       Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &P::normal_module,
+                   "no geometry", "normal module"),
+       Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60),
+                   &P::normal_pressure_angle, "20", "normal pressure angle"),
+       formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun"),
+       formed("profile_shift", "x", kMembers, "as it follows", "profile shift"),
+       formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
+       formed("face_width_mm", "b", kMembers, "10 m_n", "face width"),
+       formed("tip_diameter_mm", "d_a", kMembers, "of the basic rack", "tip diameter"),
+       formed("center_distance_mm", "a", kMeshes, "the tight one of the first mesh",
+              "centre distance"),
+       formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
+              "efficiency of the meshes with the carrier at rest, from 0 to 1"),
+       Key::not_negative("friction_coefficient", "μ", &P::friction, "0.05",
+                         "coefficient of friction of the flanks"),
+       fixed_key(),
+       formed("input", "", kBodies, "the sun", "what drives"),
+       Key::text("output", &P::output, "the carrier", "what is driven"),
+       speed_key(),
+       torque_key(),
+       spacing_key(&P::spacing),
+       Key::number("positions_deg", "", {}, &P::positions_deg, "by `spacing`",
+                   "places of the planets round the carrier, counter-clockwise from the first")
+           .with_list({1, 1000})}};
+  return table;
+}
+
+const KeyTable& stage_keys() {
+  static const KeyTable table{
+      "stage",
+      "A stage of a train, from the input to the output: a pair of gears or a set",
+      {formed("teeth", "z", "two numbers, of a ring negative", "", "numbers of teeth of a pair"),
+       formed("gears", "", "two tables as [gear1]", "", "the two gears with their own keys"),
+       Key::part("planetary", planetary_keys, {}, "a planetary set")
+           .with_excludes({"teeth", "gears"}),
+       Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), {}, "no geometry",
+                   "normal module"),
+       Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60), {}, "20",
+                   "normal pressure angle"),
+       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89), {}, "0",
+                   "helix angle of the first gear"),
+       Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
+       Key::positive("center_distance_mm", "a", {}, "the tight one", "centre distance"),
+       formed("profile_shift", "x", "a list of two numbers", "as it follows", "profile shifts"),
+       formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
+              "thickness allowances"),
+       formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
+              "efficiency of the mesh, from 0 to 1")}};
+  return table;
+}
+
+const KeyTable& drive_keys() {
+  static const KeyTable table{
+      "drive",
+      "A drive as a graph of bodies, gears and meshes, to which the other forms expand",
+      {fixed_key(), formed("input", "", kBodies, "", "what drives"),
+       formed("output", "", "a body", "", "what is driven"), speed_key(), torque_key(),
+       spacing_key(&DriveGraph::spacing),
+       Key::not_negative("friction_coefficient", "μ", &DriveGraph::friction, "0.05",
+                         "coefficient of friction of the flanks"),
+       tables_key("body", drive_body_keys, "a body that turns or moves"),
+       tables_key("gear", drive_gear_keys, "a gear on a body"),
+       tables_key("mesh", drive_mesh_keys, "two gears that mesh")}};
+  return table;
+}
+
+const KeyTable& drive_body_keys() {
+  static const KeyTable table{
+      "drive_body",
+      "A body of the graph",
+      {Key::text("name", &DriveBody::name, kRequired, "name of the body"),
+       formed("rides_on", "", "a body", "the housing", "the carrier of a planet"),
+       Key::number("count", "N", KeyRange::between(1, 1000), &DriveBody::count, "1",
+                   "number of copies of a planet"),
+       Key::number("positions_deg", "", {}, &DriveBody::positions_deg, "by `spacing`",
+                   "places of the copies round the carrier")
+           .with_list({1, 1000})}};
+  return table;
+}
+
+const KeyTable& drive_gear_keys() {
+  static const KeyTable table{
+      "drive_gear",
+      "A gear of the graph, with keys of [gear1]",
+      {Key::text("name", &DriveGear::name, kRequired, "name of the gear"),
+       formed("body", "", "a body", kRequired, "the body that it sits on"),
+       Key::number("teeth", "z", KeyRange{.lo = -kMostTeeth, .hi = kMostTeeth, .zero = false},
+                   &DriveGear::teeth, kRequired, "number of teeth, negative for a ring"),
+       Key::word("form", {"gear", "rack"}, {}, "\"gear\"", "\"rack\": its body moves"),
+       *gear_keys().find("normal_module_mm"), *gear_keys().find("normal_pressure_angle_deg"),
+       *gear_keys().find("helix_angle_deg"),
+       Key::number("profile_shift", "x", {}, &DriveGear::shift, "as it follows", "profile shift"),
+       Key::number("thickness_allowance_mm", "E_sn", {}, {}, "0", "thickness allowance"),
+       Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
+       Key::positive("tip_diameter_mm", "d_a", {}, "of the basic rack", "tip diameter")}};
+  return table;
+}
+
+const KeyTable& drive_mesh_keys() {
+  static const KeyTable table{
+      "drive_mesh",
+      "A mesh of the graph",
+      {formed("gears", "", "two gears", kRequired, "the gears that mesh"),
+       Key::text("name", &DriveMesh::name, "the names of the gears, a_b", "name of the mesh"),
+       Key::positive("center_distance_mm", "a", &DriveMesh::center_distance, "the tight one",
+                     "centre distance"),
+       Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
+                   "from `friction_coefficient` and the teeth",
+                   "efficiency with the frame at rest")}};
+  return table;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,15 @@
+// The keys of a drive: [planetary], [[stage]] and the graph [drive].
+#pragma once
+
+#include "gearwright/catalogue/key.hpp"
+
+namespace gearwright {
+
+const KeyTable& planetary_keys();
+const KeyTable& stage_keys();
+const KeyTable& drive_keys();
+const KeyTable& drive_body_keys();
+const KeyTable& drive_gear_keys();
+const KeyTable& drive_mesh_keys();
+
+}  // namespace gearwright

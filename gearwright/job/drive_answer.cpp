@@ -1,0 +1,200 @@
+#include "gearwright/job/drive_answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr const char* kAbsent = "-";
+
+std::string number(const std::optional<double>& x, int decimals) {
+  return x && std::isfinite(*x) ? fixed_decimals(*x, decimals) : kAbsent;
+}
+
+std::string fraction(const Rational& r) {
+  const auto p = r.numerator(), q = r.denominator();
+  if (!p || !q) return number(r.value(), 6);
+  return *q == 1 ? fmt::format("{}", *p) : fmt::format("{}/{}", *p, *q);
+}
+
+// What a body is for: "input", "held" …
+std::string part_of(const Drive& drive, std::size_t body) {
+  if (drive.graph.is_input(body)) return "input";
+  if (drive.graph.is_fixed(body)) return "held";
+  if (drive.graph.output == body) return "output";
+  return drive.graph.bodies[body].count > 1 ? fmt::format("× {}", drive.graph.bodies[body].count)
+                                            : "";
+}
+
+std::string body_listing(const Drive& drive) {
+  const bool powered = drive.flow && !drive.flow->self_locking();
+  const auto& torque = drive.graph.torque_Nm;
+  std::string out =
+      fmt::format("\nBodies\n  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n", "", "", "speed ratio",
+                  "", "to its frame", "1/min", torque ? "torque N m" : "torque ratio");
+  for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b) {
+    const bool one = drive.graph.inputs.size() == 1;
+    const double t = powered ? drive.flow->torque[b] * torque.value_or(1.0) : 0.0;
+    out += fmt::format("  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n",
+                       printable(drive.graph.bodies[b].name, 13), part_of(drive, b),
+                       number(drive.speed_ratio(b), 6),
+                       one ? fraction(drive.motion.speeds[b][0]) : kAbsent,
+                       number(drive.relative_speed_ratio(b), 6), number(drive.speed_rpm(b), 2),
+                       powered && t != 0.0 ? fixed_decimals(t, 4) : kAbsent);
+  }
+  return out;
+}
+
+std::string mesh_listing(const Drive& drive) {
+  const bool powered = drive.flow && !drive.flow->self_locking();
+  std::string out = fmt::format("\nMeshes\n  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
+                                "", "teeth/turn", "Hz", "η", "P_m/P_in", "a mm", "ε_γ", "j_n mm");
+  const auto n = drive.speed_rpm(drive.graph.inputs.front());
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    const auto& pair = drive.geometry.pairs[m];
+    const auto teeth = drive.frequency_ratio(m);
+    const auto& eta = drive.efficiencies[m];
+    std::optional<double> power, backlash;
+    if (powered && drive.flow->power_in > 0.0)
+      power = drive.flow->mesh_power[m] / drive.flow->power_in;
+    if (pair && pair->involute()) backlash = pair->involute()->mesh.backlash.normal;
+    out +=
+        fmt::format("  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
+                    printable(drive.graph.meshes[m].name, 17), number(teeth, 5),
+                    teeth && n ? fixed_decimals(*teeth * std::abs(*n) / 60, 3) : kAbsent,
+                    eta ? fixed_decimals(eta->first_drives, 5) : kAbsent, number(power, 4),
+                    number(drive.geometry.distance[m], 4),
+                    pair ? fixed_decimals(pair->contact_ratio(), 3) : kAbsent, number(backlash, 4));
+  }
+  return out;
+}
+
+std::string shift_listing(const Drive& drive) {
+  std::string list;
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g)
+    if (const auto& x = drive.geometry.shift[g])
+      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", drive.graph.gears[g].name,
+                          fixed_decimals(*x, 5));
+  return list.empty() ? "" : "\nProfile shifts: " + list + "\n";
+}
+
+std::string set_listing(const PlanetSet& set) {
+  return "\nPlanets\n" +
+         quantity_listing(assembly_quantities().table(), {assembly_quantities().of(set)}, {}) +
+         "\nPhases\n" +
+         quantity_listing(phasing_quantities().table(), {phasing_quantities().of(set)}, {});
+}
+
+std::string drive_csv(const Drive& drive) {
+  std::string out = "body,speed_ratio,relative_speed_ratio,speed_rpm,torque_ratio\r\n";
+  const auto cell = [](const std::optional<double>& x) { return x ? fmt::format("{}", *x) : ""; };
+  const bool powered = drive.flow && !drive.flow->self_locking();
+  for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b)
+    out += fmt::format("{},{},{},{},{}\r\n", csv_cell(Value(drive.graph.bodies[b].name)),
+                       cell(drive.speed_ratio(b)), cell(drive.relative_speed_ratio(b)),
+                       cell(drive.speed_rpm(b)),
+                       powered ? fmt::format("{}", drive.flow->torque[b]) : "");
+  return out;
+}
+
+void add_findings(std::vector<Finding>& all, const Drive& drive) {
+  Judged whole;
+  whole.warnings = &drive.findings;
+  for (const Warning& w : drive.findings) {
+    const Severity severity = severity_of(w);
+    all.push_back({w.code,
+                   severity == Severity::problem   ? Level::red
+                   : severity == Severity::caution ? Level::amber
+                                                   : Level::green,
+                   0, w.message});
+  }
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    const auto& pair = drive.geometry.pairs[m];
+    if (!pair) continue;
+    std::vector<Warning> warnings = pair->warnings();
+    for (const int which : {1, 2})
+      for (Warning w : pair->gear(which).warnings) {
+        w.gear = which;
+        warnings.push_back(std::move(w));
+      }
+    Judged judged;
+    judged.gears = {&pair->gear(1), &pair->gear(2)};
+    judged.pair = &*pair;
+    judged.warnings = &warnings;
+    for (Finding& f : findings_of(judged)) {
+      f.message = fmt::format("{}: {}", drive.graph.meshes[m].name, f.message);
+      f.gear = 0;
+      all.push_back(std::move(f));
+    }
+  }
+}
+
+}  // namespace
+
+Verdict judge_drive(const Drive& drive) {
+  Verdict verdict;
+  add_findings(verdict.findings, drive);
+  std::stable_sort(
+      verdict.findings.begin(), verdict.findings.end(), [](const Finding& a, const Finding& b) {
+        return a.level != b.level ? a.level > b.level : a.level != Level::green && a.code < b.code;
+      });
+  if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
+  switch (verdict.level) {
+    case Level::green: verdict.headline = "The drive runs as specified."; break;
+    case Level::amber:
+      verdict.headline = "The drive runs. Check: " + verdict.findings.front().message;
+      break;
+    case Level::red:
+      verdict.headline = "The drive does not run as specified: " + verdict.findings.front().message;
+      break;
+  }
+  return verdict;
+}
+
+std::string drive_listing(const Drive& drive) {
+  std::string out =
+      quantity_listing(drive_quantities().table(), {drive_quantities().of(drive)}, {});
+  if (drive.motion.ratio && !drive.motion.ratio->whole())
+    out += "  exact ratio " + fraction(*drive.motion.ratio) + "\n";
+  out += body_listing(drive) + mesh_listing(drive) + shift_listing(drive);
+  for (const PlanetSet& set : drive.sets) out += set_listing(set);
+  return out;
+}
+
+Result<Answer> answer_drive(const JobSpec& spec) {
+  if (!spec.drive) {
+    return absent_input(
+        "planetary",
+        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
+        "planet = 25, ring = 70 and planets = 3 for example");
+  }
+  auto made = make_drive(*spec.drive);
+  if (!made) return of_drive_table(made.error(), spec.tree->tables);
+  const auto drive = std::make_shared<const Drive>(std::move(made).take());
+  Answer answer;
+  answer.record = titled_record(spec);
+  answer.record["drive"] = to_json(drive_quantities().of(*drive));
+  answer.warnings = drive->findings;
+  answer.verdict = judge_drive(*drive);
+  const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
+  answer.listing = [drive, title] { return title + drive_listing(*drive); };
+  answer.csv = [drive] { return drive_csv(*drive); };
+  return answer;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,385 @@
+#include "gearwright/spec/read_drive.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/catalogue/drive_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/drive/short_forms.hpp"
+#include "gearwright/spec/read_gear.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr SetMember kMembers[] = {SetMember::sun,    SetMember::sun2,    SetMember::idler,
+                                  SetMember::planet, SetMember::planet2, SetMember::ring,
+                                  SetMember::ring2};
+// Members that one mesh joins with the planet.
+constexpr const char* kMeshes[] = {"sun_planet",  "sun_idler",   "idler_planet",
+                                   "sun2_planet", "planet_ring", "planet_ring2"};
+
+double number_of(const TableReader& t, const std::string& key, const Json& value) {
+  if (!value.is_number()) t.fail(key, "must be a number, or a table of numbers by name");
+  return value.get<double>();
+}
+
+// One number, or a table of numbers by names: `set(name, number)` is false for an unknown name.
+void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
+                const std::vector<std::string>& known,
+                const std::function<void(const std::string&, double)>& set) {
+  const Json* value = t.any(key);
+  if (!value) return;
+  if (!value->is_object()) {
+    all = number_of(t, key, *value);
+    return;
+  }
+  for (const auto& [name, number] : value->items()) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw SpecError{{t.name(key) + "." + printable(name, 40), shown(number),
+                       fmt::format("there is no such name; there are {}", fmt::join(known, ", "))}};
+    }
+    set(name, number_of(t, key, number));
+  }
+}
+
+void read_members(TableReader& t, const std::string& key, PerMember& to) {
+  std::vector<std::string> known;
+  for (const SetMember m : kMembers) known.emplace_back(to_string(m));
+  read_named(t, key, to.all, known, [&](const std::string& name, double value) {
+    for (const SetMember m : kMembers)
+      if (name == to_string(m)) to.each[static_cast<std::size_t>(m)] = value;
+  });
+}
+
+void read_meshes(TableReader& t, const std::string& key, PerMesh& to) {
+  read_named(t, key, to.all, {std::begin(kMeshes), std::end(kMeshes)},
+             [&](const std::string& name, double value) { to.each.emplace_back(name, value); });
+}
+
+void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
+  const auto check = [&](double eta) {
+    if (!(eta > 0.0 && eta <= 1.0))
+      t.fail("mesh_efficiency", "must be greater than 0 and at most 1");
+  };
+  if (meshes.all) check(*meshes.all);
+  for (const auto& [name, eta] : meshes.each) check(eta);
+}
+
+// A name or a list of names; none: absent.
+std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key) {
+  const Json* value = t.any(key);
+  if (!value) return std::nullopt;
+  std::vector<std::string> names;
+  for (const Json& item : value->is_array() ? *value : Json::array({*value})) {
+    if (!item.is_string()) t.fail(key, "must be the name of a body, or a list of names");
+    names.push_back(item.get<std::string>());
+  }
+  return names;
+}
+
+std::vector<double> read_list(TableReader& t, const std::string& key) {
+  const Json* value = t.any(key);
+  std::vector<double> numbers;
+  if (!value) return numbers;
+  for (const Json& item : value->is_array() ? *value : Json::array({*value})) {
+    if (!item.is_number()) t.fail(key, "must be a number, or a list of numbers");
+    numbers.push_back(item.get<double>());
+  }
+  return numbers;
+}
+
+// Speeds and the torque of the inputs; of several torques the first one counts.
+void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque) {
+  speeds = read_list(t, "speed_rpm");
+  const std::vector<double> torques = read_list(t, "torque_Nm");
+  if (torques.size() > 1)
+    t.fail("torque_Nm", "give one torque: those of the other bodies follow from it");
+  if (!torques.empty()) torque = torques.front();
+}
+
+PlanetarySpec read_set(const Json& node, const std::string& path) {
+  TableReader t(planetary_keys(), node, path);
+  PlanetarySpec set;
+  t.read(set);
+  read_members(t, "helix_angle_deg", set.helix_deg);
+  read_members(t, "profile_shift", set.profile_shift);
+  read_members(t, "thickness_allowance_mm", set.allowance);
+  read_members(t, "face_width_mm", set.face_width);
+  read_members(t, "tip_diameter_mm", set.tip_diameter);
+  read_meshes(t, "center_distance_mm", set.center_distance);
+  read_meshes(t, "mesh_efficiency", set.efficiency);
+  check_efficiencies(t, set.efficiency);
+  set.fixed = read_names(t, "fixed");
+  set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
+  read_input_loads(t, set.speeds_rpm, set.torque_Nm);
+  t.finish();
+  return set;
+}
+
+// Numbers of a stage that a set of its own leaves out.
+Json set_of_stage(TableReader& t, const Json& node) {
+  Json set = *t.table("planetary");
+  for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
+                          "face_width_mm", "center_distance_mm", "mesh_efficiency"}) {
+    if (node.contains(key) && !set.contains(key)) set[key] = node[key];
+  }
+  return set;
+}
+
+std::array<std::optional<double>, 2> read_two(TableReader& t, const std::string& key) {
+  const std::vector<double> list = read_list(t, key);
+  if (list.empty()) return {};
+  if (list.size() > 2) t.fail(key, "must be a number, or two numbers, one for each gear");
+  return {list.front(), list.back()};
+}
+
+void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
+                      const std::filesystem::path& folder) {
+  if (!gears.is_array() || gears.size() != 2)
+    t.fail("gears", "must be a list of two tables, each as [gear1]");
+  for (const std::size_t i : {0, 1}) {
+    const GearInput gear =
+        read_gear(gear_keys(), gears[i], fmt::format("{}[{}]", t.name("gears"), i + 1),
+                  &gears[1 - i], folder);
+    pair.teeth[i] = gear.cylindrical.teeth;
+    pair.specs[i] = gear.cylindrical;
+    pair.shifts[i] = gear.profile_shift;
+  }
+}
+
+void read_teeth(TableReader& t, PairStage& pair) {
+  const std::vector<double> teeth = read_list(t, "teeth");
+  const auto whole = [](double z) { return z == std::round(z) && z != 0.0 && std::abs(z) <= 1e5; };
+  if (teeth.empty())
+    t.fail_absent("teeth", "; a stage has two gears, teeth = [19, 58] for example");
+  if (teeth.size() != 2 || !std::all_of(teeth.begin(), teeth.end(), whole) || teeth[0] < 0)
+    t.fail("teeth", "must be two whole numbers, of which the second is negative for a ring");
+  pair.teeth = {static_cast<int>(teeth[0]), static_cast<int>(teeth[1])};
+  pair.shifts = read_two(t, "profile_shift");
+  const auto module = t.number("normal_module_mm");
+  const auto alpha = t.number("normal_pressure_angle_deg");
+  const double beta = t.number("helix_angle_deg").value_or(0.0);
+  const auto face = t.number("face_width_mm");
+  const auto allowance = read_two(t, "thickness_allowance_mm");
+  if (!module) return;
+  for (const std::size_t i : {0, 1}) {
+    CylindricalSpec spec;
+    spec.teeth = pair.teeth[i];
+    spec.normal_module = *module;
+    spec.normal_pressure_angle = Angle::degrees(alpha.value_or(20.0));
+    spec.helix_angle = Angle::degrees(i == 0 || pair.teeth[1] < 0 ? beta : -beta);
+    spec.face_width = face.value_or(10 * *module);
+    spec.thickness_allowance = allowance[i].value_or(0.0);
+    pair.specs[i] = spec;
+  }
+}
+
+StageSpec read_stage(const Json& node, const std::string& path,
+                     const std::filesystem::path& folder) {
+  TableReader t(stage_keys(), node, path);
+  StageSpec stage;
+  if (t.has("planetary")) {
+    stage.planetary = read_set(set_of_stage(t, node), path + ".planetary");
+    for (const Key& key : stage_keys().keys) t.any(std::string(key.key));
+    t.finish();
+    return stage;
+  }
+  const Json* gears = t.any("gears");
+  if (gears) {
+    t.refuse("teeth", "the gears have their own numbers of teeth");
+    read_whole_gears(t, *gears, stage.pair, folder);
+  } else {
+    read_teeth(t, stage.pair);
+  }
+  stage.pair.center_distance = t.number("center_distance_mm");
+  const auto eta = read_list(t, "mesh_efficiency");
+  if (!eta.empty()) {
+    PerMesh meshes{eta.front(), {}};
+    check_efficiencies(t, meshes);
+    stage.pair.efficiency = eta.front();
+  }
+  for (const Key& key : stage_keys().keys) t.any(std::string(key.key));
+  t.finish();
+  return stage;
+}
+
+const Json& list_of(TableReader& t, const std::string& key) {
+  static const Json kNone = Json::array();
+  const Json* value = t.any(key);
+  if (!value) return kNone;
+  const bool tables = value->is_array() && std::all_of(value->begin(), value->end(),
+                                                       [](const Json& i) { return i.is_object(); });
+  if (!tables) t.fail(key, fmt::format("must be a list of tables, [[{}]]", t.name(key)));
+  return *value;
+}
+
+std::size_t place_of(const std::vector<std::string>& names, const std::string& name,
+                     const std::string& field, const char* what) {
+  const auto it = std::find(names.begin(), names.end(), name);
+  if (it != names.end()) return static_cast<std::size_t>(it - names.begin());
+  throw SpecError{{field, printable(name, 40),
+                   fmt::format("there is no such {}; there are {}", what, fmt::join(names, ", "))}};
+}
+
+std::string text_at(TableReader& t, const std::string& key) {
+  const Json* value = t.any(key);
+  if (!value || !value->is_string()) t.fail(key, "must be a name");
+  return value->get<std::string>();
+}
+
+template <class Item>
+void check_names(const std::vector<Item>& items, const std::string& table) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (items[i].name == items[k].name)
+        throw SpecError{{fmt::format("{}[{}].name", table, i + 1), printable(items[i].name, 40),
+                         "is the name of another one already"}};
+}
+
+void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& names) {
+  const Json& list = list_of(t, "body");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    TableReader body(drive_body_keys(), list[i], fmt::format("{}[{}]", t.name("body"), i + 1));
+    graph.bodies.emplace_back();
+    body.read(graph.bodies.back());
+    body.any("rides_on");
+    body.finish();
+    names.push_back(graph.bodies.back().name);
+  }
+  check_names(graph.bodies, t.name("body"));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].contains("rides_on")) continue;
+    TableReader body(drive_body_keys(), list[i], fmt::format("{}[{}]", t.name("body"), i + 1));
+    graph.bodies[i].carrier =
+        place_of(names, text_at(body, "rides_on"), body.name("rides_on"), "body");
+  }
+}
+
+void read_gears(TableReader& t, DriveGraph& graph, const std::vector<std::string>& bodies) {
+  const Json& list = list_of(t, "gear");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    TableReader g(drive_gear_keys(), list[i], fmt::format("{}[{}]", t.name("gear"), i + 1));
+    DriveGear gear;
+    g.read(gear);
+    gear.body = place_of(bodies, text_at(g, "body"), g.name("body"), "body");
+    gear.rack = g.word("form").value_or("gear") == "rack";
+    CylindricalSpec spec;
+    const auto module = g.number("normal_module_mm");
+    spec.teeth = gear.teeth;
+    spec.normal_pressure_angle =
+        Angle::degrees(g.number("normal_pressure_angle_deg").value_or(20.0));
+    spec.helix_angle = Angle::degrees(g.number("helix_angle_deg").value_or(0.0));
+    spec.thickness_allowance = g.number("thickness_allowance_mm").value_or(0.0);
+    spec.face_width = g.number("face_width_mm").value_or(10 * module.value_or(0.0));
+    spec.tip_diameter = g.number("tip_diameter_mm");
+    g.finish();
+    if (module) {
+      spec.normal_module = *module;
+      gear.spec = spec;
+    }
+    graph.gears.push_back(std::move(gear));
+  }
+  check_names(graph.gears, t.name("gear"));
+}
+
+void read_graph_meshes(TableReader& t, DriveGraph& graph) {
+  std::vector<std::string> gears;
+  for (const DriveGear& gear : graph.gears) gears.push_back(gear.name);
+  const Json& list = list_of(t, "mesh");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    TableReader m(drive_mesh_keys(), list[i], fmt::format("{}[{}]", t.name("mesh"), i + 1));
+    DriveMesh mesh;
+    m.read(mesh);
+    const auto two = read_names(m, "gears");
+    m.finish();
+    if (!two || two->size() != 2) m.fail("gears", "must be the names of two gears");
+    for (const std::size_t k : {0, 1})
+      mesh.gears[k] = place_of(gears, (*two)[k], m.name("gears"), "gear");
+    if (mesh.name.empty()) mesh.name = (*two)[0] + "_" + (*two)[1];
+    graph.meshes.push_back(std::move(mesh));
+  }
+  check_names(graph.meshes, t.name("mesh"));
+}
+
+DriveGraph read_graph(const Json& node) {
+  TableReader t(drive_keys(), node, "drive");
+  DriveGraph graph;
+  t.read(graph);
+  std::vector<std::string> bodies;
+  read_bodies(t, graph, bodies);
+  read_gears(t, graph, bodies);
+  read_graph_meshes(t, graph);
+  const auto places = [&](const std::string& key) {
+    std::vector<std::size_t> list;
+    for (const std::string& name : read_names(t, key).value_or(std::vector<std::string>()))
+      list.push_back(place_of(bodies, name, t.name(key), "body"));
+    return list;
+  };
+  graph.fixed = places("fixed");
+  graph.inputs = places("input");
+  const auto output = places("output");
+  read_input_loads(t, graph.speeds_rpm, graph.torque_Nm);
+  t.finish();
+  if (graph.inputs.empty()) t.fail_absent("input", "; it is the body that drives");
+  if (output.size() != 1) t.fail_absent("output", "; it is the one body that is driven");
+  graph.output = output.front();
+  return graph;
+}
+
+template <class T>
+T taken(Result<T> made, const Json& tree) {
+  if (!made) throw SpecError{of_drive_table(made.error(), tree)};
+  return std::move(made).take();
+}
+
+}  // namespace
+
+bool is_drive(const Json& tree) { return has_any(tree, {"planetary", "stage", "drive"}); }
+
+DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
+  const char* first = nullptr;
+  for (const char* table : {"planetary", "stage", "drive"}) {
+    if (!tree.contains(table)) continue;
+    if (first)
+      throw SpecError{{table, "", fmt::format("a spec has one drive; it has [{}] already", first)}};
+    first = table;
+  }
+  if (tree.contains("planetary")) {
+    if (!tree["planetary"].is_object())
+      throw SpecError{{"planetary", shown(tree["planetary"]), "must be a table, [planetary]"}};
+    return {taken(graph_of(read_set(tree["planetary"], "planetary")), tree)};
+  }
+  if (tree.contains("drive")) {
+    if (!tree["drive"].is_object())
+      throw SpecError{{"drive", shown(tree["drive"]), "must be a table, [drive]"}};
+    return {read_graph(tree["drive"])};
+  }
+  std::vector<StageSpec> stages;
+  const Json& list = tree["stage"];
+  if (!list.is_array() || list.empty())
+    throw SpecError{{"stage", shown(list), "must be a list of tables, [[stage]]"}};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string path = fmt::format("stage[{}]", i + 1);
+    if (!list[i].is_object()) throw SpecError{{path, shown(list[i]), "must be a table, [[stage]]"}};
+    stages.push_back(read_stage(list[i], path, folder));
+  }
+  return taken(train_of(stages), tree);
+}
+
+Error of_drive_table(Error error, const Json& tree) {
+  constexpr std::string_view kGraph = "drive.";
+  if (error.field.starts_with(kGraph) && !tree.contains("drive")) {
+    const char* own = tree.contains("planetary") ? "planetary" : "stage";
+    error.field = std::string(own) + "." + error.field.substr(kGraph.size());
+  }
+  return error;
+}
+
+}  // namespace gearwright
