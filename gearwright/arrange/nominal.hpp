@@ -1,5 +1,5 @@
-// The gears and the pair at the mean of their tolerances, which need not be known. Internal to
-// arrange/.
+// The gears and the pair at the mean of their tolerances, which need not be known.
+// Internal to arrange/.
 #pragma once
 
 #include "gearwright/arrange/arrange.hpp"

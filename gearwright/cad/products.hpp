@@ -1,5 +1,5 @@
-// Products of a STEP file: the tree in a CAD system, and the position of each solid. Internal to
-// cad/.
+// Products of a STEP file: the tree in a CAD system, and the position of each solid.
+// Internal to cad/.
 //
 // A single solid in its own frame is one product, a part. Otherwise there is an assembly, whose
 // components are the parts, each placed by its pose: product structure and geometry both contain

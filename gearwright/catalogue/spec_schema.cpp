@@ -122,7 +122,8 @@ Json table_schema(const KeyTable& table) {
 
 Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
 
-// Beside [search] a gear may leave its teeth to it; else it is whole, and there is one at least.
+// A search may choose the teeth of a gear, and a drive has gears of its own. In any other spec there
+// is at least one gear, and it is complete.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});
@@ -133,7 +134,10 @@ Json gears_or_search() {
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
   Json alone = required({"gear1"});
   alone["properties"] = {{"gear1", whole}, {"gear2", second}};
-  return {{"if", required({"search"})},
+  const Json without{
+      {"anyOf",
+       {required({"search"}), required({"planetary"}), required({"stage"}), required({"drive"})}}};
+  return {{"if", without},
           {"then", {{"properties", {{"gear1", either}, {"gear2", either_second}}}}},
           {"else", std::move(alone)}};
 }

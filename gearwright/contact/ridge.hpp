@@ -1,5 +1,5 @@
-// How the gap opens about a touch on a ridge: [T8.25] of docs/theory/08-contact.md. Internal to
-// contact/.
+// How the gap opens about a touch on a ridge: [T8.25] of docs/theory/08-contact.md.
+// Internal to contact/.
 #pragma once
 
 #include "gearwright/contact/contact_point.hpp"

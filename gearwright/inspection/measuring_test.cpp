@@ -322,7 +322,7 @@ TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
     EXPECT_EQ(seat.error().field, "ball_diameter");
     EXPECT_NE(seat.error().message().find(word), std::string::npos) << seat.error().message();
   };
-  refused_for(gear, 1.0, "touches the root");
+  refused_for(gear, 1.0, "too small to touch both flanks");
   refused_for(gear, 2.6, "does not project");
   refused_for(gear, 9.0, "rests on the tips");
   EXPECT_TRUE(ball_in_space(gear, 3.5));

@@ -84,10 +84,10 @@ Result<CaseOutcome> run_case(const Json& c) {
   if (!c.contains("source") || !c["source"].is_string())
     return malformed(id, "needs \"source\": where the numbers are printed");
   const std::string verb = c.value("verb", std::string("pair"));
-  if (verb != "gear" && verb != "pair" && verb != "measure" && verb != "fit" && verb != "identify")
-    return malformed(id, fmt::format("verb \"{}\": gear, pair, measure, fit or identify", verb));
+  const Verb* const row = find_verb(verb);
+  if (!row) return malformed(id, fmt::format("verb \"{}\": {}", verb, verb_names()));
 
-  const auto spec = read_spec_tree(c["spec"]);
+  const auto spec = read_spec_tree(c["spec"], {}, row->use);
   const auto answered = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
   const Json result = answered ? *answered
                       : spec   ? error_json(spelled(answered.error(), spec->given))

@@ -28,7 +28,7 @@ namespace gearwright {
 /// Two gears as one rack describes them: equal module and pressure angle. An internal gear is the
 /// second.
 template <class T>
-using RackPair = std::array<ReferenceInput<T>, 2>;
+using ReferencePair = std::array<ReferenceInput<T>, 2>;
 
 /// Virtual number of teeth z/cos³ β. [T5.12]
 template <class T>
@@ -127,7 +127,7 @@ struct MinDistanceSeries {
 /// Domain    common m_n > 0 and 0 < α < π/2, |β| < π/2, z_1 > 0, z_2 ≠ 0; an internal gear has more
 ///           virtual teeth than its pinion and the same helix angle (contract)
 template <class T>
-MinDistanceSeries<T> min_distance_series(const RackPair<T>& pair) {
+MinDistanceSeries<T> min_distance_series(const ReferencePair<T>& pair) {
   using std::cos;
   using std::tan;
   const auto& [g1, g2] = pair;

@@ -104,8 +104,8 @@ const Golden& golden(const std::string& pair) {
   std::abort();
 }
 
-RackPair<double> pair_of(const Golden& g) {
-  RackPair<double> pair;
+ReferencePair<double> pair_of(const Golden& g) {
+  ReferencePair<double> pair;
   pair[0] = {g.z1, g.module, 20 * kDegree, g.beta1 * kDegree, g.x1, 0.0};
   pair[1] = {g.z2, g.module, 20 * kDegree, g.beta2 * kDegree, g.x2, 0.0};
   return pair;
@@ -146,7 +146,7 @@ struct Solved {
 };
 
 template <class T>
-T sum_of_involutes(const RackPair<T>& pair, const T& alpha_n) {
+T sum_of_involutes(const ReferencePair<T>& pair, const T& alpha_n) {
   T sum(0);
   for (const auto& g : pair) {
     const T base = asin(T(sin(g.helix_angle) * cos(g.normal_pressure_angle)));
@@ -158,7 +158,7 @@ T sum_of_involutes(const RackPair<T>& pair, const T& alpha_n) {
 }
 
 template <class T>
-Solved<T> by_halving(const RackPair<T>& pair) {
+Solved<T> by_halving(const ReferencePair<T>& pair) {
   using std::asin;
   const T alpha = pair[0].normal_pressure_angle;
   const T goal = sum_of_involutes(pair, alpha) +
@@ -184,9 +184,9 @@ Solved<T> by_halving(const RackPair<T>& pair) {
   return out;
 }
 
-RackPair<Exact> exact_pair(int z1, int z2, double beta1, double beta2, const Exact& sum_x) {
+ReferencePair<Exact> exact_pair(int z1, int z2, double beta1, double beta2, const Exact& sum_x) {
   const Exact degree = Exact(kDegree);
-  RackPair<Exact> pair;
+  ReferencePair<Exact> pair;
   pair[0] = {z1, Exact(2), 20 * degree, Exact(beta1) * degree, sum_x * 3 / 4, Exact(0)};
   pair[1] = {z2, Exact(2), 20 * degree, Exact(beta2) * degree, sum_x / 4, Exact(0)};
   return pair;
@@ -207,7 +207,7 @@ const Shape kShapes[] = {{9, 15, 51.6, 39.4},  {13, 27, -45, -45}, {15, 40, 35, 
 // By halving in 50 digits, the exact solution agrees with the one computed elsewhere.
 TEST(MinDistanceSeries, exact_solution_of_these_tests) {
   for (const Golden& g : golden()) {
-    RackPair<Exact> pair;
+    ReferencePair<Exact> pair;
     const Exact degree = atan(Exact(1)) / 45;
     pair[0] = {g.z1, Exact(g.module), 20 * degree, Exact(g.beta1) * degree, Exact(g.x1), Exact(0)};
     pair[1] = {g.z2, Exact(g.module), 20 * degree, Exact(g.beta2) * degree, Exact(g.x2), Exact(0)};
@@ -313,8 +313,8 @@ TEST(MinDistanceSeries, example_of_the_paper) {
 }
 
 TEST(MinDistanceSeries, allowances_count_as_shifts) {
-  RackPair<double> plain = pair_of(golden("crossed90_lefthand"));
-  RackPair<double> thinned = plain;
+  ReferencePair<double> plain = pair_of(golden("crossed90_lefthand"));
+  ReferencePair<double> thinned = plain;
   thinned[0].thickness_allowance = -0.04;
   plain[0].profile_shift -= 0.04 / (2 * 1.5 * std::tan(20 * kDegree));
   EXPECT_NEAR(min_distance_series(thinned).L, min_distance_series(plain).L, 1e-17);
@@ -346,7 +346,7 @@ TEST(MinDistanceSeries, laws) {
     EXPECT_EQ(m.pressure_angle(3), s.pressure_angle(3));
     EXPECT_EQ(m.shaft_angle(m.L), -s.shaft_angle(s.L));
     if (g.z2 < 0) continue;
-    const auto e = min_distance_series(RackPair<double>{pair[1], pair[0]});
+    const auto e = min_distance_series(ReferencePair<double>{pair[1], pair[0]});
     EXPECT_NEAR(e.center_distance(2), s.center_distance(2), 1e-14 * g.a0);  // (3)
     EXPECT_NEAR(e.pressure_angle(3), s.pressure_angle(3), 1e-14);
     EXPECT_EQ(e.shaft_angle(e.L), s.shaft_angle(s.L));

@@ -45,8 +45,8 @@ std::optional<CrossedSample> sample_at_transverse(const InvolutePair& pair, doub
 }
 
 // The gears as one rack cut them, or nothing.
-std::optional<RackPair<double>> shared_rack(const InvolutePair& pair) {
-  RackPair<double> racks;
+std::optional<ReferencePair<double>> shared_rack(const InvolutePair& pair) {
+  ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {
     const CylindricalSpec& s = pair.gears[i].spec;
     racks[i] = {

@@ -118,7 +118,7 @@ TEST_F(ChunkStoreTest, a_changed_campaign_is_told_by_its_lines) {
                        ": search.beta was not set, is 1 = 2;"));
   EXPECT_TRUE(contains(changed("gearwright = 0.2.0\nsearch.chunk = 2000\n"),
                        ": gearwright was 0.1.0, is 0.2.0; search.chunk was 1000, is 2000; "
-                       "search.contact_ratio_min was 1.2, is not set now; and 1 more;"));
+                       "search.contact_ratio_min was 1.2 and is not set now; and 1 more;"));
   EXPECT_TRUE(contains(changed(fingerprint("1.2") + fingerprint("1.2")), "the same lines"));
   const auto names = ChunkStore::open(folder_, campaign(40), {"one"}, OpenAs::resume, "test");
   ASSERT_FALSE(names);
@@ -163,12 +163,13 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
   EXPECT_EQ(store.totals(), sum_of({0, 2}));
   EXPECT_EQ(query(folder_, "SELECT tested, bytes, writer, finished FROM chunks WHERE chunk = 2"),
             (Rows{{"1002", "274", "null", "null"}}));
-  const std::vector<std::pair<int, std::string>> told = {{1, "is 224 bytes long, not 225"},
-                                                         {3, "has a wrong checksum:"},
-                                                         {4, "has a wrong checksum in its header"},
-                                                         {5, "is chunk 2"},
-                                                         {7, "is only 0 bytes long"},
-                                                         {6, "is in the journal but not in"}};
+  const std::vector<std::pair<int, std::string>> told = {
+      {1, "is 224 bytes long, not 225"},
+      {3, "has a wrong checksum; it was renamed"},
+      {4, "has a wrong checksum in its header"},
+      {5, "is chunk 2"},
+      {7, "is only 0 bytes long"},
+      {6, "is in the journal but not in"}};
   ASSERT_EQ(store.notes().size(), told.size());
   for (std::size_t i = 0; i < told.size(); ++i) {
     const auto& [k, what] = told[i];
@@ -190,7 +191,7 @@ TEST_F(ChunkStoreTest, damage_while_it_runs) {
   EXPECT_TRUE(contains(message_of([&] { store.counts(2); }), file(2).string() + " has a wrong"));
   flip(file(3), fs::file_size(file(3)) - 1);
   EXPECT_EQ(store.counts(3), counts_of(3));  // the header is whole
-  EXPECT_TRUE(contains(message_of([&] { store.get(3); }), "wrong checksum; it is set aside"));
+  EXPECT_TRUE(contains(message_of([&] { store.get(3); }), "wrong checksum; it was renamed"));
   EXPECT_TRUE(contains(message_of([&] { store.get(3); }), "there is no such chunk"));
   EXPECT_EQ(store.missing(), (std::vector<std::int64_t>{2, 3}));
   EXPECT_EQ(store.totals(), sum_of({0, 1}));
@@ -230,9 +231,11 @@ TEST_F(ChunkStoreTest, the_chunks_outlive_the_journal) {
   for (const bool empty : {false, true}) {
     fs::remove(folder_ / "journal.sqlite");
     if (empty) write(folder_ / "journal.sqlite", "");  // killed before the first row
-    EXPECT_TRUE(contains(refusal(OpenAs::fresh, campaign(5)), "3 of 5 chunks done; --resume"));
+    EXPECT_TRUE(contains(refusal(OpenAs::fresh, campaign(5)),
+                         "3 of 5 chunks done; continue it with --resume"));
     for (const OpenAs as : {OpenAs::fresh, OpenAs::resume, OpenAs::join}) {
-      EXPECT_TRUE(contains(refusal(as, campaign(5, "1.3")), "000000.chunk is of another search"));
+      EXPECT_TRUE(
+          contains(refusal(as, campaign(5, "1.3")), "000000.chunk belongs to another search"));
     }
     EXPECT_EQ(fs::exists(folder_ / "journal.sqlite"), empty);
     ChunkStore store = opened(OpenAs::resume, campaign(5));

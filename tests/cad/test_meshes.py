@@ -116,7 +116,8 @@ def fault(file, message):
 
 
 def run(command, **options):
-    return subprocess.run([str(c) for c in command], capture_output=True, text=True, **options)
+    # admesh 0.98.4 prints bytes of its own memory after the 80 of the header, which need not be text.
+    return subprocess.run([str(c) for c in command], capture_output=True, text=True, errors="replace", **options)
 
 
 def write_files(folder, text):

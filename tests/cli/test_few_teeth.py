@@ -74,7 +74,7 @@ class Fillets(Asked):
     def test_offset(self):
         self.refused(PINION.replace("0.01", "-0.01"), "gear1.root_fillet.offset_mm", "negative", verb="gear")
         message = self.refused(PINION.replace("0.01", "5"), "gear1.root_fillet.offset_mm", "under", verb="gear")
-        greatest = float(re.search(r"just under ([0-9.]+)", message).group(1))
+        greatest = float(re.search(r"must be under ([0-9.]+)", message).group(1))
         self.ok("gear", PINION.replace("0.01", repr(greatest * (1 - 1e-9))))
         self.refused(PINION.replace("0.01", repr(greatest * (1 + 2e-5))), "gear1.root_fillet.offset_mm", verb="gear")
         without = self.ok("gear", PINION.replace("offset_mm = 0.01\n", ""))["gears"][0]

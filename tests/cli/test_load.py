@@ -72,7 +72,7 @@ class Load(unittest.TestCase):
         run = load(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
                    rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\nslices = 40\n')
         self.assertEqual(run.status, 1)
-        self.assertIn("23 would do", run.err)
+        self.assertIn("23 is sufficient", run.err)
 
     def test_shares_are_as_even_as_without_errors(self):
         helices = {"gear1": "helix_angle_deg = 15", "gear2": "helix_angle_deg = -15"}

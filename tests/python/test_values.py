@@ -197,7 +197,7 @@ def test_records():
     ({"tip_diameter": 10}, "tip_diameter_mm", "root diameter"),
     ({"modul": 2}, "modul", "module"),
     ({"rack": {"addendum": -3}}, "rack.addendum", ""),
-    ({"teeth": 10 ** 30}, "teeth", "more than"),
+    ({"teeth": 10 ** 30}, "teeth", "larger than"),
 ])
 def test_what_is_wrong_is_named(change, key, allowed):
     with pytest.raises(gw.SpecError) as e:
