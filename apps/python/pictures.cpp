@@ -7,9 +7,10 @@
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/load_report.hpp"
-#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -76,9 +77,12 @@ std::string contact_html(const ContactValue& c) {
   job.spec.contact.given = true;  // as if the spec had the table
   const auto part = part_of(job, contact_part);
   if (!part) return "<p>Nothing touches.</p>";
-  return framed("Tooth contact", "<div class=\"figures\">\n" + te_figure(part->report, false) +
-                                     te_figure(part->report, true) + "</div>\n" +
-                                     pattern_figures(part->report));
+  const ContactReport& r = part->report;
+  return framed("Tooth contact",
+                side_by_side(html_of(transmission_error_figure(r, r.driving)) +
+                             html_of(transmission_error_figure(r, r.other)) +
+                             figure_html(flank_figure(r, 0, {.pattern = &r.patterns[0]})) +
+                             figure_html(flank_figure(r, 1, {.pattern = &r.patterns[1]}))));
 }
 
 std::string page_of(const Model& source, const std::vector<const Gear*>& gears, bool contact) {

@@ -11,22 +11,6 @@ const root = resolve(here, "../..");
 /** Where the compiled engine lies: engine.js, gearwright.mjs, gearwright.wasm. */
 const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/engine"));
 
-/** The house's colours, light and dark: the first rules of the report's style sheet. */
-function palette(): Plugin {
-  const sheet = resolve(root, "gearwright/report/page/page_style.css");
-  return {
-    name: "gearwright-palette",
-    resolveId: (id) => (id === "gearwright:palette.css" ? "\0gearwright-palette.css" : null),
-    load(id) {
-      if (id !== "\0gearwright-palette.css") return null;
-      const text = readFileSync(sheet, "utf8");
-      const end = text.indexOf("*{box-sizing");
-      if (end < 0) throw new Error("page_style.css no longer begins with the palette");
-      return text.slice(0, end);
-    },
-  };
-}
-
 /** The module as emscripten writes it names its file by import.meta.url, which a worker in one file
  *  does not have; the bytes come from the page in any case. */
 function engineModule(): Plugin {
@@ -83,7 +67,7 @@ export default defineConfig(({ mode }) => ({
       "gearwright:parts": resolve(here, mode === "single" ? "src/parts_single.ts" : "src/parts_static.ts"),
     },
   },
-  plugins: [palette(), engineModule(), ...(mode === "single" ? [single()] : [])],
+  plugins: [engineModule(), ...(mode === "single" ? [single()] : [])],
   // A page from disk may not start a worker that is a module.
   worker: { format: mode === "single" ? "iife" : "es", plugins: () => [engineModule()] },
   server: { fs: { allow: [root, engine] } },

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright::figures {
 

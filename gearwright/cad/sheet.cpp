@@ -3,7 +3,7 @@
 #include <array>
 
 #include "gearwright/cad/sheet_font.hpp"
-#include "gearwright/catalogue/symbol_pieces.hpp"
+#include "gearwright/figure/symbol_pieces.hpp"
 
 namespace gearwright {
 

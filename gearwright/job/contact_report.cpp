@@ -28,12 +28,6 @@ constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
 constexpr int kMaxPositions = 1024;  // of the peak to peak beside a small picture
 
-NamedAmount named(std::size_t index, double value) {
-  const ErrorEntry& e = error_entries()[index];
-  const char* const unit = e.unit() == "deg" ? "°" : e.unit() == "um" ? "µm" : "mm";
-  return {std::string(e.words), value, unit};
-}
-
 // "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty: none.
 std::string words_of(const FlankModifications& m) {
   std::string text;
@@ -70,16 +64,6 @@ std::vector<std::string> modifications_of(const SolvedJob& job) {
   return list;
 }
 
-// Axes as mounted, in the housing.
-std::array<ContactAxis, 2> axes_of(const ContactPair& pair) {
-  const ContactMount& m = pair.place();
-  const double sigma = m.shaft_angle.rad();
-  return {{{pair.in_housing(0.0, 0.0),
-            pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))},
-           {Vec3(m.center_distance + m.errors.center_distance, 0, 0),
-            Vec3(0, std::sin(sigma), std::cos(sigma))}}};
-}
-
 // The one touching position nearest to the middle of the pitch.
 std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   std::optional<ContactPoint> best;
@@ -113,7 +97,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
     for (const double v : {value[i], -value[i]}) {
       if (v == value[i] && count == 1) continue;  // that is all of them
       if (!can_be(setup, i, v)) continue;
-      const NamedAmount n = named(i, v);
+      const NamedAmount n = named_error(i, v);
       list.push_back({n.name + " " + words_of(n), with_error(setup, {}, i, v), false});
     }
   }
@@ -147,12 +131,10 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   const bool gear2_drives = input.driver == 2;
   const ContactPair pair = answer.setup.pair(gear2_drives);
   ContactReport r;
-  for (std::size_t i = 0; i < 2; ++i) r.gears[i] = &job.pair->mounted().gears[i];
-  r.axes = axes_of(pair);
-  r.gear2_drives = gear2_drives;
-  r.marking = input.marking;
+  const auto& gears = job.pair->mounted().gears;
+  static_cast<ContactScene&>(r) =
+      contact_scene({&gears[0], &gears[1]}, pair, input.marking, answer.driving);
   r.positions = input.positions;
-  r.driving = answer.driving;
   r.other = answer.other;
   if (!input.rotations.empty() || input.pitches != 1) {
     const ContactRequest pitch{input.positions, 1, input.marking};
@@ -164,18 +146,26 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
   for (std::size_t i = 0; i < kErrorCount; ++i)
-    if (job.spec.errors.value[i] != 0.0) r.errors.push_back(named(i, job.spec.errors.value[i]));
+    if (job.spec.errors.value[i] != 0.0)
+      r.errors.push_back(named_error(i, job.spec.errors.value[i]));
   r.modifications = modifications_of(job);
   if (answer.map) {
     const auto& key = input.map->key;
     const auto& value = job.spec.errors.value;
-    r.map = ContactMap{*answer.map, {named(key[0], value[key[0]]), named(key[1], value[key[1]])}};
+    r.map = ContactMap{*answer.map,
+                       {named_error(key[0], value[key[0]]), named_error(key[1], value[key[1]])}};
   }
   r.arc_pair = job.pair->arcs();
   return r;
 }
 
 }  // namespace
+
+NamedAmount named_error(std::size_t index, double value) {
+  const ErrorEntry& e = error_entries()[index];
+  const char* const unit = e.unit() == "deg" ? "°" : e.unit() == "um" ? "µm" : "mm";
+  return {std::string(e.words), value, unit};
+}
 
 bool wants_contact(const SolvedJob& job) {
   if (!job.pair) return false;

@@ -8,6 +8,9 @@
 
 namespace gearwright {
 
+/// An error by its place in error_entries(), its value in the unit of its key.
+NamedAmount named_error(std::size_t index, double value);
+
 /// The spec has [errors], [contact] or modifications, or its pair is one of circular arcs; and there
 /// is a pair to turn.
 bool wants_contact(const SolvedJob& job);

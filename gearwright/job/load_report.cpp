@@ -48,11 +48,11 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
     auto contact = over_a_pitch(job, part.answer, progress);
     if (!contact) return contact.error();
     const bool lines = contact->regime == LoadRegime::line;
-    part.report = LoadReport{{&job.gears[0], &job.gears[1]},
-                             lines ? job.pair->involute() : nullptr,
-                             input.driver == 2,
-                             std::move(contact).take(),
-                             load_standard(job, part.answer)};
+    part.report = LoadScene{{&job.gears[0], &job.gears[1]},
+                            lines ? job.pair->involute() : nullptr,
+                            input.driver == 2,
+                            std::move(contact).take(),
+                            load_standard(job, part.answer)};
   }
   return std::optional(std::move(part));
 }

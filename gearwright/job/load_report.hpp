@@ -3,15 +3,15 @@
 
 #include <optional>
 
+#include "gearwright/figure/load_scene.hpp"
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/report/load_report.hpp"
 
 namespace gearwright {
 
 /// The report points into the job; it has a pitch of positions, whatever rotations the answer has.
 struct LoadPart {
   LoadAnalysis answer;
-  std::optional<LoadReport> report;  ///< none: only probes were asked
+  std::optional<LoadScene> report;  ///< none: only probes were asked
 };
 
 /// None where [load] asks for neither torques nor probes, and for gears that loaded contact is not

@@ -5,7 +5,10 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/report/contact_figures.hpp"
+#include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/report/arc_contact_figures.hpp"
+#include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
@@ -68,7 +71,7 @@ std::string beside(const std::string& figure, const char* words) {
 }
 
 std::string te_part(const ContactReport& report) {
-  const std::string spectrum = te_spectrum_figure(report);
+  const std::string spectrum = html_of(spectrum_figure(report.driving));
   const std::string curves =
       "<h3>Transmission error: what makes the noise</h3>\n<p>Turn gear 1 evenly, and a perfect "
       "gear "
@@ -78,7 +81,8 @@ std::string te_part(const ContactReport& report) {
       "gears. The lower and the rounder the curve, the quieter the pair; a sharp corner is a "
       "knock. "
       "The teeth are rigid here and carry no load.</p>\n" +
-      side_by_side(te_figure(report, false) + te_figure(report, true));
+      side_by_side(html_of(transmission_error_figure(report, report.driving)) +
+                   html_of(transmission_error_figure(report, report.other)));
   if (spectrum.empty())
     return curves + fmt::format("<p class=\"nopicture\">{}</p>\n",
                                 report.driving.contact_lost
@@ -111,15 +115,16 @@ std::string pattern_part(const ContactReport& report) {
              "(dashed), an <em>edge</em> works: its sharp line carries what a surface should, "
              "scrapes off the oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
-         pattern_figures(report);
+         side_by_side(figure_html(flank_figure(report, 0, {.pattern = &report.patterns[0]})) +
+                      figure_html(flank_figure(report, 1, {.pattern = &report.patterns[1]})));
 }
 
 std::string gap_part(const ContactReport& report) {
-  const std::string figure = gap_figure(report);
-  if (figure.empty()) return {};
+  if (!report.middle) return {};
+  const FlankLayers gap{.gap = &report.middle_gap, .now = &*report.middle, .way = false};
   return "<h3>Gap between the flanks</h3>\n" +
          beside(
-             figure,
+             figure_html(flank_figure(report, 0, gap)),
              "A map of the air between two teeth at one position, like the height lines of a hill "
              "turned over: at the contact point there is none. Lines far apart mean flanks that "
              "lie close over a wide area, so that load spreads; lines close together mean a "
@@ -128,20 +133,28 @@ std::string gap_part(const ContactReport& report) {
 }
 
 std::string multiples_part(const ContactReport& report) {
-  const std::string pictures = pattern_multiples(report);
-  if (pictures.empty()) return {};
+  if (report.under.empty()) return {};
+  std::string pictures;
+  for (const PatternUnder& u : report.under) {
+    const double peak = u.peak_to_peak.arcsec();
+    Figure f = small_pattern("under" + std::to_string(&u - report.under.data()), u.name, u.pattern,
+                             report.marking);
+    f.caption =
+        std::isnan(peak) ? "<br>nothing touches" : "<br>peak to peak " + shown_arcsec(peak) + "″";
+    pictures += figure_html(f, 240.0, u.as_specified ? " class=\"own\"" : "");
+  }
   return "<h3>Which error moves the pattern</h3>\n<p>The pattern on gear 1 under each error by "
          "itself, one way and the other, and under all of them together. What a fitter sees on the "
          "real gears can be compared with these: the picture it is like names the error to "
-         "correct.</p>\n" +
-         pictures;
+         "correct.</p>\n<div class=\"multiples contact\">\n" +
+         pictures + "</div>\n";
 }
 
 std::string map_part(const ContactReport& report) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
          beside(
-             map_figure(report),
+             figure_html(error_map_figure(*report.map)),
              "Each place is a pair with these two errors; its shade says how uneven its rotation "
              "is. A wide field of low values is a pair that forgives what housings and bearings "
              "do; a narrow one asks for accurate mounting. A valley that runs aslant means that "

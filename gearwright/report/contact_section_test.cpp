@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "gearwright/report/contact_figures.hpp"
+#include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 #include "gearwright/report/testing/strict_html.hpp"

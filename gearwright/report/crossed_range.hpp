@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

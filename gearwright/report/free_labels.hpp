@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/report/svg.hpp"
+#include "gearwright/figure/svg.hpp"
 
 namespace gearwright {
 

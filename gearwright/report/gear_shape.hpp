@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

@@ -2,37 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "gearwright/base/number_text.hpp"
-#include "gearwright/catalogue/symbol_pieces.hpp"
+#include "gearwright/figure/symbol_pieces.hpp"
 
 namespace gearwright {
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\'': result += "&#39;"; break;
-      case '\n':
-      case '\t': result += c; break;
-      case '\r': break;  // a line ends with its line feed
-      default:
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-          result += "\xEF\xBF\xBD";
-        } else {
-          result += c;
-        }
-    }
-  }
-  return result;
-}
 
 std::string file_link(std::string_view name) {
   std::string result = "./";  // so that a colon in the name names no protocol
@@ -46,78 +18,8 @@ std::string file_link(std::string_view name) {
   return result;
 }
 
-std::string fixed(const std::optional<double>& value, int decimals) {
-  return value && std::isfinite(*value) ? fixed_decimals(*value, decimals) : std::string(kNoValue);
-}
-
-std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
-
-std::string symbol_html(std::string_view symbol) {
-  using Place = SymbolPiece::Place;
-  std::string result;
-  for (const SymbolPiece& piece : symbol_pieces(symbol)) {
-    switch (piece.place) {
-      case Place::base: result += "<var>" + piece.text + "</var>"; break;
-      case Place::below: result += "<sub>" + piece.text + "</sub>"; break;
-      case Place::above: result += "<sup>" + piece.text + "</sup>"; break;
-    }
-  }
-  return result;
-}
-
-std::string symbol_svg(std::string_view symbol) {
-  using Place = SymbolPiece::Place;
-  std::string result;
-  int shift = 0;  // of the baseline, px down
-  for (const SymbolPiece& piece : symbol_pieces(symbol)) {
-    const int wanted = piece.place == Place::base ? 0 : piece.place == Place::below ? 3 : -4;
-    const char* style = wanted == 0 ? "v" : "s";
-    result += fmt::format("<tspan class=\"{}\"", style);
-    if (wanted != shift) result += fmt::format(" dy=\"{}\"", wanted - shift);
-    result += ">" + piece.text + "</tspan>";
-    shift = wanted;
-  }
-  if (shift != 0) result += fmt::format("<tspan dy=\"{}\">\xE2\x80\x8B</tspan>", -shift);
-  return result;
-}
-
-std::string with_symbols(std::string_view text) {
-  const auto in_word = [](char c) {
-    return is_letter_or_digit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
-  };
-  // Letters of UTF-8: bytes that do not continue one.
-  const auto letters = [](std::string_view word) {
-    return std::count_if(word.begin(), word.end(),
-                         [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  };
-  std::string result;
-  while (!text.empty()) {
-    std::size_t n = 0;
-    while (n < text.size() && in_word(text[n])) ++n;
-    const std::string_view word = text.substr(0, n);
-    const std::size_t low = word.find('_');
-    const bool symbol = low != word.npos && low + 1 < n && letters(word.substr(0, low)) == 1 &&
-                        word.find('_', low + 1) == word.npos;
-    result += symbol ? symbol_html(word) : escaped(word);
-    text.remove_prefix(n);
-    result += escaped(text.substr(0, 1));
-    text.remove_prefix(std::min<std::size_t>(1, text.size()));
-  }
-  return result;
-}
-
-std::string captioned(std::string_view picture, std::string_view caption,
-                      std::string_view attributes) {
-  return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attributes, picture,
-                     caption);
-}
-
 std::string side_by_side(std::string_view figures) {
   return fmt::format("<div class=\"figures\">\n{}</div>\n", figures);
-}
-
-std::string caption_key(std::string_view swatch, std::string_view words) {
-  return fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span>", swatch, words);
 }
 
 std::string caption_of_gears() {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gearwright/base/vector.hpp"
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/pair/pair.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

@@ -4,19 +4,21 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/load_figures.hpp"
 #include "gearwright/load/load_summary.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/load_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
+#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 
 namespace {
 
-std::string finding(const LoadReport& report) {
-  const LoadedTorque& t = heaviest(report);
+std::string finding(const LoadScene& report) {
+  const LoadedTorque& t = shown_torque(report);
   std::string text = fmt::format(
       "At {} gear 2 runs up to {}″ unevenly; the flanks bear up to {} N/mm²{}, the roots {} and {} "
       "N/mm².",
@@ -31,7 +33,7 @@ std::string finding(const LoadReport& report) {
   return text;
 }
 
-std::string facts(const LoadReport& report) {
+std::string facts(const LoadScene& report) {
   std::vector<ValueRecord> records;
   std::vector<std::string> columns;
   const auto& quantities = load_torque_quantities();
@@ -55,8 +57,8 @@ std::string facts(const LoadReport& report) {
   return table.str() + "<p>Of two values the first is gear 1’s.</p>\n";
 }
 
-std::string te_part(const LoadReport& report) {
-  const std::string harris = harris_figure(report);
+std::string te_part(const LoadScene& report) {
+  const std::string harris = html_of(harris_figure(report));
   return "<h3>Transmission error under load</h3>\n<p>Teeth yield, and gear 2 hangs back by what "
          "they yield. Where two pairs share the load they yield less than where one bears it "
          "alone, "
@@ -64,16 +66,16 @@ std::string te_part(const LoadReport& report) {
          "relief "
          "fills that swing at one torque: below it the relief itself is heard, above it the "
          "teeth.</p>\n" +
-         side_by_side(loaded_te_figure(report) + harris) +
+         side_by_side(html_of(loaded_te_figure(report)) + harris) +
          (harris.empty()
               ? "<p>With several torques a Harris map shows at which of them the pair is "
                 "quietest.</p>\n"
               : "");
 }
 
-bool at_points(const LoadReport& report) { return report.contact.regime == LoadRegime::point; }
+bool at_points(const LoadScene& report) { return report.contact.regime == LoadRegime::point; }
 
-std::string share_part(const LoadReport& report) {
+std::string share_part(const LoadScene& report) {
   return "<h3>Load shares and stiffness</h3>\n<p>How the tooth pairs share the load. A share that "
          "rises from nothing and falls to nothing without a jump takes no blow where teeth come "
          "in. "
@@ -81,32 +83,36 @@ std::string share_part(const LoadReport& report) {
          std::string(at_points(report) ? "force" : "line load") +
          " over how far the gears approach each other; that it changes while they turn shakes the "
          "shafts.</p>\n" +
-         side_by_side(share_figure(report) + stiffness_figure(report));
+         side_by_side(html_of(share_figure(report)) + html_of(stiffness_figure(report)));
 }
 
-std::string ellipse_part(const LoadReport& report) {
+std::string ellipse_part(const LoadScene& report) {
   return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load a point "
          "grows "
          "into the ellipse of Hertz, longest where the flanks hug each other most closely; the "
          "teeth that bend under it make it longer still. On the flank the pressure is highest in "
          "the middle of the ellipse; one that hangs over an end of the flank, or an edge that "
          "touches itself, presses harder than drawn.</p>\n" +
-         ellipse_figures(report);
+         side_by_side(figure_html(ellipse_figure(report, 0)) +
+                      figure_html(ellipse_figure(report, 1)) +
+                      html_of(point_pressure_figure(report)));
 }
 
-std::string pressure_part(const LoadReport& report) {
+std::string pressure_part(const LoadScene& report) {
   return fmt::format(
              "<h3>Pressure on the flanks</h3>\n<p>The pressure of Hertz where the teeth bear. It "
              "should be greatest in the middle of the face and fade towards tips and ends; a "
              "bright "
              "border is an edge that carries or a face that bears at one end{}.</p>\n",
-             heaviest(report).edge_carries
+             shown_torque(report).edge_carries
                  ? "; here an edge carries, where the true pressure is higher than drawn"
                  : "") +
-         pressure_figures(report);
+         side_by_side(
+             figure_html(pressure_figure(report, 0), kFigureWidth, "", turn_control(*report.pair)) +
+             figure_html(pressure_figure(report, 1)) + figure_html(pressure_along_figure(report)));
 }
 
-std::string root_part(const LoadReport& report, const std::array<std::string, 2>& shapes) {
+std::string root_part(const LoadScene& report, const std::array<std::string, 2>& shapes) {
   const std::string figures = root_stress_figures(report, shapes);
   if (figures.empty()) return {};
   return "<h3>Stress at the roots</h3>\n<p>Each tooth bends over its root; the fillet on the "
@@ -118,7 +124,7 @@ std::string root_part(const LoadReport& report, const std::array<std::string, 2>
 
 }  // namespace
 
-std::string load_section(const LoadReport& report, const std::array<std::string, 2>& shapes) {
+std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes) {
   const auto& torques = report.contact.torques;
   GW_EXPECTS((report.pair || at_points(report)) && !torques.empty());
   return fmt::format(

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/load_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
-#include "gearwright/report/load_figures.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
@@ -68,7 +68,7 @@ TEST(LoadSection, OfAnInternalPair) {
     const FlankRaster raster = pressure_raster(s.report, 1);
     EXPECT_LT(raster.diameter.front(), raster.diameter.back());
     EXPECT_GT(*std::max_element(raster.gap.begin(), raster.gap.end()),
-              0.8 * heaviest(s.report).max_pressure);
+              0.8 * shown_torque(s.report).max_pressure);
     const auto& points = s.report.contact.root_points[1];
     EXPECT_GT(std::abs(points.front()), std::abs(points.back()));
     EXPECT_GT(points.front().imag(), 0.0);
@@ -82,7 +82,7 @@ TEST(LoadSection, ManyTorquesShowAFewCurvesAndTheHeaviestField) {
   EXPECT_EQ(shown_torques(s.report).size(), 5u);
   EXPECT_EQ(shown_torques(s.report).front(), 0u);
   EXPECT_EQ(shown_torques(s.report).back(), 11u);
-  EXPECT_EQ(heaviest(s.report).torque, 120e3);
+  EXPECT_EQ(shown_torque(s.report).torque, 120e3);
   sound(s);
 }
 
@@ -90,7 +90,7 @@ TEST(LoadSection, ManyTorquesShowAFewCurvesAndTheHeaviestField) {
 // the whole, so that their sum over the positions is the number of positions.
 TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
   const LoadSample s = load_sample(testing::spur_pair(), {150e3}, 0.01);
-  const LoadedTorque& t = heaviest(s.report);
+  const LoadedTorque& t = shown_torque(s.report);
   double sum = 0.0;
   for (const LoadedPosition& p : t.positions)
     for (const LoadedPair& k : p.pairs) sum += k.share;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/free_labels.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -13,8 +14,8 @@ std::string page_head(std::string_view title, std::string_view version,
       "name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
       "content=\"Gearwright "
-      "{}\">\n<title>{}</title>\n<style>{}{}</style>\n</head>\n",
-      escaped(version), escaped(title), page_style(), more_style);
+      "{}\">\n<title>{}</title>\n<style>{}{}{}</style>\n</head>\n",
+      escaped(version), escaped(title), figure_style(), page_style(), more_style);
 }
 
 std::string picture_hint() {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/solid.hpp"
@@ -34,7 +35,8 @@ std::set<std::string> classes_of(const std::string& page) {
 const std::set<std::string> kPlain{"green", "pair", "compensate", "front", "words"};
 
 void expect_known(const std::string& page, const std::string& what) {
-  const std::string known = std::string(page_style()) + std::string(search_style()) +
+  const std::string known = std::string(figure_style()) + std::string(page_style()) +
+                            std::string(search_style()) + std::string(figure_script()) +
                             std::string(page_script()) + std::string(turn_script()) +
                             std::string(solid_script()) + std::string(sort_script());
   for (const std::string& name : classes_of(page)) {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace gearwright {
 namespace {
 
@@ -14,44 +12,6 @@ TEST(PlotAxisPicture, CarriesValuesToPlaces) {
   EXPECT_EQ(y(1.0), 150.0);
   EXPECT_EQ(y.near(1e9), 0.0);
   EXPECT_EQ(y.near(-1e9), 300.0);
-}
-
-TEST(PlotAxisPicture, TicksAreRoundAndFew) {
-  const Ticks angles = round_ticks(11.3, 30.1, 8);
-  EXPECT_EQ(angles.decimals, 0);
-  ASSERT_EQ(angles.values.size(), 4u);  // 15, 20, 25, 30
-  EXPECT_EQ(angles.values.front(), 15.0);
-  EXPECT_EQ(angles.values.back(), 30.0);
-  const Ticks whole = round_ticks(0.0, 1.0, 10);
-  EXPECT_EQ(whole.values.size(), 11u);
-  EXPECT_EQ(whole.decimals, 1);
-  const Ticks tens = round_ticks(0.0, 60.0, 6);
-  EXPECT_EQ(tens.values.size(), 7u);
-  EXPECT_EQ(tens.decimals, 0);
-  for (const double lo : {-123.4, -1e-7, 0.0, 49.97, 8e5}) {
-    for (const double span : {3e-6, 0.9, 1.0, 2.0, 47.0, 5e4}) {
-      for (const int most : {3, 4, 7}) {
-        const Ticks t = round_ticks(lo, lo + span, most);
-        EXPECT_LE(t.values.size(), static_cast<std::size_t>(most) + 1);
-        EXPECT_GE(t.values.size(), 1u) << lo << " " << span << " " << most;
-        for (const double v : t.values) {
-          const double shown = std::round(v * std::pow(10, t.decimals)) / std::pow(10, t.decimals);
-          EXPECT_NEAR(v, shown, 1e-9 * span + 1e-12 * std::abs(v));
-        }
-      }
-    }
-  }
-}
-
-TEST(PlotAxisPicture, ASingleValueGetsRoom) {
-  for (const double v : {0.0, -3.0, 50.01}) {
-    const auto ends = widened(v, v, 0.1);
-    EXPECT_LT(ends[0], v);
-    EXPECT_GT(ends[1], v);
-  }
-  const auto ends = widened(1.0, 3.0, 0.1);
-  EXPECT_DOUBLE_EQ(ends[0], 0.8);
-  EXPECT_DOUBLE_EQ(ends[1], 3.2);
 }
 
 }  // namespace

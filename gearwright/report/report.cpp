@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
@@ -216,8 +217,9 @@ std::string report_html(const ReportInput& input) {
   if (input.gears.size() > 1) sections += solid_section(input);
   sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
-  page += fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", page_script(), turn_script(),
-                      input.solid.empty() ? std::string_view() : solid_script());
+  page +=
+      fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(), page_script(),
+                  turn_script(), input.solid.empty() ? std::string_view() : solid_script());
   return page;
 }
 

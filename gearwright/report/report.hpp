@@ -12,11 +12,11 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/figure/load_scene.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
-#include "gearwright/report/load_report.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -37,7 +37,7 @@ struct ReportInput {
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty
   std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
-  const LoadReport* load = nullptr;            ///< null: the spec asks for no load
+  const LoadScene* load = nullptr;             ///< null: the spec asks for no load
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
   const RatingView* rating = nullptr;          ///< null: the spec asks for no rating
   Verdict verdict;                             ///< over gears, pair and contact

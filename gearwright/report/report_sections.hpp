@@ -8,10 +8,10 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/figure/load_scene.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
-#include "gearwright/report/load_report.hpp"
 
 namespace gearwright {
 
@@ -37,7 +37,11 @@ std::string contact_section(const ContactReport& report);
 /// Teeth under load, one paragraph and its pictures for each thing.
 ///
 /// Domain    at least one torque; positions evenly over one pitch, some of which touch (contract)
-std::string load_section(const LoadReport& report, const std::array<std::string, 2>& shapes);
+std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes);
+
+/// Its stress at the roots, along the drawn fillet of each gear and over the face; empty where there is
+/// none.
+std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
 /// Corrections: the changes for a workshop, and their effect on each of the aims.
 ///

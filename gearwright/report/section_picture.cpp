@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/named_circles.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

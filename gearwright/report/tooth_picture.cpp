@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/named_circles.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

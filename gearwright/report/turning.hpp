@@ -8,8 +8,8 @@
 
 #include <string>
 
+#include "gearwright/figure/svg.hpp"
 #include "gearwright/pair/pair.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 

@@ -120,6 +120,22 @@ val call(Of& of, Arguments... arguments) {
 Result<FlankRaster> gap_map(Session& session, double rotation1_deg, int k, int rows, int columns) {
   return session.gap_map(rotation1_deg, k, {rows, columns});
 }
+Result<Json> contact_figures(Session& session, const val& of) {
+  ContactView view;
+  view.width = of["width"].as<double>();
+  view.positions = of["positions"].as<int>();
+  view.index = of["index"].as<int>();
+  view.curves = of["curves"].as<bool>();
+  const val patterns = of["patterns"];
+  for (std::size_t i = 0; !patterns.isNull() && i < 2; ++i) {
+    const val raster = patterns[i];
+    const auto numbers = [&](const char* of) {
+      return emscripten::convertJSArrayToNumberVector<double>(raster[of]);
+    };
+    view.patterns[i] = {numbers("diameter"), numbers("height"), numbers("gap")};
+  }
+  return session.contact_figures(view);
+}
 MadeWork pattern(Session& session, int positions, int rows, int columns) {
   return pattern_work(session.shared_from_this(), positions, {rows, columns});
 }
@@ -233,6 +249,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("pose", &call<&Session::pose, Session, int, double, bool>)
       .function("contactCurve", &call<&Session::contact_curve, Session, int>)
       .function("contactPoint", &call<&Session::contact_point, Session, double>)
+      .function("contactFigures", &call<&contact_figures, Session, val>)
       .function("gapMap", &call<&gap_map, Session, double, int, int, int>)
       .function("pattern", &call<&pattern, Session, int, int, int>)
       .function("errorMap", &call<&error_map, Session, val, val, int>)
@@ -242,6 +259,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
   class_<Work>("Work")
       .smart_ptr<std::shared_ptr<Work>>("WorkHandle")
       .function("step", &call<&Work::step, Work, double>)
+      .function("figures", &call<&Work::figures, const Work, int, double>)
       .function("result", &work_result);
   class_<SearchSession>("Search")
       .smart_ptr<std::shared_ptr<SearchSession>>("SearchHandle")

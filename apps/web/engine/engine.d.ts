@@ -193,6 +193,8 @@ export interface Work<T> {
   step(milliseconds: number): { done: number; of: number; finished: boolean } | Failed;
   /** What came out; before the end what is there so far, or null. */
   result(): T | Failed | null;
+  /** Figures of what was found: of a map one, of teeth under load those of a torque by its place. */
+  figures(torque: number, width: number): Figure[] | Failed;
   delete(): void;
 }
 
@@ -207,23 +209,33 @@ export interface ErrorMap {
   peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN where nothing touches, or not yet done
 }
 
-/** Teeth under load: the JSON, and what only pictures need. */
+/** Teeth under load. */
 export interface LoadResult {
   json: string; // what `gearwright load SPEC --json` prints, probes left out
-  height: Float64Array; // middles of the slices of the face, z of gear 1, mm
-  torques: LoadedTorque[];
 }
-export interface LoadedTorque {
-  stiffness: Float64Array; // mesh stiffness, secant, by position, N/(mm µm)
-  teeth: LoadedTooth[]; // every tooth pair that carries at some position
+
+// ---------------------------------------------------------------------------------- figures
+
+/** A figure as the report has it: its picture and caption, and what its curves are made of. The group
+ *  of class "plot" has the scale in `data-x` and `data-y`, "lo hi from to": values and their px. */
+export interface Figure {
+  id: string; // "te", "spectrum", "bearing1", "pressure2"
+  html: string; // a `figure` element; its classes are those of figure_style.css
+  data: {
+    title: string;
+    description: string;
+    x: { words: string; unit: string };
+    y: { words: string; unit: string };
+    curves: { name: string; points: [number | null, number | null][] }[];
+  };
 }
-/** NaN where it does not carry; of slices [position * slices + slice]. */
-export interface LoadedTooth {
-  pair: number; // as many pitches behind tooth pair 0
-  share: Float64Array; // of the whole load, by position
-  pressure: Float64Array; // MPa, of Hertz
-  diameter1: Float64Array; // mm, where the slice touches on gear 1
-  diameter2: Float64Array;
+/** What is seen of contact. */
+export interface ContactView {
+  width: number; // px, of a figure
+  positions: number; // per pitch
+  index: number; // of the position whose gap lies on the flanks
+  patterns: [FlankRaster, FlankRaster] | null; // as `pattern` made them
+  curves: boolean; // false: the flanks alone
 }
 
 // ---------------------------------------------------------------------------------- a session
@@ -246,6 +258,8 @@ export interface Session {
   /** Contact at `positions` per pitch, from minus half a pitch on; the spec's errors and
    *  modifications. */
   contactCurve(positions: number): ContactCurve | Failed;
+  /** Transmission error, spectrum and both flanks; what there is none of is left out. */
+  contactFigures(view: ContactView): Figure[] | Failed;
   /** One position, keys of contact.positions as an object; `kind` "none" without contact. */
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
   /** Gap on the flank of gear 1 of tooth pair k (`tooth` of a position) at one position. */

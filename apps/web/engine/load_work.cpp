@@ -1,11 +1,11 @@
 // Teeth under load in steps: a table for each gear, then position by position.
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/stopwatch.hpp"
 #include "apps/web/engine/work.hpp"
 #include "gearwright/arrange/stiffness_reasons.hpp"
+#include "gearwright/figure/load_figures.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_text.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -18,56 +18,6 @@ namespace {
 constexpr int kTableSteps = 32;       // a table takes about as long as so many positions
 constexpr std::size_t kMostKept = 4;  // both gears, draft and full
 
-// A tooth pair in rows over the positions, or [position * slices + slice]; NaN: it does not carry.
-struct Tooth {
-  Numbers share, pressure, diameter_1, diameter_2;
-  Tooth(std::size_t positions, std::size_t slices)
-      : share(positions, kNaN),
-        pressure(positions * slices, kNaN),
-        diameter_1(pressure),
-        diameter_2(pressure) {}
-};
-
-// One torque as pictures show it.
-Json picture_of(const LoadedTorque& t, std::size_t slices) {
-  Numbers stiffness;
-  std::map<int, Tooth> teeth;  // by as many pitches as they are behind tooth pair 0
-  for (std::size_t i = 0; i < t.positions.size(); ++i) {
-    stiffness.push_back(t.positions[i].stiffness);
-    for (const LoadedPair& p : t.positions[i].pairs) {
-      Tooth& tooth = teeth.try_emplace(p.pair, t.positions.size(), slices).first->second;
-      tooth.share[i] = share_of(t.positions[i], p.pair);
-      for (std::size_t j = 0; j < slices; ++j) {
-        if (!(p.radius[j][0] > 0.0)) continue;
-        const std::size_t at = i * slices + j;
-        tooth.pressure[at] = p.pressure[static_cast<Eigen::Index>(j)];
-        tooth.diameter_1[at] = 2 * p.radius[j][0];
-        tooth.diameter_2[at] = 2 * p.radius[j][1];
-      }
-    }
-  }
-  Json list = Json::array();
-  for (const auto& [pair, tooth] : teeth)
-    list.push_back({{"pair", pair},
-                    {"share", row(tooth.share)},
-                    {"pressure", row(tooth.pressure)},
-                    {"diameter1", row(tooth.diameter_1)},
-                    {"diameter2", row(tooth.diameter_2)}});
-  return {{"stiffness", row(stiffness)}, {"teeth", std::move(list)}};
-}
-
-// What the JSON of `load` does not hold, for pictures.
-Json picture_of(const LoadedContact& found) {
-  // Teeth that touch at points have no slices that press.
-  const int slices = found.regime == LoadRegime::line ? found.slices[0].count : 0;
-  Numbers height;
-  for (int j = 0; j < slices; ++j) height.push_back(found.slices[0].middle(j));
-  Json torques = Json::array();
-  for (const LoadedTorque& t : found.torques)
-    torques.push_back(picture_of(t, static_cast<std::size_t>(slices)));
-  return {{"height", row(height)}, {"torques", std::move(torques)}};
-}
-
 class LoadWork : public Work {
  public:
   LoadWork(std::shared_ptr<Session> session, SolvedJob job, LoadTask task,
@@ -79,6 +29,7 @@ class LoadWork : public Work {
 
   Result<Steps> step(double milliseconds) override;
   Json result() const override { return result_; }
+  Result<Json> figures(int torque, double width) const override;
 
  private:
   std::optional<Error> make_table();
@@ -93,6 +44,7 @@ class LoadWork : public Work {
   std::optional<PairCompliance> compliance_;
   std::optional<LoadedTurn> turn_;
   std::size_t next_ = 0;
+  std::optional<LoadedContact> found_;
   Json result_;
 };
 
@@ -139,12 +91,36 @@ std::optional<Error> LoadWork::close() {
   answer.compliance = *compliance_;
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
   explain_stiffness(job_, task_, answer, job_.warnings);
-  result_ = picture_of(*answer.contact);
   Json json = load_json(job_, answer);
   json["warnings"] = warnings_json(job_.warnings);
   json["verdict"] = verdict_json(judge(job_, {.load = true}));
   result_["json"] = json_text(json, 2) + "\n";
+  found_ = std::move(answer.contact);
   return std::nullopt;
+}
+
+Result<Json> LoadWork::figures(int torque, double width) const {
+  if (!found_) return Error{"", "", "there are no figures before the end of the work"};
+  if (torque < 0 || torque >= static_cast<int>(found_->torques.size()))
+    return refused("torque", torque, "is none of the torques of [load]");
+  const LoadScene scene{{&task_.setup.gear(1), &task_.setup.gear(2)},
+                        nullptr,
+                        job_.spec.load.driver == 2,
+                        *found_,
+                        {},
+                        static_cast<std::size_t>(torque)};
+  Json list = Json::array();
+  const auto add = [&](const std::optional<Figure>& f) {
+    if (f) list.push_back(shape(*f, width));
+  };
+  for (const auto make : {loaded_te_figure, stiffness_figure, share_figure, root_turn_figure,
+                          harris_figure, root_face_figure})
+    add(make(scene));
+  const bool lines = found_->regime == LoadRegime::line;
+  for (const std::size_t i : {0, 1})
+    add(lines ? pressure_figure(scene, i) : ellipse_figure(scene, i));
+  add(lines ? pressure_along_figure(scene) : point_pressure_figure(scene));
+  return list;
 }
 
 }  // namespace

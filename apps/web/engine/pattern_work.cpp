@@ -4,8 +4,11 @@
 
 #include "apps/web/engine/stopwatch.hpp"
 #include "apps/web/engine/work.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/job/contact_report.hpp"
 
 namespace gearwright::web {
 
@@ -64,6 +67,18 @@ class ErrorMapWork : public Work {
     return {{"x", row(axes_[0])},
             {"y", row(axes_[1])},
             {"peakToPeakArcsec", row(peak_to_peak_arcsec_)}};
+  }
+  Result<Json> figures(int, double width) const override {
+    const auto& value = session().job().spec.errors.value;
+    ContactMap map{{axes_[0], axes_[1], {}},
+                   {named_error(keys_[0], value[keys_[0]]), named_error(keys_[1], value[keys_[1]])},
+                   next_ == peak_to_peak_arcsec_.size()};
+    const auto nx = static_cast<std::ptrdiff_t>(axes_[0].size());
+    for (auto from = peak_to_peak_arcsec_.begin(); from != peak_to_peak_arcsec_.end(); from += nx) {
+      map.map.value.emplace_back(from, from + nx);
+      for (double& v : map.map.value.back()) v /= kArcsecPerRad;
+    }
+    return Json::array({shape(error_map_figure(map), width)});
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/answering.hpp"
@@ -10,6 +11,7 @@
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -85,12 +87,20 @@ Result<ContactPair> Session::pair_under(const std::array<std::size_t, 2>& keys,
   return (*made)->pair(errors, job_.spec.contact.driver == 2);
 }
 
-Result<ContactCurve> Session::contact_curve(int positions) {
+Result<const ContactResult*> Session::found(int positions) {
   const auto pair = contact_pair();
   if (!pair) return pair.error();
   if (positions < 2 || positions > 4096)
     return refused("positions", positions, "must lie between 2 and 4096");
-  const ContactResult found = analyse_contact(**pair, {positions, 1, marking()});
+  if (!found_ || found_->positions.size() != static_cast<std::size_t>(positions))
+    found_ = analyse_contact(**pair, {positions, 1, marking()});
+  return &*found_;
+}
+
+Result<ContactCurve> Session::contact_curve(int positions) {
+  const auto made = this->found(positions);
+  if (!made) return made.error();
+  const ContactResult& found = **made;
   ContactCurve curve{positions,           {}, 0.0, found.mean_slope, {}, found.contact_lost,
                      contact_words(found)};
   bool touches = false;
@@ -101,6 +111,36 @@ Result<ContactCurve> Session::contact_curve(int positions) {
   for (const ContactPoint& p : found.positions) records.push_back(position_quantities().of(p));
   add_columns(position_quantities().table(), records, curve);
   return curve;
+}
+
+Result<Json> Session::contact_figures(const ContactView& view) {
+  const auto found = this->found(view.positions);
+  if (!found) return found.error();
+  const auto& gears = job_.pair->mounted().gears;
+  const ContactScene scene = contact_scene({&gears[0], &gears[1]}, *pair_, marking(), **found);
+  Json figures = Json::array();
+  const auto add = [&](const std::optional<Figure>& f) {
+    if (f) figures.push_back(shape(*f, view.width));
+  };
+  if (view.curves) {
+    add(transmission_error_figure(scene, scene.driving));
+    add(spectrum_figure(scene.driving));
+  }
+  const ContactPoint& now =
+      scene.driving
+          .positions[static_cast<std::size_t>(std::clamp(view.index, 0, view.positions - 1))];
+  if (now.kind == TouchKind::none && view.patterns[0].gap.empty()) return figures;
+  const FlankRaster gap = now.kind == TouchKind::none
+                              ? FlankRaster()
+                              : gearwright::gap_map(*pair_, now.rotation1, now.pair, {25, 49});
+  for (const std::size_t i : {0, 1}) {
+    FlankLayers layers;
+    if (!view.patterns[i].gap.empty()) layers.pattern = &view.patterns[i];
+    if (i == 0 && !gap.gap.empty()) layers.gap = &gap;
+    if (now.kind != TouchKind::none) layers.now = &now;
+    if (layers.pattern || layers.gap) add(flank_figure(scene, i, layers));
+  }
+  return figures;
 }
 
 Result<ContactPoint> Session::touch(double rotation1_deg) {

@@ -16,6 +16,15 @@
 
 namespace gearwright::web {
 
+/// What a page wants to see of contact.
+struct ContactView {
+  double width = 560.0;                 ///< px, of a figure
+  int positions = 64;                   ///< per pitch
+  int index = 0;                        ///< of the position whose gap lies on the flanks
+  std::array<FlankRaster, 2> patterns;  ///< as `pattern` made them; empty: not yet
+  bool curves = true;                   ///< not the flanks alone
+};
+
 class Session : public std::enable_shared_from_this<Session> {
  public:
   /// Errors    as read_spec and solve
@@ -34,6 +43,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
   Result<ContactCurve> contact_curve(int positions);
+  /// Transmission error, spectrum, and both flanks at one position; some may be missing.
+  Result<Json> contact_figures(const ContactView& view);
   /// An object of contact.positions, JSON.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
@@ -51,12 +62,14 @@ class Session : public std::enable_shared_from_this<Session> {
   explicit Session(SpecText text) : text_(std::move(text)) {}
   Result<ContactSetup*> setup();
   Result<ContactPoint> touch(double rotation1_deg);
+  Result<const ContactResult*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
 
   SpecText text_;
   SolvedJob job_;
   std::optional<Result<ContactSetup>> setup_;
   std::optional<ContactPair> pair_;
+  std::optional<ContactResult> found_;  ///< of the number of positions that was asked last
 };
 
 }  // namespace gearwright::web

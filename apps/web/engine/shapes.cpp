@@ -1,6 +1,10 @@
 #include "apps/web/engine/shapes.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "gearwright/figure/figure_data.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 
 namespace gearwright::web {
 
@@ -47,6 +51,12 @@ Json shape(const ContactCurve& curve) {
 Json shape(const FlankRaster& raster) {
   return {
       {"diameter", row(raster.diameter)}, {"height", row(raster.height)}, {"gap", row(raster.gap)}};
+}
+
+Json shape(const Figure& figure, double width) {
+  return {{"id", figure.id},
+          {"html", figure_html(figure, std::clamp(width, 280.0, 1400.0))},
+          {"data", figure_data(figure)}};
 }
 
 }  // namespace gearwright::web

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gearwright/contact/pattern.hpp"
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright::web {
@@ -42,5 +43,7 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
+/// A figure with its caption, HTML, and its data, for a room so many px wide.
+Json shape(const Figure& figure, double width);
 
 }  // namespace gearwright::web

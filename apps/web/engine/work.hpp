@@ -31,6 +31,8 @@ class Work {
   virtual Result<Steps> step(double milliseconds) = 0;
   /// What is there so far; null: nothing yet.
   virtual Json result() const = 0;
+  /// Figures of what was found, for work that has some.
+  virtual Result<Json> figures(int, double) const { return Json::array(); }
 
  private:
   std::shared_ptr<Session> session_;

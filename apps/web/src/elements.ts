@@ -231,13 +231,3 @@ export function download(name: string, bytes: BlobPart, type = "application/octe
   link.click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
-
-/** A picture, a curve or a map with its title and a caption. */
-export function figure(of: Element, title: Node, ...rest: (string | Node)[]): HTMLElement {
-  return h("figure", {}, of, h("figcaption", {}, title, ...rest));
-}
-
-/** The same for a map of the flank of gear 1 or 2, in its gear's colour. */
-export function flankFigure(gear: 1 | 2, map: Element, words: string): HTMLElement {
-  return figure(map, h("b", { class: `g${gear}` }, `Flank of gear ${gear}`), words);
-}

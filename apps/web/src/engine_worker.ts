@@ -24,7 +24,6 @@ export interface Solved {
 export type Loaded =
   | { fault: Fault }
   | {
-      picture: E.LoadResult;
       load: { [key: string]: Json };
       warnings: Notice[];
       verdict: Verdict;
@@ -54,6 +53,8 @@ interface Step {
 let engine: E.Engine;
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
+/** The last work that has figures: they are made when a page wants them, as wide as it wants them. */
+let drawn: E.Work<unknown> | null = null;
 
 /** Why there is no answer. */
 class Refused extends Error {
@@ -118,13 +119,27 @@ async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): P
   }
 }
 /** The same of work that is of no use later. */
-async function work<T>(begun: E.Work<T> | E.Failed, step: Step, growing = false): Promise<T | null> {
+async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | null> {
   const task = good(begun);
   try {
-    return await stepped(task, step, growing ? () => task.result() : undefined);
+    return await stepped(task, step);
   } finally {
     task.delete();
   }
+}
+/** The same of work that figures are made of; `sofar` while it is under way. */
+async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (task: E.Work<T>) => unknown): Promise<T | null> {
+  const task = good(begun);
+  const result = await stepped(task, step, sofar && (() => sofar(task))).catch((reason) => {
+    task.delete();
+    throw reason;
+  });
+  if (result === null) task.delete();
+  else {
+    drawn?.delete();
+    drawn = task;
+  }
+  return result;
 }
 
 /** What `make` gives for each gear of a session. */
@@ -171,20 +186,24 @@ const questions = {
     const curve = good(session(q.text).contactCurve(q.positions));
     return { ...curve, milliseconds: performance.now() - begin };
   },
-  gapMap: (q: { text: string; rotation: number; tooth: number; rows: number; columns: number }) =>
-    good(session(q.text).gapMap(q.rotation, q.tooth, q.rows, q.columns)),
+  contactFigures: (q: { text: string; view: E.ContactView }) => good(session(q.text).contactFigures(q.view)),
   pattern: (q: { text: string; positions: number; rows: number; columns: number }, step: Step) =>
     work(session(q.text).pattern(q.positions, q.rows, q.columns), step),
-  errorMap: (q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number }, step: Step) =>
-    work(session(q.text).errorMap(q.x, q.y, q.positions), step, true),
+  /** A map with its figure, which grows while it is made. */
+  async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number; width: number }, step: Step) {
+    const figure = (task: E.Work<E.ErrorMap>) => good(task.figures(0, q.width))[0]!;
+    const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, figure);
+    return map && { map, figure: figure(drawn as E.Work<E.ErrorMap>) };
+  },
+  loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),
   /** Teeth under load; a refusal with its key, so that it can stand at its field. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
     const begin = performance.now();
     try {
-      const picture = await work(session(q.text).load(q.accuracy), step);
-      if (!picture) return null;
-      const { load, warnings, verdict } = JSON.parse(picture.json);
-      return { picture, load, warnings, verdict, milliseconds: performance.now() - begin };
+      const found = await drawnWork(session(q.text).load(q.accuracy), step);
+      if (!found) return null;
+      const { load, warnings, verdict } = JSON.parse(found.json);
+      return { load, warnings, verdict, milliseconds: performance.now() - begin };
     } catch (reason) {
       if (reason instanceof Refused) return { fault: reason.fault };
       throw reason;

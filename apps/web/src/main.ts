@@ -1,7 +1,8 @@
 // The page begins: the engine is fetched, the catalogue read, and the design in the address (or the
 // choice of a beginning) comes up.
 
-import "gearwright:palette.css";
+import "../../../gearwright/figure/figure_style.css";
+import "../../../gearwright/figure/figure_script.js";
 import "./style/page.css";
 import "./style/spec.css";
 import "./style/views.css";

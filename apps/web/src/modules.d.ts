@@ -4,4 +4,8 @@ declare module "gearwright:parts" {
   export function loadScene(): Promise<typeof import("./solid/scene")>;
   export function wasmBytes(): Promise<ArrayBuffer>;
 }
-declare module "gearwright:palette.css";
+declare module "*.css?inline" {
+  const text: string;
+  export default text;
+}
+declare module "*/figure_script.js";

@@ -210,7 +210,7 @@ describe("pictures", () => {
 
   it("an error slider moves transmission error and text", async () => {
     await put(page, example("misaligned_pair"), "contact");
-    await page.waitForSelector(".uplot canvas");
+    await page.waitForSelector("#room-contact #te path.curve");
     const before = await page.textContent("#room-contact .view-sentence");
     await page.fill('[data-slide="errors.crossing_deg"]', "0.06");
     await page.waitForFunction(
@@ -218,6 +218,28 @@ describe("pictures", () => {
       before,
     );
     assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
+  });
+
+  it("a figure is read by the pointer, a press chooses the position, its values are saved", async () => {
+    await put(page, example("misaligned_pair"), "contact");
+    await page.waitForSelector("#room-contact #te path.curve");
+    await page.waitForSelector("#room-contact #bearing2 .marked");
+    const plot = await page.locator("#te path.measured, #te rect.measured").boundingBox();
+    const slider = '#room-contact input[aria-label="position over the pitch"]';
+    await page.mouse.click(plot.x + plot.width * 0.25, plot.y + plot.height / 2);
+    assert.ok(Math.abs(Number(await page.inputValue(slider)) - 16) <= 1, await page.inputValue(slider));
+    assert.ok((await page.locator("#te .cursor").count()) >= 1);
+    for (let y = 0.05; y < 1 && !(await page.locator(".readout").count()); y += 0.1)
+      await page.mouse.move(plot.x + plot.width * 0.3, plot.y + plot.height * y);
+    assert.match(await page.textContent(".readout text"), /^tooth pair .*: −?[\d.]+ at −?[\d.]+$/);
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      page.locator(".figure-slot", { has: page.locator("#te") }).getByText("CSV").click(),
+    ]);
+    const rows = readFileSync(await file.path(), "utf8").trim().split("\n");
+    const values = rows.slice(1).map((row) => Number(row.split(",").at(-1)));
+    const expected = native("contact", example("misaligned_pair")).contact.peak_to_peak_arcsec;
+    assert.ok(Math.abs(Math.max(...values) - Math.min(...values) - expected) < 0.02 * expected);
   });
 
   it("a search lists what the program finds; a row becomes the design", async () => {

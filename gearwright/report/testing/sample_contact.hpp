@@ -31,16 +31,10 @@ inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMou
   sample.pair = std::make_shared<const ContactPair>(turned(false));
   const ContactPair& pair = *sample.pair;
   ContactReport& r = sample.report;
-  for (std::size_t i = 0; i < 2; ++i) r.gears[i] = &(*sample.gears)[i];
-  r.axes = {{{pair.in_housing(0.0, 0.0),
-              pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))},
-             {Vec3(mount.center_distance + mount.errors.center_distance, 0, 0),
-              Vec3(0, std::sin(mount.shaft_angle.rad()), std::cos(mount.shaft_angle.rad()))}}};
-  r.gear2_drives = mount.gear2_drives;
-  r.marking = 0.00635;
-  r.positions = positions;
-  const ContactRequest request{positions, 1, r.marking};
-  r.driving = analyse_contact(pair, request);
+  constexpr double kMarking = 0.00635;
+  const ContactRequest request{positions, 1, kMarking};
+  static_cast<ContactScene&>(r) = contact_scene({&(*sample.gears)[0], &(*sample.gears)[1]}, pair,
+                                                kMarking, analyse_contact(pair, request));
   r.other = analyse_contact(turned(true), request);
   r.min_play = Angle::radians(0.001);
   r.patterns = contact_pattern(pair, positions, {17, 33});

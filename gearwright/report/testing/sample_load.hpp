@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "gearwright/report/load_report.hpp"
+#include "gearwright/figure/load_scene.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 
 namespace gearwright::testing {
@@ -13,7 +13,7 @@ namespace gearwright::testing {
 /// A pair and the report about it; the report points into the pair.
 struct LoadSample {
   std::shared_ptr<const InvolutePair> pair;
-  LoadReport report;
+  LoadScene report;
 };
 
 /// `crossing` in degrees; coarse tables and few positions. Crossed pairs touch at points.

@@ -1,16 +1,14 @@
 // The tab "contact": errors and modifications as sliders; transmission error, spectrum and flanks
 // follow while they move. The pattern is made in the background and comes a moment later.
 
-import type { ContactCurve } from "../../engine/engine";
-import { figure, fill, flankFigure, h, onThemeChange, scroller, sentenceOf, slide, slider } from "../elements";
+import type { ContactCurve, FlankRaster } from "../../engine/engine";
+import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
+import { Figures } from "../figure_slot";
 import { judgement } from "../judgement";
-import { CurvePlot } from "../plot";
 import { markRevision } from "../revision";
-import { at, bench } from "../workbench";
+import { bench } from "../workbench";
 import type { Tab } from "../tabs";
-import { isEdge, kAboutNothing, SpectrumPlot, transmissionCurves } from "./curves";
 import { ErrorMapView } from "./error_map_view";
-import { FlankMap } from "./flank_map";
 import { ContactSliders } from "./sliders";
 
 const kPositions = 64;
@@ -20,15 +18,8 @@ export class ContactView implements Tab {
   readonly id = "contact";
   private readonly sliders = new ContactSliders();
   private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
-  private readonly edges = h(
-    "span",
-    { hidden: true },
-    h("span", { class: "edge-ink" }, "Here an edge touches"),
-    ". ",
-  );
-  private readonly te = new CurvePlot("transmission error, ″", (i) => this.choose(i), kAboutNothing);
-  private readonly spectrum = new SpectrumPlot();
-  private readonly maps = [new FlankMap(0), new FlankMap(1)];
+  private readonly curves = new Figures((t) => this.choose(Math.round((t + 0.5) * kPositions)));
+  private readonly flanks = new Figures();
   private readonly errorMap = new ErrorMapView();
   private readonly instant = slider(
     "position over the pitch",
@@ -37,35 +28,13 @@ export class ContactView implements Tab {
   );
   private readonly where = h("output", { class: "soft" });
   private readonly time = h("span", { class: "soft time" });
-  /** The marking comes later than the curves. */
-  private readonly flanks = h(
-    "div",
-    { class: "plots" },
-    flankFigure(
-      1,
-      this.maps[0]!.canvas,
-      ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
-    ),
-    flankFigure(2, this.maps[1]!.canvas, ", marking after a mesh."),
-  );
   readonly picture = h(
     "div",
     {},
     this.sentence,
-    h(
-      "div",
-      { class: "plots" },
-      figure(
-        this.te.element,
-        h("b", {}, "Transmission error"),
-        ", from its middle. ",
-        this.edges,
-        this.time,
-      ),
-      figure(this.spectrum.element, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency."),
-    ),
-    slide("position", this.instant, this.where),
-    this.flanks,
+    this.curves.element,
+    slide("position", this.instant, this.where, this.time),
+    this.flanks.element,
   );
   readonly element = h(
     "div",
@@ -75,17 +44,16 @@ export class ContactView implements Tab {
   );
   readonly part = "contact";
   private curve: Timed | null = null;
+  private patterns: [FlankRaster, FlankRaster] | null = null;
   private index = kPositions / 2;
+  private width = 0;
   shown = "";
   private marked = ""; // the text whose marking is on the flanks
 
   constructor() {
-    new ResizeObserver(() => this.drawFlanks()).observe(this.maps[0]!.canvas);
-    onThemeChange(() => {
-      this.te.forget();
-      this.spectrum.forget();
-      this.draw();
-    });
+    new ResizeObserver(() => {
+      if (this.curve && Math.abs(this.curves.width - this.width) > 8) void this.drawFigures(true);
+    }).observe(this.picture);
   }
 
   async refresh(): Promise<void> {
@@ -106,17 +74,15 @@ export class ContactView implements Tab {
       return this.clear(sentenceOf(reason));
     }
     this.shown = solved.text;
-    for (const map of this.maps) map.gap = null;
     this.draw();
-    await Promise.all([this.gapNow(), this.pattern(solved.text)]);
+    await Promise.all([this.drawFigures(true), this.pattern(solved.text)]);
   }
 
   private clear(sentence: string): void {
-    this.curve = null;
+    this.curve = this.patterns = null;
     this.shown = this.marked = "";
-    this.te.forget();
-    this.spectrum.forget();
-    for (const map of this.maps) map.gap = map.pattern = null;
+    this.curves.show([]);
+    this.flanks.show([]);
     this.where.textContent = this.time.textContent = "";
     fill(this.sentence, sentence);
     this.empty(true);
@@ -131,30 +97,32 @@ export class ContactView implements Tab {
     this.index = Math.min(kPositions - 1, Math.max(0, index));
     this.instant.value = String(this.index);
     this.draw();
-    void this.gapNow();
+    void this.drawFigures(false);
   }
 
-  private async gapNow(): Promise<void> {
-    const { curve, index } = this;
-    const rotation = (curve?.columns["rotation1_deg"] as Float64Array | undefined)?.[index];
-    const tooth = (curve?.columns["tooth"] as Float64Array | undefined)?.[index];
-    if (!curve || rotation === undefined || tooth === undefined || !Number.isFinite(tooth)) return;
-    const gap = await bench.front
-      .latest("gap", "gapMap", { text: this.shown, rotation, tooth, rows: 25, columns: 49 })
-      .catch(() => undefined); // there is none
-    if (gap === null || this.curve !== curve) return;
-    this.maps[0]!.gap = gap ?? null;
-    this.drawFlanks();
+  private async drawFigures(curves: boolean): Promise<void> {
+    const { curve, index, patterns, shown } = this;
+    if (!curve) return;
+    this.width = this.curves.width;
+    const view = { width: this.width, positions: kPositions, index, patterns, curves };
+    const figures = await bench.front
+      .latest(curves ? "figures" : "flanks", "contactFigures", { text: shown, view })
+      .catch(() => null); // the pair has gone
+    if (!figures || this.curve !== curve) return;
+    const ofFlanks = figures.filter((one) => one.id.startsWith("bearing"));
+    if (curves) this.curves.show(figures.filter((one) => !ofFlanks.includes(one)));
+    if (index === this.index || !curves) this.flanks.show(ofFlanks);
+    markRevision(this.flanks.element, this.marked, this.shown);
   }
 
   private async pattern(text: string): Promise<void> {
     const pattern = await bench.back
       .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
-      .catch(() => []); // there is none
+      .catch(() => null); // there is none
     if (!pattern || this.shown !== text) return;
-    this.maps.forEach((map, i) => (map.pattern = pattern[i] ?? null));
+    this.patterns = pattern;
     this.marked = text;
-    this.drawFlanks();
+    await this.drawFigures(false);
   }
 
   /** The verdict on the contact, which the curves alone do not have. */
@@ -165,23 +133,15 @@ export class ContactView implements Tab {
   }
 
   private draw(): void {
-    const curve = this.curve;
+    const { curve, index } = this;
     if (!curve) return;
     this.empty(false);
+    this.curves.mark(index / kPositions - 0.5);
     const x = curve.columns["rotation1_deg"] as Float64Array;
-    const peaks = `peak to peak ${curve.peakToPeakArcsec.toFixed(3)} arc seconds`;
-    this.te.show(x, transmissionCurves(curve), this.index, `transmission error over one pitch, ${peaks}`);
-    this.spectrum.show(curve.harmonicsArcsec);
     const kinds = curve.columns["kind"] as string[];
-    this.edges.hidden = !kinds.some(isEdge);
     fill(this.sentence, curve.words);
-    this.where.textContent = `${x[this.index]!.toFixed(2)}°  ${kinds[this.index]?.replaceAll("_", " ") || "no contact"}`;
+    this.where.textContent = `${x[index]!.toFixed(2)}°  ${kinds[index]?.replaceAll("_", " ") || "no contact"}`;
     this.time.textContent = `${curve.n} positions in ${curve.milliseconds.toFixed(1)} ms.`;
-    this.drawFlanks();
-  }
-  private drawFlanks(): void {
-    const marking = (at(bench.good?.spec ?? null, "contact.marking_mm") as number | undefined) ?? 0.00635;
-    for (const map of this.maps) map.draw(this.curve, this.index, marking);
-    markRevision(this.flanks, this.marked, this.shown);
+    markRevision(this.flanks.element, this.marked, this.shown);
   }
 }

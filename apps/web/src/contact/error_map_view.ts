@@ -1,38 +1,22 @@
 // Peak to peak of the transmission error over two errors at once: computed in the background, row by
 // row, with progress and a way out. A click mounts the pair with those errors.
 
-import type { ErrorMap } from "../../engine/engine";
+import type { ErrorMap, Figure } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";
-import { button, colour, fill, h, sentenceOf } from "../elements";
+import { button, fill, h, sentenceOf } from "../elements";
+import { FigureSlot } from "../figure_slot";
 import { fixed } from "../numbers";
 import { markRevision } from "../revision";
 import { at, bench } from "../workbench";
 
 const kReach: Record<string, number> = { "°": 0.05, µm: 20, mm: 0.1 };
 const kPoints = 33;
-const kShades = [
-  "#00204d",
-  "#0b3370",
-  "#37476b",
-  "#555b6d",
-  "#6f7073",
-  "#8a8779",
-  "#a69d75",
-  "#c4b56c",
-  "#e4cf5b",
-  "#ffea46",
-]; // the report's
 
 export class ErrorMapView {
   private readonly x = this.chooser("across", "crossing_deg");
   private readonly y = this.chooser("up", "intersecting_deg");
-  private readonly canvas = h("canvas", {
-    role: "img",
-    "aria-label": "peak to peak of the transmission error over two errors",
-    click: (event: MouseEvent) => this.take(event),
-    pointermove: (event: PointerEvent) => this.hover(event),
-  });
-  private readonly room = h("div", { class: "map-room" }, this.canvas);
+  private readonly slot = new FigureSlot(undefined, (x, y, pressed) => this.at(x, y, pressed));
+  private readonly room = h("div", { class: "map-room" }, this.slot.element);
   private readonly go = button("Map", () => void this.make());
   private readonly stop = button("Cancel", () => bench.back.cancel());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the map" });
@@ -57,13 +41,13 @@ export class ErrorMapView {
   private axes = { x: "", y: "", rest: "", text: "" }; // of the map; its spec, and that without the two
 
   constructor() {
-    this.stop.hidden = this.bar.hidden = this.canvas.hidden = true;
+    this.stop.hidden = this.bar.hidden = true;
     bench.on("text", () => this.age());
     bench.on("solved", () => this.age());
     bench.on("opened", () => {
       if (!this.stop.hidden) bench.back.cancel();
       this.map = null;
-      this.canvas.hidden = true;
+      this.slot.show(undefined);
       this.status.textContent = "";
     });
   }
@@ -114,18 +98,22 @@ export class ErrorMapView {
     const [x, y] = [this.x.value, this.y.value];
     const { design } = bench;
     const axes = { x, y, rest: this.restOf(x, y), text: bench.good.text };
-    const take = (map: ErrorMap) => {
+    const take = (figure: Figure) => {
       this.axes = axes;
-      this.paint(map);
+      this.slot.show(figure);
       this.age();
     };
-    const question = { text: bench.good.text, x: this.axis(this.x), y: this.axis(this.y), positions: 32 };
+    const width = Math.min(520, this.element.clientWidth || 520);
+    const question = { text: bench.good.text, x: this.axis(this.x), y: this.axis(this.y), positions: 32, width };
     try {
-      const map = await bench.back.latest("map", "errorMap", question, (done, of, sofar) => {
+      const answer = await bench.back.latest("map", "errorMap", question, (done, of, sofar) => {
         this.bar.value = of ? done / of : 0;
-        if (sofar) take(sofar as ErrorMap);
+        if (sofar) take(sofar as Figure);
       });
-      if (map) take(map);
+      if (answer) {
+        this.map = answer.map;
+        take(answer.figure);
+      }
       this.status.textContent = "A click mounts the pair so.";
     } catch (reason) {
       if (bench.design === design) this.status.textContent = sentenceOf(reason);
@@ -135,46 +123,21 @@ export class ErrorMapView {
     }
   }
 
-  private paint(map: ErrorMap): void {
-    this.map = map;
-    this.canvas.hidden = false;
-    const nx = map.x.length;
-    const ny = map.y.length;
-    this.canvas.width = nx;
-    this.canvas.height = ny;
-    const c = this.canvas.getContext("2d")!;
-    const real = map.peakToPeakArcsec.filter(Number.isFinite);
-    const most = real.length ? Math.max(...real) : 1;
-    for (let j = 0; j < ny; ++j)
-      for (let i = 0; i < nx; ++i) {
-        const value = map.peakToPeakArcsec[j * nx + i]!;
-        c.fillStyle = Number.isFinite(value)
-          ? kShades[Math.min(9, Math.floor((10 * value) / (most || 1)))]!
-          : colour("panel");
-        c.fillRect(i, ny - 1 - j, 1, 1);
-      }
-  }
-  private cell(event: MouseEvent): [number, number] | null {
-    if (!this.map) return null;
-    const i = Math.floor((event.offsetX / this.canvas.clientWidth) * this.map.x.length);
-    const j =
-      this.map.y.length - 1 - Math.floor((event.offsetY / this.canvas.clientHeight) * this.map.y.length);
-    return this.map.x[i] === undefined || this.map.y[j] === undefined ? null : [i, j];
-  }
-  private hover(event: PointerEvent): void {
-    const cell = this.cell(event);
-    if (!cell || !this.map) return;
-    const [i, j] = cell;
-    const value = this.map.peakToPeakArcsec[j * this.map.x.length + i]!;
-    const at = (key: string, value: number) => `${wordsAt("errors", key)} ${fixed(value, 4)}`;
+  /** The point of the map that is nearest: a pointer reads its value, a press mounts the pair so. */
+  private at(x: number, y: number, pressed: boolean): void {
+    const { map, axes } = this;
+    if (!map) return;
+    const nearest = (all: Float64Array, value: number) =>
+      all.reduce((best, one, i) => (Math.abs(one - value) < Math.abs(all[best]! - value) ? i : best), 0);
+    const [i, j] = [nearest(map.x, x), nearest(map.y, y)];
+    if (pressed) {
+      bench.setKey("errors." + axes.x, Number(map.x[i]!.toPrecision(6)));
+      bench.setKey("errors." + axes.y, Number(map.y[j]!.toPrecision(6)));
+      return;
+    }
+    const value = map.peakToPeakArcsec[j * map.x.length + i]!;
     this.status.textContent =
-      `${at(this.axes.x, this.map.x[i]!)}, ${at(this.axes.y, this.map.y[j]!)}: ` +
+      `${wordsAt("errors", axes.x)} ${fixed(map.x[i]!, 4)}, ${wordsAt("errors", axes.y)} ${fixed(map.y[j]!, 4)}: ` +
       (Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact");
-  }
-  private take(event: MouseEvent): void {
-    const cell = this.cell(event);
-    if (!cell || !this.map) return;
-    bench.setKey("errors." + this.axes.x, Number(this.map.x[cell[0]]!.toPrecision(6)));
-    bench.setKey("errors." + this.axes.y, Number(this.map.y[cell[1]]!.toPrecision(6)));
   }
 }

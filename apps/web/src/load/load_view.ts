@@ -2,17 +2,15 @@
 // answer takes its place. A spec without a torque is offered one. Every number is the engine's; the
 // page draws.
 
-import type { LoadedTorque } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
 import { quantities } from "../catalogue";
-import { Choice, figure, fill, flankFigure, h, onThemeChange, slide, slider } from "../elements";
+import { Choice, fill, h, slide, slider } from "../elements";
+import { Figures } from "../figure_slot";
 import type { Fault, Json, Loaded } from "../engine_worker";
 import { firstMaterial, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
-import { CurvePlot, kFromNothing } from "../plot";
 import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
-import { PressureMap } from "./pressure_map";
 
 /** A spec that has not changed for so long rests. */
 const kRestMs = 1200;
@@ -48,7 +46,6 @@ const kNeeds = {
     },
   ],
 };
-const kToothColours = ["g1", "g2", "alpha", "root-fillet", "action", "flank"];
 type Answer = Exclude<Loaded, { fault: Fault }>;
 type Records = { [key: string]: Json }[];
 
@@ -58,41 +55,17 @@ export class LoadView extends AnswerView<Answer> {
   private readonly torques = new Choice("torque shown", [], "", (torque) => {
     this.torque = Number(torque);
     this.draw();
+    void this.drawFigures();
   });
-  private readonly plots = {
-    te: new CurvePlot("loaded TE, ″", (i) => this.choose(i)),
-    stiffness: new CurvePlot("N/(mm µm)", (i) => this.choose(i)),
-    pointStiffness: new CurvePlot("N/µm", (i) => this.choose(i)),
-    share: new CurvePlot("share", (i) => this.choose(i), kFromNothing),
-    root: new CurvePlot("root stress, MPa", (i) => this.choose(i), kFromNothing),
-  };
-  private readonly maps = [new PressureMap(1), new PressureMap(2)];
+  private readonly figures = new Figures((t) => this.choose(Math.round((t + 0.5) * this.positions.length)));
   private readonly position = slider("position over the pitch", { min: 0, max: 1, step: 1 }, (i) =>
     this.choose(i),
   );
   private readonly where = h("output", { class: "soft" });
-  /** What only teeth that touch along lines have; and only those that touch at points. */
-  private readonly ofLines = [
-    figure(this.plots.stiffness.element, h("b", {}, "Mesh stiffness"), ", secant."),
-    h(
-      "div",
-      { class: "plots" },
-      flankFigure(
-        1,
-        this.maps[0]!.canvas,
-        ", pressure over the mesh; lines: where teeth bear now.",
-      ),
-      flankFigure(2, this.maps[1]!.canvas, ", the same."),
-    ),
-  ];
-  private readonly ofPoints = figure(
-    this.plots.pointStiffness.element,
-    h("b", {}, "Stiffness"),
-    " of the points of contact, secant.",
-  );
   private full = false; // it is not a draft
   private torque = 0;
-  private index = 0;
+  private index = -1;
+  private width = 0;
   private rest = 0;
   private wanted = ""; // accuracy and text of the answer that is under way
 
@@ -101,33 +74,14 @@ export class LoadView extends AnswerView<Answer> {
     this.room.append(
       h("div", { class: "load-head" }, this.torques.element, this.bar, this.state),
       this.notices,
-      h(
-        "div",
-        { class: "plots" },
-        figure(this.plots.te.element, h("b", {}, "Loaded transmission error")),
-        this.ofLines[0]!,
-        this.ofPoints,
-        figure(this.plots.share.element, h("b", {}, "Load shares"), ", a colour for each tooth pair."),
-        figure(
-          this.plots.root.element,
-          h("b", {}, "Greatest root stress"),
-          ": ",
-          h("span", { class: "g1" }, "gear 1"),
-          ", ",
-          h("span", { class: "g2" }, "gear 2"),
-          ".",
-        ),
-      ),
       slide("position", this.position, this.where),
-      this.ofLines[1]!,
+      this.figures.element,
       this.table,
     );
     this.bar.hidden = true;
-    new ResizeObserver(() => this.drawFlanks()).observe(this.maps[0]!.canvas);
-    onThemeChange(() => {
-      for (const plot of Object.values(this.plots)) plot.forget();
-      this.draw();
-    });
+    new ResizeObserver(() => {
+      if (this.answer && Math.abs(this.figures.width - this.width) > 8) void this.drawFigures();
+    }).observe(this.room);
   }
 
   async refresh(): Promise<void> {
@@ -178,13 +132,17 @@ export class LoadView extends AnswerView<Answer> {
     this.take(answer, text);
     if (this.full) judgement.take("load", text, answer);
     this.draw();
+    await this.drawFigures();
   }
 
   private get records(): Records {
     return (this.answer?.load["torques"] ?? []) as Records;
   }
+  private get positions(): Records {
+    return (this.records[this.torque]?.["positions"] ?? []) as Records;
+  }
   private choose(index: number): void {
-    this.index = index;
+    this.index = Math.min(this.positions.length - 1, Math.max(0, index));
     this.draw();
   }
 
@@ -193,67 +151,33 @@ export class LoadView extends AnswerView<Answer> {
     if (!answer) return;
     this.torque = Math.min(this.torque, this.records.length - 1);
     const record = this.records[this.torque]!;
-    const picture = answer.picture.torques[this.torque]!;
-    const positions = record["positions"] as Records;
-    this.index = Math.min(this.index || Math.floor(positions.length / 2), positions.length - 1);
-    this.position.max = String(positions.length - 1);
+    const { positions } = this;
+    const n = positions.length;
+    this.index = Math.min(this.index < 0 ? Math.floor(n / 2) : this.index, n - 1);
+    this.position.max = String(n - 1);
     this.position.value = String(this.index);
     this.show(answer, rowsOf(quantities("load.torques")!, [record], "load", "", true));
     this.state.textContent =
-      `${this.full ? "" : "Draft. "}${positions.length} positions` +
-      ` in ${(answer.milliseconds / 1000).toFixed(1)} s.`;
+      `${this.full ? "" : "Draft. "}${n} positions` + ` in ${(answer.milliseconds / 1000).toFixed(1)} s.`;
     this.torques.element.hidden = this.records.length < 2;
     this.torques.offer(
       this.records.map((one) => `${one["torque_Nm"]} N m`),
       String(this.torque),
     );
-    this.drawCurves(positions, picture);
-    this.drawFlanks();
-  }
-
-  private drawCurves(positions: Records, picture: LoadedTorque): void {
-    const of = (key: string) => positions.map((one) => one[key] as number | null);
-    const gear = (i: number) =>
-      positions.map((one) => (one["root_stress_MPa"] as number[] | null)?.[i] ?? null);
-    const x = of("rotation1_deg") as number[];
-    const { te, share, root } = this.plots;
-    const points = this.records[this.torque]!["contact_stiffness_N_per_um"] !== undefined;
-    const stiffness = points ? this.plots.pointStiffness : this.plots.stiffness;
-    for (const one of this.ofLines) one.hidden = points;
-    this.ofPoints.hidden = !points;
-    const record = this.records[this.torque]!;
-    te.show(
-      x,
-      [{ values: of("transmission_error_arcsec"), colour: "flank" }],
-      this.index,
-      `loaded transmission error, peak to peak ${record["peak_to_peak_arcsec"]} arc seconds`,
-    );
-    stiffness.show(x, [{ values: picture.stiffness, colour: "flank" }], this.index, "mesh stiffness");
-    share.show(
-      x,
-      picture.teeth.map((tooth, i) => ({
-        values: tooth.share,
-        colour: kToothColours[i % kToothColours.length]!,
-      })),
-      this.index,
-      `shares of ${picture.teeth.length} tooth pairs`,
-    );
-    root.show(
-      x,
-      [0, 1].map((i) => ({ values: gear(i), colour: `g${i + 1}` })),
-      this.index,
-      "greatest root stress of both gears",
-    );
+    this.figures.mark(this.index / n - 0.5);
     const now = positions[this.index]!;
     const pressure = now["max_pressure_MPa"] as number | null;
     this.where.textContent =
-      `${x[this.index]!.toFixed(2)}°` + (pressure === null ? "" : `  ${pressure.toFixed(0)} MPa`);
+      `${(now["rotation1_deg"] as number).toFixed(2)}°` + (pressure === null ? "" : `  ${pressure.toFixed(0)} MPa`);
   }
 
-  private drawFlanks(): void {
-    const { answer } = this;
-    const torque = answer?.picture.torques[this.torque] ?? null;
-    const most = (this.records[this.torque]?.["max_pressure_MPa"] as number | undefined) ?? 1;
-    for (const map of this.maps) map.draw(torque, answer?.picture.height ?? new Float64Array(), this.index, most);
+  private async drawFigures(): Promise<void> {
+    const { answer, torque } = this;
+    this.width = this.figures.width;
+    const figures = await bench.press
+      .latest("load-figures", "loadFigures", { torque, width: this.width })
+      .catch(() => null); // the answer has gone
+    if (!figures || this.answer !== answer || this.torque !== torque) return;
+    this.figures.show(figures);
   }
 }

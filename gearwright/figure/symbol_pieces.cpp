@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/symbol_pieces.hpp"
+#include "gearwright/figure/symbol_pieces.hpp"
 
 namespace gearwright {
 

@@ -1,4 +1,4 @@
-#include "gearwright/report/contact_figures.hpp"
+#include "gearwright/figure/contact_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 
 namespace gearwright {
@@ -56,29 +57,55 @@ TEST(TeRuns, LostContactEndsARunAndEdgesHaveTheirOwn) {
   EXPECT_EQ(runs[2].rotation, (std::vector<double>{4}));
 }
 
+std::string te_picture(const testing::ContactSample& s) {
+  return html_of(transmission_error_figure(s.report, s.report.driving));
+}
+
 TEST(TePicture, SaysThePeakToPeakOfTheResult) {
   const auto s = testing::helical_contact();
   const std::string words = "peak to peak " + shown_arcsec(s.report.driving.peak_to_peak.arcsec());
-  EXPECT_NE(te_figure(s.report, false).find(words), std::string::npos);
-  EXPECT_NE(te_figure(s.report, false).find("end of face 1"), std::string::npos);
-  EXPECT_NE(te_figure(s.report, false).find("\"handover\""), std::string::npos);
+  EXPECT_NE(te_picture(s).find(words), std::string::npos);
+  EXPECT_NE(te_picture(s).find("end of face 1"), std::string::npos);
+  EXPECT_NE(te_picture(s).find("\"handover\""), std::string::npos);
 }
 
 TEST(TePicture, AConjugatePairHasAFlatCurveAndNoWaves) {
   const auto s = testing::perfect_contact();
-  EXPECT_NE(te_figure(s.report, false).find("peak to peak 0″"), std::string::npos);
-  EXPECT_NE(te_figure(s.report, false).find("along a line"), std::string::npos);
-  EXPECT_TRUE(te_spectrum_figure(s.report).empty());
+  EXPECT_NE(te_picture(s).find("peak to peak 0″"), std::string::npos);
+  EXPECT_NE(te_picture(s).find("along a line"), std::string::npos);
+  EXPECT_FALSE(spectrum_figure(s.report.driving));
+}
+
+// The curve over the computed pitch is the result itself, from its middle.
+TEST(TePicture, TheCurveIsTheResult) {
+  const auto s = testing::helical_contact();
+  const auto figure = transmission_error_figure(s.report, s.report.driving);
+  ASSERT_TRUE(figure);
+  const auto& all = s.report.driving.positions;
+  const auto [lo, hi] = std::minmax_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.te < b.te; });
+  const double middle = 0.5 * (lo->te.arcsec() + hi->te.arcsec());
+  const auto is_drawn = [&](const ContactPoint& p) {
+    const Vec2 want(p.rotation1.deg(), p.te.arcsec() - middle);
+    return std::any_of(figure->marks.begin(), figure->marks.end(), [&](const FigureMark& m) {
+      return !m.words.empty() && std::any_of(m.points.begin(), m.points.end(), [&](const Vec2& at) {
+        return (at - want).norm() < 1e-9;
+      });
+    });
+  };
+  for (const ContactPoint& p : all) EXPECT_TRUE(is_drawn(p)) << p.rotation1.deg();
 }
 
 TEST(TePicture, ABarForEveryWave) {
   const auto s = testing::helical_contact();
-  const std::string text = te_spectrum_figure(s.report);
-  std::size_t bars = 0;
-  for (std::size_t at = text.find("bar alpha"); at != text.npos;
-       at = text.find("bar alpha", at + 1))
-    ++bars;
-  EXPECT_EQ(bars, s.report.driving.harmonics.size());
+  const auto figure = spectrum_figure(s.report.driving);
+  ASSERT_TRUE(figure);
+  std::vector<double> bars;
+  for (const FigureMark& m : figure->marks)
+    if (m.kind == FigureMark::Kind::bar) bars.push_back(m.points[1].y());
+  ASSERT_EQ(bars.size(), s.report.driving.harmonics.size());
+  for (std::size_t i = 0; i < bars.size(); ++i)
+    EXPECT_EQ(bars[i], s.report.driving.harmonics[i].arcsec());
 }
 
 TEST(TePicture, Digits) {

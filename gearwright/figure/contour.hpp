@@ -7,12 +7,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "gearwright/report/svg.hpp"
+#include "gearwright/curve/curve.hpp"
 
 namespace gearwright {
 
@@ -31,21 +29,10 @@ struct ContourField {
 /// Domain    2 × 2 nodes or more, no NaN (contract)
 std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double level);
 
-/// Loops as one SVG path, each point carried to px.
-std::string loops_path(const std::vector<std::vector<Vec2>>& loops,
-                       const std::function<Vec2(const Vec2&)>& px);
-
 /// The enclosed area in squares of the raster, even-odd.
 double area_of(const std::vector<std::vector<Vec2>>& loops);
 
-constexpr double kShadeBox = 20.0;  ///< px, of the key
-
 /// Classes of step i of n, from the lowest on.
 std::string shade_style(std::size_t i, std::size_t n);
-
-/// The key: a box for each step, the lowest at the bottom, with the levels between them and the
-/// words at its upper end (SVG markup). Where it ends, px.
-double draw_shades(Svg& svg, const Vec2& corner, const std::vector<double>& levels,
-                   std::string_view most);
 
 }  // namespace gearwright

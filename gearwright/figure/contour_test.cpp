@@ -1,4 +1,4 @@
-#include "gearwright/report/contact_contour.hpp"
+#include "gearwright/figure/contour.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,14 +72,6 @@ TEST(Contour, RegionsGrowWithTheLevel) {
     last = area;
   }
   EXPECT_NEAR(last, 19.0 * 14.0, 1e-9);
-}
-
-TEST(Contour, APathClosesEveryLoop) {
-  const auto loops = regions_below(field_of(5, 3, [](double c, double) { return c; }), 1.5);
-  const std::string d = loops_path(loops, [](const Vec2& p) -> Vec2 { return 10 * p; });
-  EXPECT_EQ(d.front(), 'M');
-  EXPECT_EQ(d.back(), 'Z');
-  EXPECT_NE(d.find("15 "), d.npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "gearwright/report/load_report.hpp"
+#include "gearwright/figure/load_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,6 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/quantity.hpp"
-#include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
 
@@ -29,14 +27,15 @@ std::vector<std::size_t> some_of(std::size_t n, std::size_t count) {
 
 }  // namespace
 
-std::vector<std::size_t> shown_torques(const LoadReport& report) {
-  const std::size_t n = report.contact.torques.size();
+std::vector<std::size_t> shown_torques(const LoadScene& scene) {
+  const std::size_t n = scene.contact.torques.size();
   if (n == 1) return {0};
   return some_of(n, std::min(n, kCurves.size()));
 }
 
-const LoadedTorque& heaviest(const LoadReport& report) {
-  const auto& all = report.contact.torques;
+const LoadedTorque& shown_torque(const LoadScene& scene) {
+  const auto& all = scene.contact.torques;
+  if (scene.chosen) return all.at(*scene.chosen);
   return *std::max_element(all.begin(), all.end(),
                            [](const auto& a, const auto& b) { return a.torque < b.torque; });
 }
@@ -47,26 +46,24 @@ std::string torque_words(const LoadedTorque& torque) {
 
 std::string curve_style(std::size_t i) { return kCurves[i % kCurves.size()]; }
 
-std::string torque_keys(const LoadReport& report) {
-  std::string keys;
-  const auto shown = shown_torques(report);
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    keys += caption_key(curve_style(i), torque_words(report.contact.torques[shown[i]])) + " ";
+std::vector<FigureKey> torque_keys(const LoadScene& scene) {
+  std::vector<FigureKey> keys;
+  for (const std::size_t i : shown_torques(scene))
+    keys.push_back({curve_style(keys.size()), torque_words(scene.contact.torques[i])});
   return keys;
 }
 
-double pitch_of(const LoadReport& report) {
-  return 2 * std::numbers::pi / std::abs(report.gears[0]->spec.teeth);
+double pitch_of(const LoadScene& scene) {
+  return 2 * std::numbers::pi / std::abs(scene.gears[0]->spec.teeth);
 }
 
-double own_pitches(const LoadReport& report, const LoadedPosition& at, const LoadedPair& pair) {
-  const double turned = report.gear2_drives ? -at.rotation1.rad() : at.rotation1.rad();
-  return turned / pitch_of(report) - pair.pair;
+double own_pitches(const LoadScene& scene, const LoadedPosition& at, const LoadedPair& pair) {
+  const double turned = scene.gear2_drives ? -at.rotation1.rad() : at.rotation1.rad();
+  return turned / pitch_of(scene) - pair.pair;
 }
 
-std::vector<std::size_t> slider_positions(const LoadReport& report) {
-  // The slider begins where gear 1 is not turned, in the middle of the positions.
-  const std::size_t n = heaviest(report).positions.size();
+std::vector<std::size_t> frame_positions(const LoadScene& scene) {
+  const std::size_t n = shown_torque(scene).positions.size();
   const std::size_t step = (n + kMostFrames - 1) / kMostFrames;
   const std::size_t count = n / step;
   std::vector<std::size_t> list;
@@ -74,13 +71,8 @@ std::vector<std::size_t> slider_positions(const LoadReport& report) {
   return list;
 }
 
-std::string frame_attributes(std::size_t k, std::size_t n) {
-  return fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", k, n,
-                     k == 0 ? "" : " visibility=\"hidden\"");
-}
-
-std::vector<double> heights_of(const LoadReport& report, std::size_t which) {
-  const FaceSlices& s = report.contact.slices[which];
+std::vector<double> heights_of(const LoadScene& scene, std::size_t which) {
+  const FaceSlices& s = scene.contact.slices[which];
   std::vector<double> heights;
   for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));
   return heights;

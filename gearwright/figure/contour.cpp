@@ -1,4 +1,4 @@
-#include "gearwright/report/contact_contour.hpp"
+#include "gearwright/figure/contour.hpp"
 
 #include <fmt/format.h>
 
@@ -115,21 +115,6 @@ std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double l
   return loops;
 }
 
-std::string loops_path(const std::vector<std::vector<Vec2>>& loops,
-                       const std::function<Vec2(const Vec2&)>& px) {
-  std::string d;
-  for (const auto& loop : loops) {
-    char step = 'M';
-    for (const Vec2& node : loop) {
-      const Vec2 p = px(node);
-      d += step + pixel(p.x()) + " " + pixel(p.y());
-      step = 'L';
-    }
-    d += 'Z';
-  }
-  return d;
-}
-
 double area_of(const std::vector<std::vector<Vec2>>& loops) {
   double twice = 0.0;
   for (const auto& loop : loops) {
@@ -146,24 +131,6 @@ double area_of(const std::vector<std::vector<Vec2>>& loops) {
 std::string shade_style(std::size_t i, std::size_t n) {
   const std::size_t shade = n <= 1 ? 0 : (9 * i + (n - 1) / 2) / (n - 1);
   return fmt::format("shade s{}", std::min<std::size_t>(9, shade));
-}
-
-double draw_shades(Svg& svg, const Vec2& corner, const std::vector<double>& levels,
-                   std::string_view most) {
-  const std::size_t n = levels.size() + 1;
-  const double left = corner.x();
-  const double top = corner.y();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double y = top + kShadeBox * static_cast<double>(n - 1 - i);
-    svg.rect(left, y, kShadeBox, kShadeBox, shade_style(i, n));
-    if (i + 1 < n) {
-      svg.line({left, y}, {left + kShadeBox + 5, y}, "axis");
-      svg.text({left + kShadeBox + 9, y + 4}, fmt::format("{:g}", levels[i]), Anchor::start,
-               "tick");
-    }
-  }
-  svg.text({left + kShadeBox + 9, top + 8}, most, Anchor::start, "tick");
-  return top + kShadeBox * static_cast<double>(n);
 }
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/report/svg.hpp"
+#include "gearwright/figure/svg.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/report/html_text.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 
@@ -57,12 +57,16 @@ Svg::Svg(std::string_view id, double width, double height, std::string_view titl
       id_, pixel(width), pixel(height), escaped(title), escaped(description));
 }
 
+void Svg::define_clip(std::string_view id, double x, double y, double width, double height) {
+  body_ += fmt::format(
+      "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n", id,
+      pixel(x), pixel(y), pixel(width), pixel(height));
+}
+
 void Svg::begin_clip(double x, double y, double width, double height) {
   ++clips_;
   const std::string name = fmt::format("{}-c{}", id_, clips_);
-  body_ += fmt::format(
-      "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n", name,
-      pixel(x), pixel(y), pixel(width), pixel(height));
+  define_clip(name, x, y, width, height);
   begin_group(fmt::format("clip-path=\"url(#{})\"", name));
 }
 
@@ -94,13 +98,16 @@ void Svg::circle(const Vec2& center, double radius, std::string_view style) {
                        pixel(center.x()), pixel(center.y()), pixel(radius));
 }
 
-void Svg::rect(double x, double y, double width, double height, std::string_view style) {
-  body_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", style,
+void Svg::rect(double x, double y, double width, double height, std::string_view style,
+               std::string_view title) {
+  body_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", style,
                        pixel(x), pixel(y), pixel(width), pixel(height));
+  body_ += title.empty() ? "/>\n" : fmt::format("><title>{}</title></rect>\n", title);
 }
 
-void Svg::path(std::string_view d, std::string_view style) {
-  body_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", style, d);
+void Svg::path(std::string_view d, std::string_view style, std::string_view attributes) {
+  body_ += fmt::format("<path class=\"{}\" d=\"{}\"{}{}/>\n", style, d,
+                       attributes.empty() ? "" : " ", attributes);
 }
 
 void Svg::use(std::string_view shape, const Vec2& center, double scale, double degrees,

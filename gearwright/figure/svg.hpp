@@ -1,5 +1,5 @@
 // A small builder of inline SVG pictures, and what their labels need to keep out of each other's
-// way.
+// way: pixels, for the writer of figures and for pictures that are not yet figures.
 //
 // Positions are pixels of the picture, y down; a Viewport carries millimetres there. Colours and
 // widths are classes of the page's style (report/page/), so that one picture serves light,
@@ -61,8 +61,13 @@ class Svg {
   void polyline(const std::vector<Vec2>& points, std::string_view style);
   void polygon(const std::vector<Vec2>& points, std::string_view style);
   void circle(const Vec2& center, double radius, std::string_view style);
-  void rect(double x, double y, double width, double height, std::string_view style);
-  void path(std::string_view d, std::string_view style);
+  /// With a title, SVG markup, it shows where the pointer rests on it.
+  void rect(double x, double y, double width, double height, std::string_view style,
+            std::string_view title = "");
+  /// `attributes` are added as they are.
+  void path(std::string_view d, std::string_view style, std::string_view attributes = "");
+  /// A rectangle that attributes name as clip-path="url(#id)".
+  void define_clip(std::string_view id, double x, double y, double width, double height);
   /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
   /// counter-clockwise by `degrees`. `attributes` are added as they are.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,

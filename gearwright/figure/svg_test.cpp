@@ -1,4 +1,4 @@
-#include "gearwright/report/svg.hpp"
+#include "gearwright/figure/svg.hpp"
 
 #include <gtest/gtest.h>
 

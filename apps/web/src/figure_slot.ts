@@ -1,0 +1,139 @@
+// A figure of the engine on the page: it stands here as the engine has drawn it. The page adds gestures:
+// a line at the chosen position, a press or a drag that chooses another, and files to keep.
+//
+//   t   position in pitches of gear 1, −½ … ½
+
+import type { Figure } from "../engine/engine";
+import style from "../../../gearwright/figure/figure_style.css?inline";
+import { button, download, fill, h, svg } from "./elements";
+
+/** An axis of a plot: values lo … hi at the px from … to. */
+function axisOf(plot: Element, name: "x" | "y") {
+  const [lo, hi, from, to] = plot.getAttribute(`data-${name}`)!.split(" ").map(Number) as [number, number, number, number];
+  return {
+    lo,
+    hi,
+    px: (value: number) => from + ((value - lo) / (hi - lo)) * (to - from),
+    value: (px: number) => lo + ((px - from) / (to - from)) * (hi - lo),
+    ends: [from, to] as const,
+  };
+}
+
+export class FigureSlot {
+  readonly element = h("div", { class: "figure-slot", hidden: true });
+  private readonly picture = h("div", {});
+  private readonly save = h(
+    "div",
+    { class: "figure-save" },
+    button("SVG", () => this.keepPicture(), { title: "Save this figure" }),
+    button("CSV", () => this.keepValues(), { title: "Save its values" }),
+  );
+  private figure: Figure | null = null;
+  private t = NaN;
+
+  /** `chosen`: a press or a drag at a position; `at`: a press, or a pointer that passes, at values. */
+  constructor(chosen?: (t: number) => void, at?: (x: number, y: number, pressed: boolean) => void) {
+    fill(this.element, this.picture, this.save);
+    const choose = (event: PointerEvent) => {
+      const place = this.valuesAt(event);
+      if (!place) return;
+      at?.(...place.at, event.type === "pointerdown");
+      if (chosen && place.pitch && event.buttons & 1) {
+        const pitches = place.at[0] / place.pitch;
+        chosen(pitches - Math.round(pitches));
+      }
+    };
+    this.picture.addEventListener("pointerdown", choose);
+    this.picture.addEventListener("pointermove", choose);
+  }
+
+  show(figure: Figure | undefined): void {
+    this.element.hidden = !figure;
+    if (figure?.html !== this.figure?.html) this.picture.innerHTML = figure?.html ?? "";
+    this.save.hidden = !figure?.data.curves.length;
+    this.figure = figure ?? null;
+    this.mark(this.t);
+  }
+
+  /** Puts the line, and the frame of a figure that has some, at a position. */
+  mark(t: number): void {
+    this.t = t;
+    const plot = this.picture.querySelector("g.plot");
+    if (!plot || !Number.isFinite(t)) return;
+    for (const old of plot.querySelectorAll(".cursor")) old.remove();
+    const pitch = Number(plot.getAttribute("data-pitch"));
+    if (pitch) {
+      const x = axisOf(plot, "x");
+      const [y1, y2] = axisOf(plot, "y").ends;
+      const reach = Math.ceil(Math.max(Math.abs(x.lo), Math.abs(x.hi)) / Math.abs(pitch)) + 1;
+      for (let k = -reach; k <= reach; ++k) {
+        const value = (t + k) * pitch;
+        if (value < x.lo || value > x.hi) continue;
+        const at = x.px(value);
+        plot.append(svg("path", { class: "cursor", d: `M${at} ${y1}L${at} ${y2}` }));
+      }
+    }
+    for (const frame of plot.querySelectorAll<SVGGElement>("[data-frame]")) {
+      const of = Number(frame.dataset["frames"]);
+      const seen = ((Math.round(t * of) % of) + of) % of === Number(frame.dataset["frame"]);
+      frame.setAttribute("visibility", seen ? "visible" : "hidden");
+    }
+  }
+
+  private valuesAt(event: MouseEvent): { at: [number, number]; pitch: number } | null {
+    const picture = this.picture.querySelector("svg");
+    const plot = picture?.querySelector("g.plot");
+    if (!picture || !plot) return null;
+    const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM()!.inverse());
+    const [across, up] = [axisOf(plot, "x"), axisOf(plot, "y")];
+    if ((x - across.ends[0]) * (x - across.ends[1]) > 0 || (y - up.ends[0]) * (y - up.ends[1]) > 0) return null;
+    return { at: [across.value(x), up.value(y)], pitch: Number(plot.getAttribute("data-pitch")) };
+  }
+
+  private keepPicture(): void {
+    const picture = this.picture.querySelector("svg")!.cloneNode(true) as SVGElement;
+    picture.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+    picture.prepend(svg("style", {}, style));
+    download(`${this.figure!.id}.svg`, picture.outerHTML, "image/svg+xml");
+  }
+  private keepValues(): void {
+    const { x, y, curves } = this.figure!.data;
+    const words = (axis: typeof x) => (axis.unit ? `${axis.words}, ${axis.unit}` : axis.words);
+    const cell = (text: string) => `"${text.replaceAll('"', '""')}"`;
+    const rows = curves.flatMap(({ name, points }) =>
+      points.map(([a, b]) => `${cell(name)},${a ?? ""},${b ?? ""}`),
+    );
+    const head = ["curve", words(x), words(y)].map(cell).join();
+    download(`${this.figure!.id}.csv`, [head, ...rows, ""].join("\n"), "text/csv");
+  }
+}
+
+/** The figures of one answer: each has its place, in the order in which they first came. */
+export class Figures {
+  readonly element = h("div", { class: "plots" });
+  private readonly slots = new Map<string, FigureSlot>();
+  constructor(private readonly chosen?: (t: number) => void) {}
+
+  /** With `all`, a figure that is not among them has gone. */
+  show(figures: Figure[], all = true): void {
+    for (const figure of figures) {
+      if (!this.slots.has(figure.id)) {
+        const slot = new FigureSlot(this.chosen);
+        this.slots.set(figure.id, slot);
+        this.element.append(slot.element);
+      }
+      this.slots.get(figure.id)!.show(figure);
+    }
+    if (!all) return;
+    const ids = new Set(figures.map((one) => one.id));
+    for (const [id, slot] of this.slots) if (!ids.has(id)) slot.show(undefined);
+  }
+  mark(t: number): void {
+    for (const slot of this.slots.values()) slot.mark(t);
+  }
+  /** How wide a figure may be, px. */
+  get width(): number {
+    const room = this.element.clientWidth || 600;
+    return Math.round((room - 20) / Math.max(1, Math.min(2, Math.floor(room / 310))));
+  }
+}

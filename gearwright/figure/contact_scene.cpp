@@ -1,0 +1,91 @@
+#include "gearwright/figure/contact_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/figure/markup.hpp"
+
+namespace gearwright {
+
+ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
+                           double marking, ContactResult driving) {
+  const ContactMount& m = pair.place();
+  const double sigma = m.shaft_angle.rad();
+  const ContactAxis axis_1{pair.in_housing(0.0, 0.0),
+                           pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))};
+  const ContactAxis axis_2{Vec3(m.center_distance + m.errors.center_distance, 0, 0),
+                           Vec3(0, std::sin(sigma), std::cos(sigma))};
+  const int positions = static_cast<int>(driving.positions.size());
+  return {gears, {axis_1, axis_2}, m.gear2_drives, marking, positions, std::move(driving)};
+}
+
+double pitch_of(const ContactScene& scene) {
+  return 2 * std::numbers::pi / std::abs(scene.gears[0]->spec.teeth);
+}
+
+const char* words_of(TouchKind kind) {
+  switch (kind) {
+    case TouchKind::none: return "no contact";
+    case TouchKind::interior: return "inside both flanks";
+    case TouchKind::line: return "along a line";
+    case TouchKind::tip1: return "tip edge of gear 1";
+    case TouchKind::tip2: return "tip edge of gear 2";
+    case TouchKind::face1: return "end of face 1";
+    case TouchKind::face2: return "end of face 2";
+    case TouchKind::form1: return "foot of flank 1";
+    case TouchKind::form2: return "foot of flank 2";
+    case TouchKind::ridge: return "start of a relief";
+    case TouchKind::corner: return "corner of a tooth";
+  }
+  contract_failed("postcondition", "known kind of contact", __FILE__, __LINE__);
+}
+
+FlankPlace place_on(const ContactAxis& axis, const Vec3& point) {
+  const Vec3 from = point - axis.point;
+  const double height = from.dot(axis.direction);
+  return {height, (from - height * axis.direction).norm()};
+}
+
+std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,
+                                   std::size_t which) {
+  if (!p.ellipse || !p.ellipse->semi_major) return {};
+  constexpr int kCorners = 64;
+  // The angle counts from the projection of axis 1, about the normal.
+  const Vec3& axis_1 = scene.axes[0].direction;
+  const Vec3 e_1 = (axis_1 - p.normal * p.normal.dot(axis_1)).normalized();
+  const Vec3 e_2 = p.normal.cross(e_1);
+  const Vec3 major =
+      std::cos(p.ellipse->angle.rad()) * e_1 + std::sin(p.ellipse->angle.rad()) * e_2;
+  const Vec3 minor = p.normal.cross(major);
+  const ContactAxis& axis = scene.axes[which];
+  const FlankPlace at = place_on(axis, p.point);
+  const Vec3 radial = ((p.point - axis.point) - at.height * axis.direction).normalized();
+  std::vector<FlankPlace> points;
+  for (int k = 0; k < kCorners; ++k) {
+    const double turn = 2 * std::numbers::pi * k / kCorners;
+    const Vec3 d = *p.ellipse->semi_major * std::cos(turn) * major +
+                   p.ellipse->semi_minor * std::sin(turn) * minor;
+    points.push_back({at.height + d.dot(axis.direction), at.radius + d.dot(radial)});
+  }
+  return points;
+}
+
+std::string pair_words(int k) { return k == 0 ? "0" : fmt::format("{:+d}", k); }
+
+std::string shown_arcsec(double arcsec) {
+  const double size = std::abs(arcsec);
+  if (size < 5e-7) return "0";
+  return fixed(arcsec, size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6);
+}
+
+std::string words_of(const NamedAmount& amount) {
+  return fmt::format("{}{:.6g}{}{}", amount.value < 0.0 ? "−" : "+", std::abs(amount.value),
+                     amount.unit == "°" ? "" : " ", amount.unit);
+}
+
+}  // namespace gearwright

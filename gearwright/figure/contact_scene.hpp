@@ -1,0 +1,70 @@
+// Tooth contact as its figures take it: the gears, their axes as mounted, and what was found.
+//
+//   TE   transmission error, rad: how far gear 2 is ahead of the ratio, > 0
+//   δ    thickness of the marking compound, mm
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+/// An axis as mounted, errors and all, in the housing.
+struct ContactAxis {
+  Vec3 point = Vec3::Zero();  ///< mm, the middle of the gear's face
+  Vec3 direction = Vec3(0, 0, 1);
+};
+
+/// An error or a modification in plain words.
+struct NamedAmount {
+  std::string name;  ///< "out-of-plane shaft deviation"; plain text
+  double value = 0.0;
+  std::string unit;  ///< "°", "mm", "µm"
+};
+
+struct ContactScene {
+  std::array<const Gear*, 2> gears{};
+  std::array<ContactAxis, 2> axes;
+  bool gear2_drives = false;
+  double marking = 0.0;   ///< δ  mm
+  int positions = 0;      ///< per pitch
+  ContactResult driving;  ///< `positions` of one pitch, from −half a pitch on
+};
+
+/// The scene of a pair that was turned through one pitch.
+ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
+                           double marking, ContactResult driving);
+
+/// The pitch of gear 1, rad.
+double pitch_of(const ContactScene& scene);
+
+/// "tip edge of gear 1"
+const char* words_of(TouchKind kind);
+
+/// A tooth pair's number with its sign; "0" is the one nearest the centre line.
+std::string pair_words(int k);
+
+/// Arc seconds with the digits that a reader can use.
+std::string shown_arcsec(double arcsec);
+
+/// Signed and short, "+0.03°", "−0.02 mm".
+std::string words_of(const NamedAmount& amount);
+
+/// Place of a point of the housing on a gear: height along its axis and radius, mm.
+struct FlankPlace {
+  double height, radius;
+};
+FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
+
+/// The contact ellipse as gear `which` (0, 1) carries it, seen along the tooth's direction of
+/// motion: points (height, radius), closed. None where it has no end, or there is none.
+///
+/// Units     mm, true size: the tangent plane of the contact point, projected
+std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,
+                                   std::size_t which);
+
+}  // namespace gearwright

@@ -1,0 +1,87 @@
+// Peak to peak of the transmission error over two errors of mounting, in steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/figure/markup.hpp"
+#include "gearwright/figure/ticks.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kMaxLevels = 9;
+
+// Values of the map as a raster of arc seconds; what touches nothing lies above every level.
+FlankRaster raster_of(const ErrorMap& map) {
+  FlankRaster raster{map.y, map.x, {}};
+  for (const auto& row : map.value)
+    for (const double v : row) raster.gap.push_back(std::isnan(v) ? kInfinity : v * kArcsecPerRad);
+  return raster;
+}
+
+}  // namespace
+
+std::vector<double> map_levels(const ErrorMap& map) {
+  double lo = kInfinity;
+  double hi = -kInfinity;
+  for (const auto& row : map.value) {
+    for (const double v : row) {
+      if (std::isnan(v)) continue;
+      lo = std::min(lo, v * kArcsecPerRad);
+      hi = std::max(hi, v * kArcsecPerRad);
+    }
+  }
+  // Rounding alone is no field.
+  if (!(hi - lo > 1e-6)) return {};
+  return levels_between(lo, hi, kMaxLevels);
+}
+
+Figure error_map_figure(const ContactMap& both) {
+  const ErrorMap& map = both.map;
+  const auto& [across, up] = both.axes;
+  Figure f{"error-map",
+           "Peak to peak over two errors",
+           fmt::format("Shades and contour lines of the transmission error's peak to peak over {} "
+                       "and {}.",
+                       across.name, up.name),
+           ", all others as specified; the brighter, the more.",
+           {across.name, across.unit, map.x.front(), map.x.back()},
+           {up.name, up.unit, map.y.front(), map.y.back()},
+           "",
+           0.85};
+  const FlankRaster raster = raster_of(map);
+  const ContourField field = field_of(raster);
+  const std::vector<double> levels = map_levels(map);
+  double most = 0.0;
+  bool gaps = false;
+  for (const double v : field.value) {
+    if (std::isinf(v))
+      gaps = true;
+    else
+      most = std::max(most, v);
+  }
+  f.shades = {levels, "≤ " + shown_arcsec(most) + "″",
+              !gaps        ? ""
+              : both.whole ? "no contact"
+                           : "not yet"};
+  // From the whole down to the lowest step, one over the other.
+  const std::size_t n = levels.size() + 1;
+  f.bar({-kInfinity, -kInfinity}, {kInfinity, kInfinity}, "zone none");
+  f.area(region_below(raster, field, 2 * most + 1), shade_style(n - 1, n));
+  for (std::size_t i = levels.size(); i-- > 0;)
+    f.area(region_below(raster, field, levels[i]), shade_style(i, n) + " step");
+  const bool inside = across.value >= map.x.front() && across.value <= map.x.back() &&
+                      up.value >= map.y.front() && up.value <= map.y.back();
+  if (!inside) return f;
+  f.dot({across.value, up.value}, 7.5, "here-ring");
+  f.dot({across.value, up.value}, 3.0, "here-dot", "as specified");
+  f.caption += " The ringed dot: as specified.";
+  return f;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,69 @@
+#include "gearwright/figure/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/ticks.hpp"
+
+namespace gearwright {
+
+using Kind = FigureMark::Kind;
+
+void Figure::line(std::vector<Vec2> points, std::string style, std::string words, int frame) {
+  marks.push_back({Kind::line, std::move(style), std::move(points), std::move(words)});
+  marks.back().frame = frame;
+}
+
+void Figure::area(std::vector<Vec2> points, std::string style) {
+  if (!points.empty()) marks.push_back({Kind::area, std::move(style), std::move(points)});
+}
+
+void Figure::bar(const Vec2& a, const Vec2& b, std::string style, std::string words) {
+  marks.push_back({Kind::bar, std::move(style), {a, b}, std::move(words)});
+}
+
+void Figure::dot(const Vec2& at, double radius, std::string style, std::string words, int frame) {
+  marks.push_back({Kind::dot, std::move(style), {at}, std::move(words)});
+  marks.back().radius = radius;
+  marks.back().frame = frame;
+}
+
+void Figure::text(const Vec2& at, std::string markup, Anchor anchor, std::string style,
+                  const Vec2& offset) {
+  marks.push_back({Kind::text, std::move(style), {at}, std::move(markup), anchor, offset});
+}
+
+std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops) {
+  std::vector<Vec2> points;
+  for (const auto& loop : loops) {
+    if (!points.empty()) points.push_back(kNewPiece);
+    points.insert(points.end(), loop.begin(), loop.end());
+  }
+  return points;
+}
+
+bool fit_axes(Figure& figure, double share, bool from_zero) {
+  Vec2 lo = Vec2::Constant(kInfinity);
+  Vec2 hi = -lo;
+  for (const FigureMark& mark : figure.marks) {
+    if (mark.kind != Kind::line || mark.words.empty()) continue;
+    for (const Vec2& p : mark.points) {
+      if (!std::isfinite(p.x())) continue;
+      lo.x() = std::min(lo.x(), p.x());
+      hi.x() = std::max(hi.x(), p.x());
+      if (!std::isfinite(p.y())) continue;
+      lo.y() = std::min(lo.y(), p.y());
+      hi.y() = std::max(hi.y(), p.y());
+    }
+  }
+  if (!(lo.x() < hi.x() && lo.y() <= hi.y())) return false;
+  const std::vector<double> range = widened(from_zero ? 0.0 : lo.y(), hi.y(), share);
+  figure.x.lo = lo.x();
+  figure.x.hi = hi.x();
+  figure.y.lo = from_zero ? 0.0 : range[0];
+  figure.y.hi = range[1];
+  return true;
+}
+
+}  // namespace gearwright

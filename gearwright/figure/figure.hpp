@@ -1,0 +1,104 @@
+// A figure as a value: what is drawn in the units of its axes, without a pixel and without a colour.
+//
+// It is made once, from a result of the engine, and written by several writers: SVG for the report and
+// the page (figure_svg.hpp), JSON and CSV for anybody's own plots (figure_data.hpp). A mark's style is
+// a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into colours for
+// light, dark and paper.
+//
+//   Places are data coordinates. ±∞ is the edge of the plot, NaN begins a new piece of a line or
+//   of an area.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/figure/svg.hpp"
+
+namespace gearwright {
+
+/// Of marks: begins a new piece.
+inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+
+struct FigureAxis {
+  std::string words;          ///< "rotation of gear 1"; plain text
+  std::string unit;           ///< "°"; empty: a pure number
+  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis runs the other way
+  bool whole = false;         ///< values between whole numbers do not exist
+};
+
+struct FigureMark {
+  enum class Kind {
+    line,  ///< through the points
+    area,  ///< within closed pieces, even-odd
+    bar,   ///< a rectangle between two opposite corners
+    dot,
+    text
+  };
+  Kind kind = Kind::line;
+  std::string style;
+  std::vector<Vec2> points;
+  std::string words =
+      {};  ///< SVG markup of a text; plain: the name of a curve to be read, of a dot
+  Anchor anchor = Anchor::start;
+  Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
+  double radius = 3.0;         ///< px, of a dot
+  int frame = -1;              ///< seen while a slider stands there; −1: always
+};
+
+/// A row of blocks below the plot, over its x axis: "tooth pair", "tip edge of gear 1".
+struct FigureLane {
+  struct Block {
+    double from, to;
+    std::string style, words;
+  };
+  std::string words;
+  std::vector<Block> blocks;
+};
+
+/// The key of shades, from the lowest step on.
+struct FigureShades {
+  std::vector<double> levels;  ///< between the steps
+  std::string most;            ///< at the upper end
+  std::string nothing;         ///< words of places without a value; empty: there are none
+};
+
+/// What a line or a colour means.
+struct FigureKey {
+  std::string style, words;
+};
+
+struct Figure {
+  std::string id;           ///< unique in a page
+  std::string title;        ///< plain text: the head of the caption
+  std::string description;  ///< what is seen, for those who do not see it
+  std::string caption;      ///< HTML, after the title
+  FigureAxis x, y;
+  std::string note = {};  ///< at the upper right: the value that decides; plain text
+  double tall = 0.45;     ///< height of the plot over its width
+  double pitch = 0.0;     ///< one pitch of gear 1 along x; 0: x is no rotation
+  bool bare = false;      ///< a small picture without axes
+  int frames = 0;         ///< of the slider; 0: none
+  std::vector<FigureMark> marks = {};
+  std::vector<FigureLane> lanes = {};
+  std::vector<FigureKey> keys = {};
+  std::optional<FigureShades> shades = {};
+
+  void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
+  void area(std::vector<Vec2> points, std::string style);
+  void bar(const Vec2& a, const Vec2& b, std::string style, std::string words = {});
+  void dot(const Vec2& at, double radius, std::string style, std::string words = {},
+           int frame = -1);
+  void text(const Vec2& at, std::string markup, Anchor anchor = Anchor::start,
+            std::string style = {}, const Vec2& offset = Vec2::Zero());
+};
+
+/// Loops as the points of one area.
+std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
+
+/// Widens the axes to hold every finite point of the curves that are named, with `share` of their
+/// length as room above and below; `from_zero`: y begins at 0. False: they have no range.
+bool fit_axes(Figure& figure, double share = 0.06, bool from_zero = false);
+
+}  // namespace gearwright

@@ -1,0 +1,30 @@
+#include "gearwright/figure/figure_data.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace gearwright {
+
+nlohmann::ordered_json figure_data(const Figure& figure) {
+  using Json = nlohmann::ordered_json;
+  const auto axis = [](const FigureAxis& a) { return Json{{"words", a.words}, {"unit", a.unit}}; };
+  const auto point = [](const Vec2& p) {
+    return std::isnan(p.x()) || std::isnan(p.y()) ? Json{nullptr, nullptr} : Json{p.x(), p.y()};
+  };
+  Json curves = Json::array();
+  Json bars = Json::array();
+  for (const FigureMark& m : figure.marks) {
+    if (m.words.empty()) continue;
+    if (m.kind == FigureMark::Kind::bar)
+      bars.push_back({0.5 * (m.points[0].x() + m.points[1].x()), m.points[1].y()});
+    if (m.kind != FigureMark::Kind::line) continue;
+    Json points = Json::array();
+    for (const Vec2& p : m.points) points.push_back(point(p));
+    curves.push_back({{"name", m.words}, {"points", std::move(points)}});
+  }
+  if (!bars.empty()) curves.push_back({{"name", figure.y.words}, {"points", std::move(bars)}});
+  return {{"id", figure.id},     {"title", figure.title}, {"description", figure.description},
+          {"x", axis(figure.x)}, {"y", axis(figure.y)},   {"curves", std::move(curves)}};
+}
+
+}  // namespace gearwright

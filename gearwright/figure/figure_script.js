@@ -1,0 +1,63 @@
+// What a pointer on a figure reads: the curve that is nearest to it, and its values there.
+(function () {
+  'use strict';
+  var near = 32;  // px
+  var shown = null;
+
+  function axisOf(plot, name) {
+    var n = plot.getAttribute('data-' + name).split(' ').map(Number);
+    var digits = Math.max(0, 3 - Math.floor(Math.log10(Math.abs(n[1] - n[0]))));
+    return function (px) {
+      var value = n[0] + (px - n[2]) / (n[3] - n[2]) * (n[1] - n[0]);
+      return value.toFixed(Math.min(9, digits)).replace(/^-(?=[0.]*$)/, '').replace('-', '−');
+    };
+  }
+  // Pieces of a path as lists of points, px.
+  function piecesOf(path) {
+    if (!path.pieces) {
+      path.pieces = path.getAttribute('d').split('M').filter(Boolean).map(function (piece) {
+        return piece.split('L').map(function (point) { return point.split(' ').map(Number); });
+      });
+    }
+    return path.pieces;
+  }
+  // Where a path passes the pointer's upright line, nearest to the pointer.
+  function passing(plot, at) {
+    var best = null;
+    plot.querySelectorAll('path[data-name]').forEach(function (path) {
+      piecesOf(path).forEach(function (piece) {
+        for (var i = 1; i < piece.length; ++i) {
+          var a = piece[i - 1], b = piece[i];
+          if ((a[0] - at.x) * (b[0] - at.x) > 0 || a[0] === b[0]) continue;
+          var y = a[1] + (at.x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+          var far = Math.abs(y - at.y);
+          if (far < near && (!best || far < best.far)) best = {far: far, y: y, name: path.getAttribute('data-name')};
+        }
+      });
+    });
+    return best;
+  }
+  function add(parent, tag, attributes, text) {
+    var node = document.createElementNS('http://www.w3.org/2000/svg', tag);
+    Object.keys(attributes).forEach(function (name) { node.setAttribute(name, attributes[name]); });
+    if (text) node.textContent = text;
+    parent.appendChild(node);
+  }
+  document.addEventListener('pointermove', function (event) {
+    if (shown) shown.remove();
+    shown = null;
+    var svg = event.target.closest && event.target.closest('svg');
+    var plot = svg && svg.querySelector('g.plot');
+    if (!plot || event.buttons) return;
+    var at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    var found = passing(plot, at);
+    if (!found) return;
+    var ends = plot.getAttribute('data-x').split(' ').map(Number), left = at.x < (ends[2] + ends[3]) / 2;
+    shown = document.createElementNS('http://www.w3.org/2000/svg', 'g');
+    shown.setAttribute('class', 'readout');
+    svg.appendChild(shown);
+    add(shown, 'circle', {cx: at.x, cy: found.y, r: 3.5});
+    add(shown, 'text', {x: at.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
+        found.name + ': ' + axisOf(plot, 'y')(found.y) + ' at ' + axisOf(plot, 'x')(at.x));
+  });
+})();

@@ -1,0 +1,270 @@
+#include "gearwright/figure/figure_svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/figure/contour.hpp"
+#include "gearwright/figure/markup.hpp"
+#include "gearwright/figure/ticks.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Kind = FigureMark::Kind;
+
+constexpr double kLetter = 7.6;  // px, of a number of 12 to 14 px
+constexpr double kEdge = 12.0;   // px of air around everything
+constexpr double kHead = 34.0;   // px above the plot: the words of the y axis
+constexpr double kFoot = 44.0;   // px below it: numbers and words of the x axis
+constexpr double kLane = 22.0;
+constexpr double kShade = 19.0;               // px, a box of the key
+constexpr double kAcross = 72.0, kUp = 38.0;  // px between ticks, at least
+
+// Letters of markup: tags and the further bytes of a character count nothing.
+double letters(std::string_view markup) {
+  double count = 0.0;
+  bool tag = false;
+  for (const char c : markup) {
+    if (c == '<') tag = true;
+    if (!tag && (static_cast<unsigned char>(c) & 0xC0) != 0x80) ++count;
+    if (c == '>') tag = false;
+  }
+  return count;
+}
+
+// An axis on the screen: values from.lo … hi at px.
+struct Scale {
+  double lo, hi, from, to;
+  double operator()(double v) const {
+    if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
+    // Curves may leave their plot, but no further than it is long.
+    const double length = std::abs(to - from);
+    return std::clamp(from + (v - lo) / (hi - lo) * (to - from), std::min(from, to) - length,
+                      std::max(from, to) + length);
+  }
+  std::string attribute() const {
+    return fmt::format("{:.9g} {:.9g} {} {}", lo, hi, pixel(from), pixel(to));
+  }
+};
+
+Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
+  const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
+  const int most = std::clamp(static_cast<int>(px / apart), 2, 10);
+  if (!axis.whole) return round_ticks(lo, hi, most);
+  Ticks ticks{{}, 0};
+  const int step = std::max(1, static_cast<int>(std::ceil((hi - lo) / most)));
+  for (int k = static_cast<int>(std::ceil(lo)); k <= hi; ++k)
+    if (k == 1 || k % step == 0) ticks.values.push_back(k);
+  return ticks;
+}
+
+std::string tick_words(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  return text.front() == '-' ? "−" + text.substr(1) : text;
+}
+
+std::string words_of(const FigureAxis& axis) {
+  return escaped(axis.unit.empty() ? axis.words : axis.words + ", " + axis.unit);
+}
+
+struct Layout {
+  double left, right, top, bottom, foot,
+      height;  // px, of the plot; the line of the x axis' numbers
+  Ticks across, up;
+
+  Layout(const Figure& f, double width) {
+    if (f.bare) {
+      left = top = kEdge;
+      right = width - kEdge;
+      foot = bottom = top + f.tall * (right - left);
+      height = bottom + kEdge;
+      return;
+    }
+    // What stands beside the plot at its right, and before it at its left.
+    double beside = 0.0, before = 0.0;
+    for (const FigureMark& m : f.marks) {
+      if (m.kind != Kind::text || m.anchor != Anchor::start) continue;
+      if (std::isinf(m.points[0].x()) && m.points[0].x() > 0 && m.offset.x() > 0)
+        beside = std::max(beside, m.offset.x() + kLetter * letters(m.words));
+    }
+    if (f.shades)
+      beside = std::max(beside, 22 + kShade + kLetter * std::max(6.0, letters(f.shades->most)));
+    for (const FigureLane& lane : f.lanes) before = std::max(before, kLetter * letters(lane.words));
+    const double tall = f.tall * (width - beside - 100);
+    up = ticks_on(f.y, std::max(120.0, tall), kUp);
+    for (const double v : up.values)
+      before = std::max(before, kLetter * letters(tick_words(v, up.decimals)));
+    left = before + kEdge + 8;
+    right = width - kEdge - std::max(beside, 10.0);
+    top = kHead;
+    bottom = top + std::max(110.0, f.tall * (right - left));
+    foot = bottom + (f.lanes.empty() ? 0.0 : 8 + kLane * static_cast<double>(f.lanes.size()));
+    height = foot + kFoot;
+    across = ticks_on(f.x, right - left, kAcross);
+  }
+};
+
+class Writer {
+ public:
+  Writer(const Figure& figure, double width)
+      : f_(figure),
+        at_(figure, width),
+        x_{f_.x.lo, f_.x.hi, at_.left, at_.right},
+        y_{f_.y.lo, f_.y.hi, at_.bottom, at_.top},
+        svg_(f_.id, width, at_.height, f_.title, f_.description) {}
+
+  std::string str() {
+    if (!f_.bare) {
+      words();
+      grid();
+    }
+    svg_.begin_group(fmt::format("class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"",
+                                 x_.attribute(), y_.attribute(), f_.pitch));
+    int frame = -1;
+    for (const FigureMark& m : f_.marks) {
+      if (m.frame != frame && frame >= 0) svg_.end_group();
+      if (m.frame != frame && m.frame >= 0) begin_frame(m.frame);
+      frame = m.frame;
+      mark(m);
+    }
+    if (frame >= 0) svg_.end_group();
+    svg_.end_group();
+    for (std::size_t i = 0; i < f_.lanes.size(); ++i)
+      lane(f_.lanes[i], at_.bottom + 8 + kLane * static_cast<double>(i));
+    if (f_.shades) shades(*f_.shades);
+    return svg_.str();
+  }
+
+ private:
+  Vec2 px(const Vec2& p) const { return {x_(p.x()), y_(p.y())}; }
+
+  void begin_frame(int frame) {
+    svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,
+                                 frame == 0 ? "" : " visibility=\"hidden\""));
+  }
+
+  void words() {
+    svg_.text({kEdge, 20}, words_of(f_.y), Anchor::start, "panel");
+    if (!f_.note.empty()) svg_.text({at_.right, 20}, escaped(f_.note), Anchor::end, "panel");
+    svg_.text({(at_.left + at_.right) / 2, at_.foot + 36}, words_of(f_.x), Anchor::middle, "tick");
+  }
+
+  void grid() {
+    for (const double v : at_.up.values) {
+      svg_.line({at_.left, y_(v)}, {at_.right, y_(v)}, v == 0.0 ? "axis" : "grid");
+      svg_.text({at_.left - 7, y_(v) + 4}, tick_words(v, at_.up.decimals), Anchor::end, "tick");
+    }
+    for (const double v : at_.across.values) {
+      svg_.line({x_(v), at_.top}, {x_(v), at_.foot + 4}, "grid");
+      svg_.text({x_(v), at_.foot + 17}, tick_words(v, at_.across.decimals), Anchor::middle, "tick");
+    }
+    svg_.line({at_.left, at_.foot}, {at_.right, at_.foot}, "axis");
+  }
+
+  std::string clip() {
+    if (clip_.empty()) {
+      clip_ = f_.id + "-plot";
+      svg_.define_clip(clip_, at_.left - 1, at_.top - 1, at_.right - at_.left + 2,
+                       at_.bottom - at_.top + 2);
+    }
+    return fmt::format("clip-path=\"url(#{})\"", clip_);
+  }
+
+  void mark(const FigureMark& m) {
+    const std::string name = m.words.empty() || m.kind == Kind::text ? "" : escaped(m.words);
+    switch (m.kind) {
+      case Kind::line:
+      case Kind::area: {
+        std::string d;
+        bool on = false;
+        const char* const end = m.kind == Kind::area ? "Z" : "";
+        for (const Vec2& p : m.points) {
+          if (std::isnan(p.x()) || std::isnan(p.y())) {
+            if (on) d += end;
+            on = false;
+            continue;
+          }
+          const Vec2 at = px(p);
+          d += (on ? "L" : "M") + pixel(at.x()) + " " + pixel(at.y());
+          on = true;
+        }
+        if (d.empty()) break;
+        const std::string inside = clip();
+        svg_.path(d + end, m.style,
+                  inside + (name.empty() ? "" : fmt::format(" data-name=\"{}\"", name)));
+        break;
+      }
+      case Kind::bar: {
+        const Vec2 a = px(m.points[0]), b = px(m.points[1]);
+        const Vec2 lo = a.cwiseMin(b), size = (a - b).cwiseAbs();
+        svg_.rect(lo.x(), lo.y(), size.x(), size.y(), m.style, name);
+        break;
+      }
+      case Kind::dot: svg_.dot(px(m.points[0]), m.radius, m.style, m.words); break;
+      case Kind::text: svg_.text(px(m.points[0]), m.words, m.anchor, m.style, m.offset); break;
+    }
+  }
+
+  void lane(const FigureLane& lane, double y) {
+    svg_.text({at_.left - 8, y + 14}, escaped(lane.words), Anchor::end, "tick");
+    svg_.line({at_.left, y + (kLane - 4) / 2}, {at_.right, y + (kLane - 4) / 2}, "grid");
+    for (const FigureLane::Block& block : lane.blocks) {
+      const double from = std::max(x_(block.from), at_.left),
+                   to = std::min(x_(block.to), at_.right);
+      if (to <= from) continue;
+      svg_.rect(from, y, to - from, kLane - 4, block.style);
+      if (to - from > 8 + kLetter * letters(block.words) && !block.words.empty())
+        svg_.text({(from + to) / 2, y + 14}, escaped(block.words), Anchor::middle, "inzone");
+    }
+  }
+
+  void shades(const FigureShades& key) {
+    const std::size_t n = key.levels.size() + 1;
+    const double x = at_.right + 14;
+    const double tall = std::min(kShade, (at_.bottom - at_.top - 40) / static_cast<double>(n));
+    double y = at_.top + 4;
+    svg_.text({x + kShade + 7, y + 8}, escaped(key.most), Anchor::start, "tick");
+    for (std::size_t i = n; i-- > 0; y += tall) {
+      svg_.rect(x, y, kShade, tall, shade_style(i, n));
+      if (i > 0 && (tall > 14 || i % 2 == 0))
+        svg_.text({x + kShade + 7, y + tall + 4}, fmt::format("{:g}", key.levels[i - 1]),
+                  Anchor::start, "tick");
+    }
+    if (key.nothing.empty()) return;
+    svg_.rect(x, y + 12, kShade, kShade, "zone none");
+    svg_.text({x, y + 26 + kShade}, escaped(key.nothing), Anchor::start, "tick");
+  }
+
+  const Figure& f_;
+  Layout at_;
+  Scale x_, y_;
+  Svg svg_;
+  std::string clip_;
+};
+
+}  // namespace
+
+std::string figure_svg(const Figure& figure, double width) {
+  GW_EXPECTS(width >= 240.0);
+  for (const FigureAxis* axis : {&figure.x, &figure.y})
+    GW_EXPECTS(std::isfinite(axis->lo) && std::isfinite(axis->hi) && axis->lo != axis->hi);
+  return Writer(figure, width).str();
+}
+
+std::string figure_html(const Figure& figure, double width, std::string_view attributes,
+                        std::string_view control) {
+  std::string caption = fmt::format("<strong>{}</strong>{}", escaped(figure.title), figure.caption);
+  for (const FigureKey& key : figure.keys)
+    caption += " " + caption_key(key.style, escaped(key.words));
+  return captioned(figure_svg(figure, width) + std::string(control), caption, attributes);
+}
+
+std::string html_of(const std::optional<Figure>& figure) {
+  return figure ? figure_html(*figure) : std::string();
+}
+
+}  // namespace gearwright

@@ -1,0 +1,202 @@
+// What changes under load while the gears turn: transmission error, load shares, stiffness, root stress;
+// and with the torque.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/figure/contact_scene.hpp"
+#include "gearwright/figure/load_figures.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kWaves = 3;  // in the Harris map
+
+// A value at each position, and the first once more a pitch later.
+template <class Of>
+std::vector<Vec2> over_the_pitch(const LoadScene& scene, const LoadedTorque& t, const Of& of) {
+  std::vector<Vec2> values;
+  for (const LoadedPosition& p : t.positions) values.push_back({p.rotation1.deg(), of(p)});
+  const Vec2 first = values.front();
+  values.push_back({first.x() + pitch_of(scene) * kDegPerRad, first.y()});
+  return values;
+}
+
+std::vector<Vec2> from_its_mean(std::vector<Vec2> values) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    if (std::isnan(values[i].y())) continue;
+    sum += values[i].y();
+    ++count;
+  }
+  for (Vec2& v : values) v.y() -= sum / count;
+  return values;
+}
+
+// A figure over the rotation of gear 1 with a curve for every torque that is shown.
+template <class Of>
+Figure over_the_rotation(const LoadScene& scene, Figure f, const Of& of) {
+  f.x = {"rotation of gear 1", "°"};
+  f.pitch = pitch_of(scene) * kDegPerRad;
+  f.keys = torque_keys(scene);
+  for (const std::size_t i : shown_torques(scene)) {
+    const LoadedTorque& t = scene.contact.torques[i];
+    f.line(of(t), "curve " + curve_style(f.marks.size()), torque_words(t));
+  }
+  return f;
+}
+
+std::optional<Figure> fitted(Figure f, bool from_zero) {
+  return fit_axes(f, 0.06, from_zero) ? std::optional(std::move(f)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
+  Figure f = over_the_rotation(
+      scene,
+      {.id = "loaded-te",
+       .title = "Loaded transmission error",
+       .description =
+           "Over the rotation of gear 1: transmission error from its mean, for each torque.",
+       .caption = ", each curve from its mean.",
+       .x = {},
+       .y = {"transmission error", "arc seconds"}},
+      [&](const LoadedTorque& t) {
+        return from_its_mean(
+            over_the_pitch(scene, t, [](const LoadedPosition& p) { return p.te.arcsec(); }));
+      });
+  f.line(
+      from_its_mean(over_the_pitch(scene, shown_torque(scene),
+                                   [](const LoadedPosition& p) { return p.unloaded_te.arcsec(); })),
+      "before", "without load");
+  f.keys.push_back({"before", "without load"});
+  f.note = "peak to peak " + shown_arcsec(shown_torque(scene).peak_to_peak.arcsec()) + "″";
+  return fitted(std::move(f), false);
+}
+
+std::optional<Figure> share_figure(const LoadScene& scene) {
+  const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
+  Figure f{
+      .id = "load-share",
+      .title = "Load share",
+      .description = "Over the way of one tooth pair through its mesh: its part of the whole load.",
+      .caption = " of one tooth pair from where it begins to bear to where it ceases.",
+      .x = {"turn of the tooth pair from the centre line", "pitches"},
+      .y = {"share of the load", ""}};
+  f.pitch = scene.gear2_drives ? -1.0 : 1.0;
+  f.keys = torque_keys(scene);
+  for (const std::size_t i : shown_torques(scene)) {
+    const LoadedTorque& t = scene.contact.torques[i];
+    std::vector<Vec2> values;
+    for (const LoadedPosition& p : t.positions)
+      for (const LoadedPair& k : p.pairs)
+        values.push_back({own_pitches(scene, p, k), share_of(p, k.pair)});
+    std::sort(values.begin(), values.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+    if (values.empty()) continue;
+    // Before and after it bears nothing.
+    values.insert(values.begin(), {values.front().x() - step, 0.0});
+    values.push_back({values.back().x() + step, 0.0});
+    f.line(std::move(values), "curve " + curve_style(f.marks.size()), torque_words(t));
+  }
+  return fitted(std::move(f), true);
+}
+
+std::optional<Figure> stiffness_figure(const LoadScene& scene) {
+  const bool points = scene.contact.regime == LoadRegime::point;
+  return fitted(
+      over_the_rotation(scene,
+                        {.id = "mesh-stiffness",
+                         .title = "Mesh stiffness",
+                         .description = fmt::format(
+                             "Over the rotation of gear 1: {} over approach, for each torque.",
+                             points ? "force" : "line load"),
+                         .caption = ", secant, bodies’ twist included.",
+                         .x = {},
+                         .y = {"stiffness", points ? "N/µm" : "N/(mm µm)"}},
+                        [&](const LoadedTorque& t) {
+                          return over_the_pitch(
+                              scene, t, [](const LoadedPosition& p) { return p.stiffness; });
+                        }),
+      true);
+}
+
+std::optional<Figure> root_turn_figure(const LoadScene& scene) {
+  const LoadedTorque& t = shown_torque(scene);
+  Figure f{.id = "root-stress-turn",
+           .title = "Greatest root stress",
+           .description =
+               "Over the rotation of gear 1: the greatest principal stress at the roots of "
+               "both gears.",
+           .caption = fmt::format(" at {}.", torque_words(t)),
+           .x = {"rotation of gear 1", "°"},
+           .y = {"root stress", "N/mm²"}};
+  f.pitch = pitch_of(scene) * kDegPerRad;
+  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2"}};
+  for (std::size_t g = 0; g < 2; ++g)
+    f.line(over_the_pitch(scene, t, [g](const LoadedPosition& p) { return p.root_stress[g]; }),
+           "curve " + f.keys[g].style, f.keys[g].words);
+  return fitted(std::move(f), true);
+}
+
+std::optional<Figure> root_face_figure(const LoadScene& scene) {
+  Figure f{.id = "root-stress-face",
+           .title = "Over the face",
+           .description = "Over the face: the greatest stress along the fillet, of both gears.",
+           .caption = ": the greatest along the fillet.",
+           .x = {"along the face from its middle", "mm"},
+           .y = {"root stress", "N/mm²"}};
+  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2"}};
+  for (std::size_t g = 0; g < 2; ++g) {
+    if (shown_torque(scene).root_stress[g].size() == 0) continue;
+    const auto heights = heights_of(scene, g);
+    const Eigen::RowVectorXd most = shown_torque(scene).root_stress[g].colwise().maxCoeff();
+    std::vector<Vec2> values;
+    for (std::size_t j = 0; j < heights.size(); ++j)
+      values.push_back({heights[j], most[static_cast<Eigen::Index>(j)]});
+    f.line(std::move(values), "curve " + f.keys[g].style, f.keys[g].words);
+  }
+  return fitted(std::move(f), true);
+}
+
+std::optional<Figure> harris_figure(const LoadScene& scene) {
+  const LoadedTorque* quiet = quietest(scene.contact);
+  if (!quiet) return std::nullopt;
+  std::vector<const LoadedTorque*> by_torque;
+  for (const LoadedTorque& t : scene.contact.torques) by_torque.push_back(&t);
+  std::stable_sort(by_torque.begin(), by_torque.end(),
+                   [](const auto* a, const auto* b) { return a->torque < b->torque; });
+  if (!(by_torque.front()->torque < by_torque.back()->torque)) return std::nullopt;
+  Figure f{.id = "harris",
+           .title = "Harris map",
+           .description =
+               "Over the torque: the loaded transmission error's peak to peak and the "
+               "amplitudes of its first waves.",
+           .caption =
+               fmt::format(". Of the torques asked for the quietest is {}, {}″ from peak to peak.",
+                           torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
+           .x = {"torque on gear 1", "N m"},
+           .y = {"transmission error", "arc seconds"}};
+  const auto add = [&](auto of, const std::string& style, const std::string& words) {
+    std::vector<Vec2> values;
+    for (const LoadedTorque* t : by_torque) values.push_back({t->torque / kMmPerM, of(*t)});
+    f.line(values, "curve " + style, words);
+    for (const Vec2& v : values)
+      if (std::isfinite(v.y())) f.dot(v, 3.0, "mark");
+    f.keys.push_back({style, words});
+  };
+  add([](const LoadedTorque& t) { return t.peak_to_peak.arcsec(); }, "ink", "peak to peak");
+  for (std::size_t h = 0; h < std::min(kWaves, quiet->harmonics.size()); ++h)
+    add([h](const LoadedTorque& t) { return t.harmonics.empty() ? kNaN : t.harmonics[h].arcsec(); },
+        curve_style(h), fmt::format("{} wave{} per pitch", h + 1, h == 0 ? "" : "s"));
+  return fitted(std::move(f), true);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,264 @@
+// Flanks under load laid flat: the pressure of teeth that bear along lines, the ellipses of teeth that
+// touch about points.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/figure/load_figures.hpp"
+#include "gearwright/figure/markup.hpp"
+#include "gearwright/figure/ticks.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::size_t kRows = 81;
+constexpr std::size_t kColumns = 65;
+constexpr int kMostLevels = 10;
+constexpr std::size_t kMostDrawn = 14;  // ellipses that can be told apart
+constexpr int kCorners = 48;            // of an ellipse
+
+// A slice of a flank on its way through the mesh: where it is nearest, and how it presses there.
+struct Sample {
+  double own;     // the turn of the tooth pair, pitches
+  double radius;  // mm
+  double pressure;
+};
+
+std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::size_t slice) {
+  std::vector<Sample> all;
+  for (const LoadedPosition& p : shown_torque(scene).positions)
+    for (const LoadedPair& k : p.pairs)
+      if (const double r = k.radius[slice][which]; r > 0.0)
+        all.push_back({own_pitches(scene, p, k), r, k.pressure[static_cast<Eigen::Index>(slice)]});
+  std::sort(all.begin(), all.end(), [](const Sample& a, const Sample& b) { return a.own < b.own; });
+  return all;
+}
+
+// The greatest pressure at a radius. A mating edge passes a place twice, out and back: of all ways
+// past it the greatest counts.
+double greatest_at(const std::vector<Sample>& way, double step, double radius) {
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Sample& a = way[i];
+    const Sample& b = way[i + 1];
+    const bool past = (radius - a.radius) * (radius - b.radius) <= 0.0;
+    if (!past || b.own - a.own > 1.5 * step) continue;
+    const double part = b.radius == a.radius ? 0.0 : (radius - a.radius) / (b.radius - a.radius);
+    const double here = b.radius == a.radius ? std::max(a.pressure, b.pressure)
+                                             : a.pressure + part * (b.pressure - a.pressure);
+    most = std::max(most, here);
+  }
+  return most;
+}
+
+// The places of a tooth pair that press, in one piece or several, each at `of` its slice.
+template <class Of>
+std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair, const Of& of) {
+  const auto heights = heights_of(scene, 0);
+  std::vector<Vec2> line;
+  for (std::size_t j = 0; j < heights.size(); ++j) {
+    const bool bears = pair.pressure[static_cast<Eigen::Index>(j)] > 0.0;
+    line.push_back(bears ? Vec2(heights[j], of(j)) : kNewPiece);
+  }
+  return line;
+}
+
+// Adds something of each tooth pair that bears, a frame for every position.
+template <class Add>
+void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
+  const auto positions = frame_positions(scene);
+  f.frames = static_cast<int>(positions.size());
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    for (const LoadedPair& pair : shown_torque(scene).positions[positions[k]].pairs)
+      add(pair, static_cast<int>(k));
+}
+
+// A tooth at one place of its way.
+struct Passing {
+  double own;  // its turn, pitches
+  const LoadedPoint* point;
+};
+
+// A way for each track: the teeth of double arcs have two.
+std::vector<std::vector<Passing>> ways_of(const LoadScene& scene, const LoadedTorque& t) {
+  std::map<int, std::vector<Passing>> by_track;
+  for (const LoadedPosition& p : t.positions)
+    for (const LoadedPair& k : p.pairs)
+      by_track[k.point.track].push_back({own_pitches(scene, p, k), &k.point});
+  std::vector<std::vector<Passing>> ways;
+  for (auto& [track, way] : by_track) {
+    std::sort(way.begin(), way.end(),
+              [](const Passing& a, const Passing& b) { return a.own < b.own; });
+    ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+Vec2 middle_of(const LoadedPoint& p, std::size_t which) {
+  return {p.height[which], p.diameter[which]};
+}
+
+}  // namespace
+
+FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
+  const Gear& gear = *scene.gears[which];
+  const FaceSlices& s = scene.contact.slices[0];
+  const double root = gear.root_form_radius().value_or(gear.base_radius());
+  const double tip = gear.tip_form_radius();
+  const auto [lo, hi] = std::minmax(root, tip);
+  FlankRaster raster;
+  const auto part = [](std::size_t i, std::size_t n) {
+    return static_cast<double>(i) / static_cast<double>(n - 1);
+  };
+  for (std::size_t i = 0; i < kRows; ++i)
+    raster.diameter.push_back(2 * (lo + part(i, kRows) * (hi - lo)));
+  for (std::size_t i = 0; i < kColumns; ++i)
+    raster.height.push_back(s.lo + part(i, kColumns) * (s.hi - s.lo));
+  const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
+  std::vector<std::vector<Sample>> slices;
+  for (int j = 0; j < s.count; ++j)
+    slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
+  for (const double d : raster.diameter) {
+    for (const double z : raster.height) {
+      // Beyond the middles of the last slices it is theirs.
+      const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
+      const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
+      const double to_next = place - static_cast<double>(j);
+      raster.gap.push_back((1 - to_next) * greatest_at(slices[j], step, d / 2) +
+                           to_next * greatest_at(slices[j + 1], step, d / 2));
+    }
+  }
+  return raster;
+}
+
+Figure pressure_figure(const LoadScene& scene, std::size_t which) {
+  GW_EXPECTS(scene.contact.regime == LoadRegime::line);
+  const LoadedTorque& t = shown_torque(scene);
+  const FlankRaster raster = pressure_raster(scene, which);
+  Figure f = flank_frame(fmt::format("pressure{}", which + 1), fmt::format("Gear {}", which + 1),
+                         raster, scene.gears[which]->internal(), which);
+  f.caption = fmt::format(" at {}: the greatest pressure over a mesh, N/mm². ", torque_words(t)) +
+              f.caption;
+  f.keys.push_back({"bears", "where teeth bear now"});
+  // Of pressures turned over, to have the regions above a level.
+  ContourField field = field_of(raster);
+  for (double& v : field.value) v = -v;
+  const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
+  const std::size_t n = levels.size() + 1;
+  for (std::size_t i = 0; i < n; ++i)
+    f.area(region_below(raster, field, i == 0 ? 0.0 : -levels[i - 1]),
+           shade_style(i, n) + (i ? " step" : ""));
+  f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
+  std::erase_if(f.marks, [](const FigureMark& m) {  // the key stands where limits have their names
+    return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
+  });
+  add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
+    f.line(bearing_places(scene, pair, [&](std::size_t j) { return 2 * pair.radius[j][which]; }),
+           "action bears", {}, frame);
+  });
+  return f;
+}
+
+Figure pressure_along_figure(const LoadScene& scene) {
+  GW_EXPECTS(scene.contact.regime == LoadRegime::line);
+  const LoadedTorque& t = shown_torque(scene);
+  const FaceSlices& s = scene.contact.slices[0];
+  Figure f{
+      "pressure-along",
+      "Pressure along the face",
+      "Over the face: the greatest pressure of a mesh, and that of the tooth pairs that bear at "
+      "one position.",
+      " of each tooth pair that bears there, a colour for each.",
+      {"along the face from its middle", "mm", s.lo, s.hi},
+      {"pressure", "N/mm²", 0.0, 1.06 * t.max_pressure}};
+  f.keys.push_back({"before", "the greatest over a mesh"});
+  const auto heights = heights_of(scene, 0);
+  std::vector<Vec2> greatest;
+  for (std::size_t j = 0; j < heights.size(); ++j) {
+    double most = 0.0;
+    for (const LoadedPosition& p : t.positions)
+      for (const LoadedPair& k : p.pairs)
+        most = std::max(most, k.pressure[static_cast<Eigen::Index>(j)]);
+    greatest.push_back({heights[j], most});
+  }
+  f.line(std::move(greatest), "before", "greatest over a mesh");
+  add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
+    f.line(
+        bearing_places(scene, pair,
+                       [&](std::size_t j) { return pair.pressure[static_cast<Eigen::Index>(j)]; }),
+        fmt::format("curve tp{}", ((pair.pair % 3) + 3) % 3), {}, frame);
+  });
+  return f;
+}
+
+Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
+  GW_EXPECTS(scene.contact.regime == LoadRegime::point);
+  const Gear& gear = *scene.gears[which];
+  const auto ways = ways_of(scene, shown_torque(scene));
+  double lo = 2 * gear.tip_form_radius();
+  double hi = lo;
+  for (const auto& way : ways)
+    for (const Passing& p : way) {
+      lo = std::min(lo, middle_of(*p.point, which).y());
+      hi = std::max(hi, middle_of(*p.point, which).y());
+    }
+  if (const auto form = gear.root_form_radius()) lo = std::min(lo, 2 * *form);
+  const double half = gear.spec.face_width / 2;
+  Figure f = flank_frame(fmt::format("ellipses{}", which + 1), fmt::format("Gear {}", which + 1),
+                         {{lo, hi}, {-half, half}, {}}, false, which);
+  f.caption = fmt::format(
+                  " at {}: the ellipses of contact of a tooth on its way through the mesh; "
+                  "the line joins their middles. ",
+                  torque_words(shown_torque(scene))) +
+              f.caption;
+  f.keys = {{"action", "on the flank"}, {"before", "hanging over an end of it"}};
+  for (const auto& way : ways) {
+    std::vector<Vec2> path;
+    for (const Passing& p : way) path.push_back(middle_of(*p.point, which));
+    f.line(std::move(path), "thin dashdot");
+    const std::size_t step = (way.size() + kMostDrawn - 1) / kMostDrawn;
+    for (std::size_t i = step / 2; i < way.size(); i += step) {
+      const LoadedPoint& p = *way[i].point;
+      std::vector<Vec2> ellipse;
+      for (int k = 0; k < kCorners; ++k) {
+        const double turn = 2 * kPi * k / kCorners;
+        const Vec2 d =
+            std::cos(turn) * p.half_axis[which][0] + std::sin(turn) * p.half_axis[which][1];
+        ellipse.push_back(middle_of(p, which) + Vec2(d.x(), 2 * d.y()));
+      }
+      f.area(std::move(ellipse), p.beyond ? "before" : "curve action");
+    }
+  }
+  return f;
+}
+
+std::optional<Figure> point_pressure_figure(const LoadScene& scene) {
+  Figure f{
+      "point-pressure",
+      "Pressure",
+      "Over the way of one tooth pair through its mesh: the greatest pressure.",
+      " in the middle of the ellipse, of one tooth pair from where it begins to bear to where it "
+      "ceases.",
+      {"turn of the tooth pair from the centre line", "pitches"},
+      {"pressure", "N/mm²"}};
+  f.keys = torque_keys(scene);
+  std::size_t shown = 0;
+  for (const std::size_t i : shown_torques(scene)) {
+    const LoadedTorque& torque = scene.contact.torques[i];
+    const std::string style = "curve " + curve_style(shown++);
+    for (const auto& way : ways_of(scene, torque)) {
+      std::vector<Vec2> points;
+      for (const Passing& p : way) points.push_back({p.own, p.point->pressure});
+      f.line(std::move(points), style, torque_words(torque));
+    }
+  }
+  return fit_axes(f, 0.06, true) ? std::optional(std::move(f)) : std::nullopt;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,41 @@
+#include "gearwright/figure/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+Ticks round_ticks(double lo, double hi, int most) {
+  GW_EXPECTS(lo < hi && most >= 1);
+  const double rough = (hi - lo) / most;
+  double power = std::floor(std::log10(rough));
+  double step = std::pow(10.0, power);
+  for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+    // 1e-9: a step that fits but for rounding fits.
+    if (factor * std::pow(10.0, power) < rough * (1 - 1e-9)) continue;
+    step = factor * std::pow(10.0, power);
+    if (factor == 10.0) power += 1;
+    break;
+  }
+  Ticks ticks{{}, std::max(0, static_cast<int>(-power))};
+  const double first = std::ceil(lo / step - 1e-9);
+  const double last = std::floor(hi / step + 1e-9);
+  for (double k = first; k <= last; k += 1) ticks.values.push_back(k * step);
+  return ticks;
+}
+
+std::vector<double> levels_between(double lo, double hi, int most) {
+  std::vector<double> levels = round_ticks(lo, hi, most).values;
+  std::erase_if(levels, [&](double v) { return v <= lo || v >= hi; });
+  return levels;
+}
+
+std::vector<double> widened(double lo, double hi, double share) {
+  const double least = 1e-9 * std::max({std::abs(lo), std::abs(hi), 1e-9});
+  const double by = std::max(share * (hi - lo), least);
+  return {lo - by, hi + by};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,25 @@
+// Round values for the ticks of an axis, and for the levels of a map.
+#pragma once
+
+#include <vector>
+
+namespace gearwright {
+
+struct Ticks {
+  std::vector<double> values;
+  int decimals;  ///< by which they differ
+};
+
+/// Round values within [lo, hi]: multiples of 1, 2 or 5 times a power of ten.
+///
+/// Domain    lo < hi, most ≥ 1 (contract)
+/// Laws      at most most + 1 values
+Ticks round_ticks(double lo, double hi, int most);
+
+/// Those of them that lie between lo and hi.
+std::vector<double> levels_between(double lo, double hi, int most);
+
+/// lo … hi widened by `share` of its length on both sides; a single value gets room of its own.
+std::vector<double> widened(double lo, double hi, double share);
+
+}  // namespace gearwright

@@ -1,0 +1,39 @@
+// Circular-arc teeth where they touch.
+//
+//   ρ, a, b   radius of an arc and place of its centre, mm, as in pair/arc_contact.hpp
+//   ψ_c       angle of the common normal to the pitch line, where the racks touch
+//                                              theory: docs/theory/07-circular-arc.md, 7.1, 7.4
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/curve/curve.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/arc_pair.hpp"
+
+namespace gearwright {
+
+/// Half a tooth of the gear's rack in its normal section, from the middle of the space to the
+/// middle of the tooth: (height over the datum line, distance from the middle of the tooth), mm,
+/// cut off at the addendum, thinner by the allowance.
+///
+/// Domain    a gear with arcs (contract)
+std::vector<Vec2> rack_half_tooth(const Gear& gear);
+
+/// The plane across a tooth: x towards axis 2, y across the tooth, both from the contact point.
+struct NormalPlane {
+  Vec3 origin, across, along;  ///< `along` is normal to the plane
+};
+NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact);
+
+/// Where gear i's flanks and roots cut that plane, one after the other over `teeth` teeth on both
+/// sides of the one nearest; mm in the plane. Gears turned as at the contact.
+std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& contact, std::size_t i,
+                                 int teeth);
+
+/// The two racks that cut circular-arc teeth, in one normal section, and the teeth themselves in the
+/// plane across the tooth through the contact point; empty when the arcs do not touch.
+std::string arc_contact_figures(const ArcPair& pair);
+
+}  // namespace gearwright
