@@ -13,6 +13,7 @@
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
@@ -102,13 +103,12 @@ std::string gear_section(const ReportInput& input) {
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
     pictures += tooth_figure(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
   }
-  const std::string hint = picture_hint();
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
-    return "<section>\n<h2>Gear</h2>\n" + hint + in_columns(table, pictures + solid_figure(input)) +
+    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures + solid_figure(input)) +
            "</section>\n";
   }
-  return "<section>\n<h2>Gears</h2>\n" + hint + side_by_side(pictures) + table + "</section>\n";
+  return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + table + "</section>\n";
 }
 
 std::string crossed_section(const InvolutePair& pair) {
@@ -199,12 +199,12 @@ std::string report_html(const ReportInput& input) {
   page += "<body>\n" + definitions(input);
   page += fmt::format(
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
-      "{}</p>\n{}{}</header>\n",
+      "{}</p>\n{}{}{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
-      finding_list(input));
-  std::string sections = gear_section(input) + few_teeth_section(input) +
-                         measure_section(input.measures, input.measure_ends, input.k_diagrams);
+      finding_list(input), key_figures(input), picture_hint());
+  // What decides comes first; data sheets of the gears follow.
+  std::string sections;
   if (input.pair) {
     sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
@@ -214,6 +214,8 @@ std::string report_html(const ReportInput& input) {
   if (input.load) sections += load_section(*input.load, kShapes);
   if (input.compensate) sections += compensate_section(*input.compensate);
   if (input.rating) sections += rating_section(*input.rating);
+  sections += gear_section(input) + few_teeth_section(input) +
+              measure_section(input.measures, input.measure_ends, input.k_diagrams);
   if (input.gears.size() > 1) sections += solid_section(input);
   sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);

@@ -8,7 +8,7 @@
 namespace gearwright {
 
 TableBuilder::TableBuilder(std::string_view caption, const std::vector<std::string>& columns)
-    : columns_(columns.size()) {
+    : caption_(escaped(caption)), columns_(columns.size()) {
   GW_EXPECTS(columns_ > 0);
   text_ = fmt::format(
       "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th "
@@ -36,6 +36,8 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
   text_ += fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
       with_symbols(words), symbol_html(symbol), escaped(unit));
+  if (rows_++ < kFirst)
+    first_ += (rows_ > 1 ? "; " : ": ") + (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
 }
 
 // A number stays on its line; a range or a list may break between its numbers.
@@ -44,6 +46,7 @@ void TableBuilder::cell(const std::string& value, std::size_t columns) {
   text_ +=
       fmt::format("<td class=\"value{}\"{}>{}</td>", several ? " several" : "",
                   columns > 1 ? fmt::format(" colspan=\"{}\"", columns) : "", with_symbols(value));
+  if (rows_ <= kFirst) first_ += " " + with_symbols(value);
 }
 
 void TableBuilder::row(std::string_view words, std::string_view symbol, std::string_view unit,
@@ -89,7 +92,10 @@ void TableBuilder::groups(const std::vector<TextGroup>& groups) {
 }
 
 std::string TableBuilder::str() const {
-  return text_ + (in_group_ ? "</tbody>\n" : "") + "</table></div>\n";
+  const std::string table = text_ + (in_group_ ? "</tbody>\n" : "") + "</table></div>\n";
+  if (rows_ <= kLong) return table;
+  return fmt::format("<details class=\"fold\"><summary>{}<span class=\"first\">{}</span></summary>\n{}</details>\n", caption_, first_,
+                     table);
 }
 
 }  // namespace gearwright

@@ -31,12 +31,19 @@ class TableBuilder {
   /// The same under their headings.
   void groups(const std::vector<TextGroup>& groups);
 
+  /// A long table is folded behind its caption and its first values; on paper it is open.
   std::string str() const;
 
  private:
   void open_row(std::string_view words, std::string_view symbol, std::string_view unit);
   void cell(const std::string& value, std::size_t columns);
 
+  static constexpr int kLong = 10;  ///< rows; a table with more is folded
+  static constexpr int kFirst = 3;  ///< values beside the caption of a folded table
+
+  std::string caption_;
+  std::string first_;  ///< values, HTML
+  int rows_ = 0;
   std::size_t columns_;
   bool in_group_ = false;
   std::string text_;

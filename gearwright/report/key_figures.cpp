@@ -1,0 +1,70 @@
+#include "gearwright/report/key_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "gearwright/catalogue/load_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/figure/load_scene.hpp"
+#include "gearwright/figure/markup.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kOfPair{"gear_ratio", "center_distance_mm", "contact_ratio",
+                                                  "normal_mm"};
+constexpr std::array<std::string_view, 2> kOfRating{"S_F", "S_H"};
+constexpr std::array<std::string_view, 2> kOfLoad{"max_pressure_MPa", "peak_to_peak_arcsec"};
+
+std::string box(const std::string& words, std::string_view symbol, const std::string& value) {
+  return fmt::format("<div><dt>{} {}</dt><dd>{}</dd></div>\n", words, symbol_html(symbol), value);
+}
+
+// The rows of these keys, in their order.
+template <std::size_t n>
+std::string boxes(const QuantityTable& table, const ValueRecord& record,
+                  const std::array<std::string_view, n>& keys) {
+  const std::vector<TextGroup> groups = text_groups(table, {record}, kPage);
+  std::string text;
+  for (const std::string_view key : keys) {
+    for (const TextGroup& group : groups) {
+      const auto row = std::find_if(group.rows.begin(), group.rows.end(),
+                                    [&](const TextRow& r) { return r.info->key == key; });
+      if (row == group.rows.end()) continue;
+      std::string value;
+      for (const std::string& one : row->texts)
+        if (value != one) value += (value.empty() ? "" : " / ") + one;
+      text += box(with_symbols(capitalised(row->info->words)), row->info->symbol,
+                  escaped(value + " " + std::string(unit_text(row->info->unit))));
+      break;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string key_figures(const ReportInput& input) {
+  std::string text;
+  if (input.pair)
+    text += boxes(pair_quantities().table(), pair_quantities().of(*input.pair), kOfPair);
+  if (input.rating)
+    text += boxes(rating_quantities().table(), rating_quantities().of(*input.rating), kOfRating);
+  if (input.load) {
+    const auto views = torque_views(input.load->contact, input.load->standard);
+    const auto& torques = input.load->contact.torques;
+    const auto shown = static_cast<std::size_t>(&shown_torque(*input.load) - torques.data());
+    text += boxes(load_torque_quantities().table(), load_torque_quantities().of(views[shown]), kOfLoad);
+  } else if (input.contact) {
+    text += box("Transmission error, peak to peak", "",
+                shown_arcsec(input.contact->driving.peak_to_peak.arcsec()) + "″");
+  }
+  return text.empty() ? text : "<dl class=\"keyfigures\">\n" + text + "</dl>\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,14 @@
+// The few numbers that decide whether a pair will do, at the head of the report.
+#pragma once
+
+#include <string>
+
+#include "gearwright/report/report.hpp"
+
+namespace gearwright {
+
+/// A box for each key figure that the input has: ratio, centre distance, contact ratio, backlash, safeties,
+/// pressure, unevenness. Rows of the catalogue with their words, symbols and units; empty without any.
+std::string key_figures(const ReportInput& input);
+
+}  // namespace gearwright
