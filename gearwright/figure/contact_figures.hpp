@@ -43,7 +43,7 @@ std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& fi
 /// Share of the flank that a pattern covers at this thickness of the marking, 0 … 1.
 double pattern_share(const FlankRaster& raster, double marking);
 
-/// One way of the contact point over a flank without a break: positions in the order in which a
+/// One path of the contact point over a flank without a break: positions in the order in which a
 /// tooth runs through them, of edges or of flanks alone.
 struct PathPiece {
   bool edge = false;

@@ -38,10 +38,10 @@
     return best;
   }
   function add(parent, tag, attributes, text) {
-    var node = document.createElementNS('http://www.w3.org/2000/svg', tag);
+    var node = document.createElementNS(parent.namespaceURI, tag);
     Object.keys(attributes).forEach(function (name) { node.setAttribute(name, attributes[name]); });
     if (text) node.textContent = text;
-    parent.appendChild(node);
+    return parent.appendChild(node);
   }
   document.addEventListener('pointermove', function (event) {
     if (shown) shown.remove();
@@ -53,9 +53,7 @@
     var found = passing(plot, at);
     if (!found) return;
     var ends = plot.getAttribute('data-x').split(' ').map(Number), left = at.x < (ends[2] + ends[3]) / 2;
-    shown = document.createElementNS('http://www.w3.org/2000/svg', 'g');
-    shown.setAttribute('class', 'readout');
-    svg.appendChild(shown);
+    shown = add(svg, 'g', {'class': 'readout'});
     add(shown, 'circle', {cx: at.x, cy: found.y, r: 3.5});
     add(shown, 'text', {x: at.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
         found.name + ': ' + axisOf(plot, 'y')(found.y) + ' at ' + axisOf(plot, 'x')(at.x));

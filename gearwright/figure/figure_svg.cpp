@@ -22,7 +22,7 @@ constexpr double kHead = 34.0;   // px above the plot: the words of the y axis
 constexpr double kFoot = 44.0;   // px below it: numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kShade = 19.0;               // px, a box of the key
-constexpr double kAcross = 72.0, kUp = 38.0;  // px between ticks, at least
+constexpr double kAcross = 58.0, kUp = 32.0;  // px between ticks, at least
 
 // Letters of markup: tags and the further bytes of a character count nothing.
 double letters(std::string_view markup) {
@@ -53,7 +53,7 @@ struct Scale {
 
 Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
   const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
-  const int most = std::clamp(static_cast<int>(px / apart), 2, 10);
+  const int most = std::clamp(static_cast<int>(px / apart), 3, 10);
   if (!axis.whole) return round_ticks(lo, hi, most);
   Ticks ticks{{}, 0};
   const int step = std::max(1, static_cast<int>(std::ceil((hi - lo) / most)));
@@ -72,8 +72,9 @@ std::string words_of(const FigureAxis& axis) {
 }
 
 struct Layout {
-  double left, right, top, bottom, foot,
-      height;  // px, of the plot; the line of the x axis' numbers
+  double left, right, top, bottom;  // px, of the plot
+  double foot, height;              // px, the line of the x axis' numbers; the whole
+  double note = 20.0;               // px, the line of the note
   Ticks across, up;
 
   Layout(const Figure& f, double width) {
@@ -100,7 +101,9 @@ struct Layout {
       before = std::max(before, kLetter * letters(tick_words(v, up.decimals)));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
-    top = kHead;
+    // The note stands in a line of its own where it does not fit beside the words.
+    note = kLetter * (letters(words_of(f.y)) + letters(f.note)) > width - 4 * kEdge ? 38.0 : 20.0;
+    top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));
     foot = bottom + (f.lanes.empty() ? 0.0 : 8 + kLane * static_cast<double>(f.lanes.size()));
     height = foot + kFoot;
@@ -149,7 +152,7 @@ class Writer {
 
   void words() {
     svg_.text({kEdge, 20}, words_of(f_.y), Anchor::start, "panel");
-    if (!f_.note.empty()) svg_.text({at_.right, 20}, escaped(f_.note), Anchor::end, "panel");
+    if (!f_.note.empty()) svg_.text({at_.right, at_.note}, escaped(f_.note), Anchor::end, "panel");
     svg_.text({(at_.left + at_.right) / 2, at_.foot + 36}, words_of(f_.x), Anchor::middle, "tick");
   }
 
@@ -230,7 +233,7 @@ class Writer {
     svg_.text({x + kShade + 7, y + 8}, escaped(key.most), Anchor::start, "tick");
     for (std::size_t i = n; i-- > 0; y += tall) {
       svg_.rect(x, y, kShade, tall, shade_style(i, n));
-      if (i > 0 && (tall > 14 || i % 2 == 0))
+      if (i > 0 && (tall > 15 || (i % 2 == 0 && i + 1 < n)))
         svg_.text({x + kShade + 7, y + tall + 4}, fmt::format("{:g}", key.levels[i - 1]),
                   Anchor::start, "tick");
     }

@@ -1,5 +1,5 @@
 // Flanks laid flat: the face from left to right, the root below, the tip above; on them the marking, the
-// gap, and the way of the contact point with its ellipses or lines.
+// gap, and the path of contact with its ellipses or lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ void add_way(Figure& f, const std::vector<PathPiece>& pieces, std::size_t which)
     else
       f.dot(way.front(), 2.2, piece.edge ? "edge-dot" : "mark action-dot");
   }
-  if (inside) f.keys.push_back({"action", "way of the contact point"});
+  if (inside) f.keys.push_back({"action", "path of contact"});
   if (edge) f.keys.push_back({"edge-way", "touched by an edge"});
   if (ellipse) f.keys.push_back({"instant", "contact ellipse"});
   if (line) f.keys.push_back({"instant-line", "contact line"});
@@ -242,16 +242,21 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   }
   const std::vector<PathPiece> pieces =
       layers.way ? path_on_tooth(scene) : std::vector<PathPiece>();
-  add_instants(f, scene, pieces, which);
+  // At one position there is one ellipse or line.
+  if (layers.now && !gap_alone)
+    add_instants(f, scene, {{false, {layers.now}}}, which);
+  else
+    add_instants(f, scene, pieces, which);
   const Vec2 touch = layers.now ? touch_of(*layers.now, which) : Vec2::Zero();
   if (layers.gap) add_gap(f, *layers.gap, gap_alone, touch);
   add_way(f, pieces, which);
   if (layers.now) {
     if (layers.gap)
       f.caption += fmt::format(
-          ", tooth pair {}, at rotation {}°: lines where it is 1, 2, 5, 10, 20 "
+          "{} of tooth pair {} at rotation {}°: lines where it is 1, 2, 5, 10, 20 "
           "and 50 µm, as far as the mating gear reaches",
-          pair_words(layers.now->pair), fixed(layers.now->rotation1.deg(), 3));
+          gap_alone ? "," : "; darker: the gap", pair_words(layers.now->pair),
+          fixed(layers.now->rotation1.deg(), 3));
     if (layers.now->line)
       f.line(contact_line(scene, *layers.now, which), "action");
     else

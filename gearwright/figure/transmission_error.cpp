@@ -211,12 +211,14 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     return h < 1 || h > n ? 0.0 : arcsec[static_cast<std::size_t>(h - 1)];
   };
   const double most = *std::max_element(arcsec.begin(), arcsec.end());
-  Figure f{"spectrum",
-           "Its spectrum",
-           "Bars: amplitudes of one, two, three waves per pitch and so on, in arc seconds.",
-           ": the same curve as a sum of waves, how high each of them is.",
-           {"waves per pitch (1: the tooth frequency)", "", 0.3, n + 0.7, true},
-           {"amplitude", "arc seconds", 0.0, 1.15 * std::max(most, kFlat / 2)}};
+  Figure f{
+      "spectrum",
+      "Spectrum",
+      "Bars: amplitudes at the first, second, third order of the mesh frequency and so on, in arc "
+      "seconds.",
+      " of the transmission error: amplitude of each harmonic.",
+      {"order of mesh frequency", "", 0.3, n + 0.7, true},
+      {"amplitude", "arc seconds", 0.0, 1.15 * std::max(most, kFlat / 2)}};
   std::vector<int> by_size;
   for (int h = 1; h <= n; ++h) {
     const std::string told =

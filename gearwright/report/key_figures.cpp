@@ -16,8 +16,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kOfPair{"gear_ratio", "center_distance_mm", "contact_ratio",
-                                                  "normal_mm"};
+constexpr std::array<std::string_view, 4> kOfPair{"gear_ratio", "center_distance_mm",
+                                                  "contact_ratio", "normal_mm"};
 constexpr std::array<std::string_view, 2> kOfRating{"S_F", "S_H"};
 constexpr std::array<std::string_view, 2> kOfLoad{"max_pressure_MPa", "peak_to_peak_arcsec"};
 
@@ -39,8 +39,9 @@ std::string boxes(const QuantityTable& table, const ValueRecord& record,
       std::string value;
       for (const std::string& one : row->texts)
         if (value != one) value += (value.empty() ? "" : " / ") + one;
+      const std::string unit(unit_text(row->info->unit));
       text += box(with_symbols(capitalised(row->info->words)), row->info->symbol,
-                  escaped(value + " " + std::string(unit_text(row->info->unit))));
+                  escaped(value + (unit == "″" || unit.empty() ? unit : " " + unit)));
       break;
     }
   }
@@ -59,7 +60,8 @@ std::string key_figures(const ReportInput& input) {
     const auto views = torque_views(input.load->contact, input.load->standard);
     const auto& torques = input.load->contact.torques;
     const auto shown = static_cast<std::size_t>(&shown_torque(*input.load) - torques.data());
-    text += boxes(load_torque_quantities().table(), load_torque_quantities().of(views[shown]), kOfLoad);
+    text +=
+        boxes(load_torque_quantities().table(), load_torque_quantities().of(views[shown]), kOfLoad);
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
                 shown_arcsec(input.contact->driving.peak_to_peak.arcsec()) + "″");

@@ -202,7 +202,7 @@ std::string report_html(const ReportInput& input) {
       "{}</p>\n{}{}{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
-      finding_list(input), key_figures(input), picture_hint());
+      key_figures(input), finding_list(input), picture_hint());
   // What decides comes first; data sheets of the gears follow.
   std::string sections;
   if (input.pair) {

@@ -37,7 +37,8 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
       with_symbols(words), symbol_html(symbol), escaped(unit));
   if (rows_++ < kFirst)
-    first_ += (rows_ > 1 ? "; " : ": ") + (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
+    first_ +=
+        (rows_ > 1 ? "; " : ": ") + (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
 }
 
 // A number stays on its line; a range or a list may break between its numbers.
@@ -94,8 +95,10 @@ void TableBuilder::groups(const std::vector<TextGroup>& groups) {
 std::string TableBuilder::str() const {
   const std::string table = text_ + (in_group_ ? "</tbody>\n" : "") + "</table></div>\n";
   if (rows_ <= kLong) return table;
-  return fmt::format("<details class=\"fold\"><summary>{}<span class=\"first\">{}</span></summary>\n{}</details>\n", caption_, first_,
-                     table);
+  return fmt::format(
+      "<details class=\"fold\"><summary>{}<span "
+      "class=\"first\">{}</span></summary>\n{}</details>\n",
+      caption_, first_, table);
 }
 
 }  // namespace gearwright

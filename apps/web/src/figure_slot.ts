@@ -112,6 +112,7 @@ export class FigureSlot {
 export class Figures {
   readonly element = h("div", { class: "plots" });
   private readonly slots = new Map<string, FigureSlot>();
+  private t = NaN;
   constructor(private readonly chosen?: (t: number) => void) {}
 
   /** With `all`, a figure that is not among them has gone. */
@@ -119,6 +120,7 @@ export class Figures {
     for (const figure of figures) {
       if (!this.slots.has(figure.id)) {
         const slot = new FigureSlot(this.chosen);
+        slot.mark(this.t);
         this.slots.set(figure.id, slot);
         this.element.append(slot.element);
       }
@@ -129,6 +131,7 @@ export class Figures {
     for (const [id, slot] of this.slots) if (!ids.has(id)) slot.show(undefined);
   }
   mark(t: number): void {
+    this.t = t;
     for (const slot of this.slots.values()) slot.mark(t);
   }
   /** How wide a figure may be, px. */
