@@ -26,6 +26,8 @@ struct FigureAxis {
   std::string unit;           ///< "°"; empty: a pure number
   double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis runs the other way
   bool whole = false;         ///< values between whole numbers do not exist
+  std::string symbol = {};    ///< "ε_α", after the words
+  bool log = false;           ///< of powers; 0 < lo < hi
 };
 
 struct FigureMark {

@@ -5,10 +5,11 @@
   var shown = null;
 
   function axisOf(plot, name) {
-    var n = plot.getAttribute('data-' + name).split(' ').map(Number);
+    var words = plot.getAttribute('data-' + name).split(' '), n = words.slice(0, 4).map(Number);
     var digits = Math.max(0, 3 - Math.floor(Math.log10(Math.abs(n[1] - n[0]))));
     return function (px) {
-      var value = n[0] + (px - n[2]) / (n[3] - n[2]) * (n[1] - n[0]);
+      var share = (px - n[2]) / (n[3] - n[2]);
+      var value = words.length > 4 ? n[0] * Math.pow(n[1] / n[0], share) : n[0] + share * (n[1] - n[0]);
       return value.toFixed(Math.min(9, digits)).replace(/^-(?=[0.]*$)/, '').replace('-', '−');
     };
   }

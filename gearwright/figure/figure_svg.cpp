@@ -39,20 +39,23 @@ double letters(std::string_view markup) {
 // An axis on the screen: values from.lo … hi at px.
 struct Scale {
   double lo, hi, from, to;
+  bool log = false;
   double operator()(double v) const {
     if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
+    const double share = log ? std::log(v / lo) / std::log(hi / lo) : (v - lo) / (hi - lo);
     // Curves may leave their plot, but no further than it is long.
     const double length = std::abs(to - from);
-    return std::clamp(from + (v - lo) / (hi - lo) * (to - from), std::min(from, to) - length,
+    return std::clamp(from + share * (to - from), std::min(from, to) - length,
                       std::max(from, to) + length);
   }
   std::string attribute() const {
-    return fmt::format("{:.9g} {:.9g} {} {}", lo, hi, pixel(from), pixel(to));
+    return fmt::format("{:.9g} {:.9g} {} {}{}", lo, hi, pixel(from), pixel(to), log ? " log" : "");
   }
 };
 
 Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
   const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
+  if (axis.log) return log_ticks(lo, hi, apart / 2 * std::log10(hi / lo) / px);
   const int most = std::clamp(static_cast<int>(px / apart), 3, 10);
   if (!axis.whole) return round_ticks(lo, hi, most);
   Ticks ticks{{}, 0};
@@ -63,12 +66,16 @@ Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
 }
 
 std::string tick_words(double value, int decimals) {
+  if (decimals < 0)
+    return value < 1000 ? fmt::format("{:g}", value)
+                        : counted(static_cast<std::int64_t>(std::llround(value)));
   const std::string text = fixed(value, decimals);
   return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
 std::string words_of(const FigureAxis& axis) {
-  return escaped(axis.unit.empty() ? axis.words : axis.words + ", " + axis.unit);
+  return escaped(axis.words) + (axis.symbol.empty() ? "" : " " + symbol_svg(axis.symbol)) +
+         escaped(axis.unit.empty() ? "" : ", " + axis.unit);
 }
 
 struct Layout {
@@ -116,8 +123,8 @@ class Writer {
   Writer(const Figure& figure, double width)
       : f_(figure),
         at_(figure, width),
-        x_{f_.x.lo, f_.x.hi, at_.left, at_.right},
-        y_{f_.y.lo, f_.y.hi, at_.bottom, at_.top},
+        x_{f_.x.lo, f_.x.hi, at_.left, at_.right, f_.x.log},
+        y_{f_.y.lo, f_.y.hi, at_.bottom, at_.top, f_.y.log},
         svg_(f_.id, width, at_.height, f_.title, f_.description) {}
 
   std::string str() {
@@ -254,7 +261,8 @@ class Writer {
 std::string figure_svg(const Figure& figure, double width) {
   GW_EXPECTS(width >= 240.0);
   for (const FigureAxis* axis : {&figure.x, &figure.y})
-    GW_EXPECTS(std::isfinite(axis->lo) && std::isfinite(axis->hi) && axis->lo != axis->hi);
+    GW_EXPECTS(std::isfinite(axis->lo) && std::isfinite(axis->hi) && axis->lo != axis->hi &&
+               (!axis->log || axis->lo > 0.0));
   return Writer(figure, width).str();
 }
 

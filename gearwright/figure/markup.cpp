@@ -38,6 +38,13 @@ std::string fixed(const std::optional<double>& value, int decimals) {
   return value && std::isfinite(*value) ? fixed_decimals(*value, decimals) : std::string(kNoValue);
 }
 
+std::string counted(std::int64_t n) {
+  std::string text = std::to_string(n);
+  for (auto at = static_cast<int>(text.size()) - 3; at > (n < 0 ? 1 : 0); at -= 3)
+    text.insert(static_cast<std::size_t>(at), "\u202f");  // a narrow space that does not break
+  return text;
+}
+
 std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
 
 std::string symbol_html(std::string_view symbol) {

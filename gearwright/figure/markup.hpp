@@ -4,6 +4,7 @@
 // Symbols are written as in our comments, "d_Ff", "h_aP*", "k m_n", and set with real indices.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,8 @@ std::string escaped(std::string_view text);
 
 /// Fixed decimals, never "-0.000"; kNoValue where there is none or it is not finite.
 std::string fixed(const std::optional<double>& value, int decimals);
+/// Groups of three digits, "2 754".
+std::string counted(std::int64_t n);
 std::string percent(double share);  ///< whole percent, without its sign
 
 /// "d_Ff" as <var>d</var><sub>Ff</sub>; the symbol is ours and is not escaped.

@@ -26,6 +26,22 @@ Ticks round_ticks(double lo, double hi, int most) {
   return ticks;
 }
 
+Ticks log_ticks(double lo, double hi, double apart) {
+  GW_EXPECTS(0.0 < lo && lo < hi);
+  // The finest list whose values keep so far from each other.
+  using List = std::vector<double>;
+  const double room = std::pow(10.0, apart);
+  const List steps = room <= 1.2   ? List{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}
+                     : room <= 1.5 ? List{1, 2, 3, 5}
+                     : room <= 2.0 ? List{1, 2, 5}
+                                   : List{1};
+  Ticks ticks{{}, -1};
+  for (double k = std::floor(std::log10(lo)); k <= std::log10(hi); k += 1.0)
+    for (const double step : steps)
+      if (const double v = step * std::pow(10.0, k); v >= lo && v <= hi) ticks.values.push_back(v);
+  return ticks;
+}
+
 std::vector<double> levels_between(double lo, double hi, int most) {
   std::vector<double> levels = round_ticks(lo, hi, most).values;
   std::erase_if(levels, [&](double v) { return v <= lo || v >= hi; });

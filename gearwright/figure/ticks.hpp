@@ -7,7 +7,7 @@ namespace gearwright {
 
 struct Ticks {
   std::vector<double> values;
-  int decimals;  ///< by which they differ
+  int decimals;  ///< by which they differ; −1: each has its own
 };
 
 /// Round values within [lo, hi]: multiples of 1, 2 or 5 times a power of ten.
@@ -16,7 +16,13 @@ struct Ticks {
 /// Laws      at most most + 1 values
 Ticks round_ticks(double lo, double hi, int most);
 
-/// Those of them that lie between lo and hi.
+/// Round values within [lo, hi] of an axis of powers, neighbours at least `apart` decades from each
+/// other.
+///
+/// Domain    0 < lo < hi (contract)
+Ticks log_ticks(double lo, double hi, double apart);
+
+/// Those of round_ticks that lie between lo and hi.
 std::vector<double> levels_between(double lo, double hi, int most);
 
 /// lo … hi widened by `share` of its length on both sides; a single value gets room of its own.

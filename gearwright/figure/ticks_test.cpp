@@ -34,6 +34,16 @@ TEST(Ticks, TicksAreRoundAndFew) {
   }
 }
 
+TEST(Ticks, TicksOfPowersKeepTheirDistance) {
+  for (const double apart : {0.05, 0.12, 0.25, 0.6}) {
+    const Ticks t = log_ticks(7.0, 1000.0, apart);
+    EXPECT_EQ(t.values.back(), 1000.0);
+    for (std::size_t i = 1; i < t.values.size(); ++i)
+      EXPECT_GE(std::log10(t.values[i] / t.values[i - 1]), std::min(apart, std::log10(1.2)));
+  }
+  EXPECT_EQ(log_ticks(7.0, 100.0, 0.25).values, (std::vector<double>{10, 20, 50, 100}));
+}
+
 TEST(Ticks, ASingleValueGetsRoom) {
   for (const double v : {0.0, -3.0, 50.01}) {
     const auto ends = widened(v, v, 0.1);

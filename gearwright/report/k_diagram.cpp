@@ -4,14 +4,15 @@
 
 #include <algorithm>
 
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/ticks.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/plot_axis.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr PlotArea kArea{460, 58, 18, 34, 190, 50};
 constexpr double kFlat = 1.0;  // µm: a trace that moves by less is drawn on this scale
 
 // The band: the design moved by half of the tolerance either way, over the evaluation range.
@@ -26,8 +27,8 @@ std::vector<Vec2> band(const FlankTrace& trace) {
   return upper;
 }
 
-std::string trace_svg(const std::string& id, const std::string& title, const FlankTrace& trace,
-                      const char* foot) {
+Figure trace_figure(const std::string& id, const std::string& title, const FlankTrace& trace,
+                    const char* across) {
   const double half = trace.tolerance.value_or(0.0) / 2;
   double lo = -half, hi = half;
   for (const Vec2& p : trace.design) {
@@ -36,22 +37,20 @@ std::string trace_svg(const std::string& id, const std::string& title, const Fla
   }
   const double spare = std::max(0.0, kFlat - (hi - lo)) / 2;
   const auto ends = widened(lo - spare, hi + spare, 0.15);
-  const Axis x = kArea.across(trace.design.front().x(), trace.design.back().x());
-  const Axis y = kArea.up(ends[0], ends[1]);
-  Svg svg(id, kArea.width, kArea.height(), title,
-          title + ": the design flank, and the band of its tolerance where it is evaluated.");
-  draw_rows(svg, x, y, 5);
-  draw_foot(svg, x, kArea.top, kArea.bottom(), 6, foot);
-  svg.text({x.from, kArea.top - 14}, "µm, up is out of the material", Anchor::start, "panel");
+  Figure f{id,
+           title,
+           title + ": the design flank, and the band of its tolerance where it is evaluated.",
+           ": the design",
+           {across, "mm", trace.design.front().x(), trace.design.back().x()},
+           {"deviation out of the material", "µm", ends[0], ends[1]}};
   if (trace.tolerance) {
-    std::vector<Vec2> shape;
-    for (const Vec2& p : band(trace)) shape.push_back({x(p.x()), y(p.y())});
-    if (shape.size() > 2) svg.polygon(shape, "neighbour");
+    f.caption +=
+        fmt::format(" and the band of {} µm in which a trace must lie", fixed(*trace.tolerance, 1));
+    f.area(band(trace), "neighbour");
   }
-  for (const double end : trace.evaluation)
-    svg.line({x(end), kArea.top}, {x(end), kArea.bottom()}, "leader");
-  draw_curve(svg, x, y, trace.design, "curve action-curve");
-  return svg.str();
+  for (const double end : trace.evaluation) f.line({{end, -kInfinity}, {end, kInfinity}}, "leader");
+  f.line(trace.design, "curve action-curve", "design");
+  return f;
 }
 
 }  // namespace
@@ -59,18 +58,12 @@ std::string trace_svg(const std::string& id, const std::string& title, const Fla
 std::string k_figures(const std::vector<KDiagram>& diagrams) {
   std::string text;
   for (std::size_t i = 0; i < diagrams.size(); ++i) {
-    const KDiagram& d = diagrams[i];
-    const auto figure = [&](const char* kind, const FlankTrace& trace, const char* foot) {
-      const std::string title = d.name + ", " + kind;
-      const std::string band = trace.tolerance
-                                   ? fmt::format(" and the band of {} µm in which a trace must lie",
-                                                 fixed(*trace.tolerance, 1))
-                                   : std::string();
-      text += captioned(trace_svg(fmt::format("k{}-{}", i + 1, kind), title, trace, foot),
-                        fmt::format("<strong>{}</strong>: the design{}", escaped(title), band));
+    const auto figure = [&](const char* kind, const FlankTrace& trace, const char* across) {
+      text += figure_html(trace_figure(fmt::format("k{}-{}", i + 1, kind),
+                                       diagrams[i].name + ", " + kind, trace, across));
     };
-    figure("profile", d.profile, "roll length, mm");
-    figure("helix", d.helix, "height from the middle of the face, mm");
+    figure("profile", diagrams[i].profile, "roll length");
+    figure("helix", diagrams[i].helix, "height from the middle of the face");
   }
   return text.empty() ? text : side_by_side(text);
 }

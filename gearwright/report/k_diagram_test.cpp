@@ -13,7 +13,7 @@ TEST(KDiagram, AFlatTraceHasAReadableScale) {
   const FlankTrace relieved{{{4.0, 0.0}, {18.0, 0.0}, {20.0, -12.0}}, {4.0, 19.2}, {}};
   const std::string text = k_figures({{"Gear 1", relieved, flat}});
   EXPECT_EQ(text.find("0.000"), text.npos);
-  EXPECT_NE(text.find(">-10<"), text.npos);
+  EXPECT_NE(text.find(">−10<"), text.npos);
   EXPECT_NE(text.find(">0.5<"), text.npos);
 }
 

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "gearwright/report/html_text.hpp"
-#include "gearwright/report/plot_axis.hpp"
+#include "gearwright/figure/designs.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/report/search_figures.hpp"
 #include "gearwright/report/search_words.hpp"
 
@@ -13,17 +14,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr PlotArea kArea{640, 84, 18, 40, 400, 54};
-constexpr double kFree = 0.06;  // of an axis, left free at both ends
-
 enum class Along { objective, distance, ratio };
 
 // A quantity along an axis.
 struct Quantity {
-  std::string words;  // SVG text content
-  std::string plain;
+  FigureAxis axis;
   Along along;
-  bool greater;  // of objectives: greater is better
+  bool greater = false;  // of objectives: greater is better
 };
 
 struct Dot {
@@ -34,11 +31,11 @@ struct Dot {
 
 Quantity quantity_of(Objective objective) {
   const ObjectiveWords w = words_of(objective);
-  std::string words = escaped(w.name);
-  if (!w.symbol.empty()) words += " " + symbol_svg(w.symbol);
-  if (!w.unit.empty()) words += fmt::format(", {}", w.unit);
-  words += w.greater ? " (greater is better)" : " (less is better)";
-  return {words, std::string(w.name), Along::objective, w.greater};
+  FigureAxis axis{std::string(w.name), std::string(w.unit)};
+  axis.unit +=
+      fmt::format("{}{} is better", w.unit.empty() ? "" : ", ", w.greater ? "greater" : "less");
+  axis.symbol = w.symbol;
+  return {axis, Along::objective, w.greater};
 }
 
 std::string title_of(const DesignRow& row, const Vec2& value) {
@@ -50,8 +47,8 @@ std::string title_of(const DesignRow& row, const Vec2& value) {
 Quantity across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])
-    return {"gear ratio " + symbol_svg("u"), "gear ratio", Along::ratio, false};
-  return {"centre distance " + symbol_svg("a") + ", mm", "centre distance", Along::distance, false};
+    return {{.words = "gear ratio", .unit = {}, .symbol = "u"}, Along::ratio};
+  return {{.words = "centre distance", .unit = "mm", .symbol = "a"}, Along::distance};
 }
 
 std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answer, Along across) {
@@ -71,70 +68,6 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
     dots.push_back({plane ? Vec2(*first, *second) : Vec2(*second, *first), &row, front[i]});
   }
   return dots;
-}
-
-// A linear axis, or a logarithmic one for what spans more than a power of ten or so.
-struct Scale {
-  Axis axis;
-  bool log;
-  double operator()(double v) const { return axis(log ? std::log10(v) : v); }
-};
-
-constexpr double kWideSpan = 15.0;  // greatest over least value: a linear axis would crowd one end
-
-constexpr double kOneValue = 1e-6;  // relative: values as near are one, and get room around them
-constexpr double kRoomOfOne = 0.01;
-
-Scale scale_of(double lo, double hi, double from, double to) {
-  const double size = std::max({std::abs(lo), std::abs(hi), 1e-3});
-  if (hi - lo < kOneValue * size) {
-    lo -= kRoomOfOne * size;
-    hi += kRoomOfOne * size;
-  }
-  const bool log = lo > 0.0 && hi > kWideSpan * lo;
-  const auto wide = log ? widened(std::log10(lo), std::log10(hi), kFree) : widened(lo, hi, kFree);
-  return {{wide[0], wide[1], from, to}, log};
-}
-
-// Round values of a logarithmic axis: powers of ten, and where few of them fit 2 and 5 times those.
-std::vector<double> log_ticks(const Axis& axis) {
-  std::vector<double> values;
-  for (const bool fine : {false, true}) {
-    values.clear();
-    for (double k = std::floor(axis.lo); k <= axis.hi; k += 1.0) {
-      for (const double factor : {1.0, 2.0, 5.0}) {
-        const double at = k + std::log10(factor);
-        if ((fine || factor == 1.0) && at >= axis.lo && at <= axis.hi)
-          values.push_back(factor * std::pow(10.0, k));
-      }
-    }
-    if (values.size() >= 4) break;
-  }
-  return values;
-}
-
-std::string tick_words(double v) {
-  return v >= 1.0 ? counted(static_cast<std::int64_t>(std::llround(v))) : fmt::format("{:g}", v);
-}
-
-void draw_axes(Svg& svg, const Scale& x, const Scale& y, const std::string& words) {
-  const double middle = (x.axis.from + x.axis.to) / 2;
-  if (y.log) {
-    for (const double v : log_ticks(y.axis)) {
-      svg.line({x.axis.from, y(v)}, {x.axis.to, y(v)}, "grid");
-      svg.text({x.axis.from - 6, y(v) + 4}, tick_words(v), Anchor::end, "tick");
-    }
-    svg.line({x.axis.from, y.axis.from}, {x.axis.to, y.axis.from}, "axis");
-  } else {
-    draw_rows(svg, x.axis, y.axis, 7);
-  }
-  const double top = y.axis.to, bottom = y.axis.from;
-  if (!x.log) return draw_foot(svg, x.axis, top, bottom, 6, words);
-  for (const double v : log_ticks(x.axis)) {
-    svg.line({x(v), top}, {x(v), bottom + 4}, "grid");
-    svg.text({x(v), bottom + 17}, tick_words(v), Anchor::middle, "tick");
-  }
-  svg.text({middle, bottom + 36}, words, Anchor::middle, "tick");
 }
 
 }  // namespace
@@ -168,65 +101,44 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   if (dots.empty()) return {};
   const Quantity upright = plane ? quantity_of(problem.objectives[1]) : objective;
 
-  Bounds box;
+  std::vector<Vec2> best;
   bool unranked = false;
   for (const Dot& d : dots) {
-    box.cover(d.value);
+    if (d.front) best.push_back(d.value);
     unranked = unranked || !d.row->balanced;
   }
-  const Scale x = scale_of(box.lo.x(), box.hi.x(), kArea.left, kArea.width - kArea.right);
-  const Scale y = scale_of(box.lo.y(), box.hi.y(), kArea.bottom(), kArea.top);
-  const auto px = [&](const Vec2& v) { return Vec2(x(v.x()), y(v.y())); };
-
-  const std::string name = fmt::format("Designs by {} and {}", across.plain, upright.plain);
-  Svg svg("designs-plot", kArea.width, kArea.height(), name,
-          fmt::format("{} designs as dots; to the right the {}, upright the {}.", dots.size(),
-                      across.plain, upright.plain));
-  svg.text({12, 22}, upright.words, Anchor::start, "panel");
-  draw_axes(svg, x, y, across.words);
-
-  if (plane) {
-    std::vector<Vec2> front;
-    for (const Dot& d : dots)
-      if (d.front) front.push_back(d.value);
-    std::vector<Vec2> corners;
-    for (const Vec2& v : staircase(front, {across.greater, upright.greater}))
-      corners.push_back(px(v));
-    if (corners.size() > 1) svg.polyline(corners, "staircase");
-  }
   // The front on top, the best on top of that.
-  const auto draw = [&](bool front) {
+  std::vector<DesignDot> drawn;
+  for (const bool front : {false, true}) {
     for (auto d = dots.rbegin(); d != dots.rend(); ++d) {
       if (d->front != front) continue;
       const char* style = !d->row->balanced ? "dot-middle" : front ? "dot-front" : "dot-design";
-      svg.dot(px(d->value), front ? 4.5 : 3.2, style, title_of(*d->row, d->value));
+      drawn.push_back({d->value, style, title_of(*d->row, d->value)});
     }
-  };
-  draw(false);
-  draw(true);
+  }
+  Figure f = designs_figure(
+      across.axis, upright.axis, drawn,
+      plane ? staircase(best, {across.greater, upright.greater}) : std::vector<Vec2>());
+  f.caption = ", a dot each: rest the pointer on one for its module, teeth and shifts. ";
   if (!plane && dots.front().row == &answer.designs.front())
-    svg.dot(px(dots.front().value), 7.0, "design-ring");
+    f.dot(dots.front().value, 7.0, "design-ring");
 
-  std::string words;
   if (plane) {
-    words += problem.objectives.size() == 2
-                 ? "Joined: the Pareto front, designs that none betters in both. "
-                 : "Filled: the Pareto front over all objectives; the staircase joins those that "
-                   "none betters in these two. ";
+    f.caption += problem.objectives.size() == 2
+                     ? "Joined: the Pareto front, designs that none betters in both. "
+                     : "Filled: the Pareto front over all objectives; the staircase joins those "
+                       "that none betters in these two. ";
   } else {
-    words += "Ringed: the best. ";
+    f.caption += "Ringed: the best. ";
   }
   if (unranked)
-    words +=
+    f.caption +=
         "Hollow: designs whose teeth cannot be made about equally strong within the limits; they "
         "come last. ";
   if (dots.size() < static_cast<std::size_t>(answer.counts.feasible))
-    words += fmt::format("Shown are {} of {} feasible designs. ",
-                         counted(std::int64_t(dots.size())), counted(answer.counts.feasible));
-  return captioned(svg.str(),
-                   fmt::format("<strong>{}</strong>, a dot each: rest the pointer on one "
-                               "for its module, teeth and shifts. {}",
-                               name, words));
+    f.caption += fmt::format("Shown are {} of {} feasible designs. ",
+                             counted(std::int64_t(dots.size())), counted(answer.counts.feasible));
+  return figure_html(f);
 }
 
 }  // namespace gearwright

@@ -74,10 +74,10 @@ TEST(ParetoPicture, AxesSayWhatTheyAre) {
   const auto has = [](const SearchSample& sample, const char* words) {
     return pareto_figure(sample.search->problem(), *sample.answer).find(words) != std::string::npos;
   };
-  EXPECT_TRUE(has(testing::spur_search(), "(greater is better)"));
+  EXPECT_TRUE(has(testing::spur_search(), "greater is better"));
   EXPECT_TRUE(has(testing::spur_search(), ", mm</text>"));
   EXPECT_TRUE(has(testing::exact_search(), "Designs by gear ratio and contact ratio"));
-  EXPECT_TRUE(has(testing::ring_search(), "mm² (less is better)"));
+  EXPECT_TRUE(has(testing::ring_search(), "mm², less is better"));
   EXPECT_TRUE(has(testing::pareto_search(), "Filled: the Pareto front over all objectives"));
   // 1 to 5 mm modules: sizes of 1 to 30, on an axis of powers
   EXPECT_TRUE(has(testing::pareto_search(), ">1\u202f000</text>"));

@@ -82,11 +82,4 @@ std::string design_name(const Trial& trial) {
                      beta == 0.0 ? "" : fmt::format(" · {:.6g}°", beta));
 }
 
-std::string counted(std::int64_t n) {
-  std::string text = std::to_string(n);
-  for (auto at = static_cast<int>(text.size()) - 3; at > (n < 0 ? 1 : 0); at -= 3)
-    text.insert(static_cast<std::size_t>(at), "\u202f");  // a narrow space that does not break
-  return text;
-}
-
 }  // namespace gearwright

@@ -35,7 +35,4 @@ std::optional<double> value_of(const SearchProblem& problem, const DesignRow& ro
 /// "2.5 · 28:54", helical "2.5 · 28:54 · 8°"
 std::string design_name(const Trial& trial);
 
-/// Groups of three digits, "2 754".
-std::string counted(std::int64_t n);
-
 }  // namespace gearwright

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 

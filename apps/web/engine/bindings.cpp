@@ -13,9 +13,11 @@
 #include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/catalogue_json.hpp"
 #include "apps/web/engine/search_session.hpp"
+#include "apps/web/engine/shapes.hpp"
 #include "apps/web/engine/work.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
+#include "gearwright/figure/designs.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/edit_text.hpp"
@@ -180,6 +182,24 @@ val open_session(const std::string& text) {
     return opened;
   });
 }
+val designs(const val& of) {
+  return guarded([&] {
+    const auto numbers = [](const val& list) {
+      return emscripten::convertJSArrayToNumberVector<double>(list);
+    };
+    const auto axis = [&](const char* name) {
+      return FigureAxis{of[name]["words"].as<std::string>(), of[name]["unit"].as<std::string>()};
+    };
+    const Numbers x = numbers(of["x"]["values"]), y = numbers(of["y"]["values"]);
+    const val styles = of["styles"];
+    std::vector<DesignDot> dots;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      dots.push_back({{x[i], y[i]}, styles[i].as<std::string>()});
+    Figure figure = designs_figure(axis("x"), axis("y"), dots);
+    figure.tall = of["tall"].as<double>();
+    return js(shape(figure, of["width"].as<double>()));
+  });
+}
 val open_search(const std::string& text, int most) {
   return guarded([&] { return of_text(SearchSession::open(text, most), spec_text(text)); });
 }
@@ -236,6 +256,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
   emscripten::function("edit", &edit_val);
   emscripten::function("open", &open_session);
   emscripten::function("openSearch", &open_search);
+  emscripten::function("designs", &designs);
   class_<ToothTables>("ToothTables")
       .smart_ptr_constructor("ToothTablesHandle", &std::make_shared<ToothTables>);
   class_<Session>("Session")

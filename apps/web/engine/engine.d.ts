@@ -238,6 +238,15 @@ export interface ContactView {
   curves: boolean; // false: the flanks alone
 }
 
+/** Designs as dots, in their order, over two of their numbers, which are finite. */
+export interface DesignDots {
+  width: number; // px
+  tall: number; // height of the plot over its width
+  x: { words: string; unit: string; values: number[] };
+  y: { words: string; unit: string; values: number[] };
+  styles: string[]; // "dot-front", "dot-design"; of the chosen one " taken" is added
+}
+
 // ---------------------------------------------------------------------------------- a session
 
 /** A spec that was read and solved, for everything live. */
@@ -312,6 +321,7 @@ export interface Engine {
   edit(toml: string, key: string, valueJson: string): string | Failed;
   open(spec: string): Session | Failed;
   openSearch(spec: string, most?: number): SearchSession | Failed;
+  designs(of: DesignDots): Figure | Failed;
 }
 
 export function failed(x: unknown): x is Failed;

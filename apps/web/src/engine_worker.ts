@@ -195,6 +195,7 @@ const questions = {
     const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, figure);
     return map && { map, figure: figure(drawn as E.Work<E.ErrorMap>) };
   },
+  designs: (q: E.DesignDots) => good(engine.designs(q)),
   loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),
   /** Teeth under load; a refusal with its key, so that it can stand at its field. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
