@@ -91,5 +91,6 @@ Figure inspection_figure();
 Figure load_figure();
 Figure rating_figure();
 Figure drive_figure();
+Figure scatter_figure();
 
 }  // namespace gearwright::figures

@@ -25,7 +25,8 @@ int main(int argc, char** argv) {
   for (const Figure& figure :
        {notation_figure(), frames_figure(), mesh_triangle_figure(), generation_figure(),
         crossed_figure(), chord_figure(), few_teeth_figure(), arcs_figure(), contact_figure(),
-        search_figure(), inspection_figure(), rating_figure(), load_figure(), drive_figure()}) {
+        search_figure(), inspection_figure(), rating_figure(), load_figure(), drive_figure(),
+        scatter_figure()}) {
     const std::string path = folder + "/" + std::string(figure.name()) + ".svg";
     const std::string text = figure.str();
     if (!check) {

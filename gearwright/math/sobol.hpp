@@ -1,0 +1,49 @@
+// Points that fill the unit cube evenly: Sobol's sequence with random access, and Owen's scrambling
+// from a hash, so that any thread computes any point and the bits are the same everywhere.
+//
+//   x_n   point n, in the order of the Gray code      v_k   direction numbers of a coordinate, 32 bits
+//   u     a coordinate of the scrambled point, 0 < u < 1
+//                                                     theory: docs/theory/14-scatter.md
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gearwright {
+
+/// Steele, Lea and Flood's splitmix64: 64 bits in, 64 well mixed bits out.
+std::uint64_t hash64(std::uint64_t x);
+
+/// The point's coordinates as 32 bits each, by the direction numbers of Joe and Kuo (2008, file
+/// new-joe-kuo-6), whose table Boost.Random carries.
+///
+/// Formula   [T14.3], [T14.4]
+class SobolPoints {
+ public:
+  static constexpr int kMaxDimensions = 3667;  ///< of Boost's table
+
+  /// Domain    1 ≤ dimensions ≤ kMaxDimensions (contract)
+  explicit SobolPoints(int dimensions);
+
+  int dimensions() const { return static_cast<int>(directions_.size()); }
+  /// Coordinate j of point n.   Domain  0 ≤ j < dimensions() (contract)
+  std::uint32_t bits(std::uint32_t n, int j) const;
+
+ private:
+  std::vector<std::array<std::uint32_t, 32>> directions_;
+};
+
+/// Which of the scramblings of a coordinate: hashed from the seed, the replicate and the coordinate.
+std::uint64_t scramble_key(std::uint64_t seed, int replicate, int j);
+
+/// Owen's nested uniform scrambling of the bits of one coordinate.   Formula [T14.5]
+std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key);
+
+/// (bits + ½)/2³², which is neither 0 nor 1.   Formula [T14.6]
+double unit_interval(std::uint32_t bits);
+
+/// Point n of a plain random sequence with this key, neither 0 nor 1.   Formula [T14.6]
+double random_unit(std::uint64_t key, std::uint64_t n);
+
+}  // namespace gearwright

@@ -1,0 +1,110 @@
+#include "gearwright/math/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/probability.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// P(B ≥ k) of B ~ Bin(n, p).
+double at_least(std::int64_t k, std::int64_t n, double p) {
+  if (k <= 0) return 1.0;
+  if (k > n) return 0.0;
+  return beta_cdf(p, static_cast<double>(k), static_cast<double>(n - k + 1));
+}
+
+double sum_of_squares(std::span<const double> f, std::span<const double> g) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) sum += (f[i] - g[i]) * (f[i] - g[i]);
+  return sum;
+}
+
+}  // namespace
+
+Moments moments(std::span<const double> samples) {
+  GW_EXPECTS(!samples.empty());
+  const auto n = static_cast<double>(samples.size());
+  // The first sample is taken out, since a mean far from 0 would lose the digits of the rest.
+  double sum = 0.0;
+  for (const double x : samples) sum += x - samples[0];
+  const double mean = samples[0] + sum / n;
+  double squares = 0.0;
+  for (const double x : samples) squares += (x - mean) * (x - mean);
+  return {mean, samples.size() > 1 ? squares / (n - 1.0) : 0.0};
+}
+
+double quantile(std::span<const double> sorted, double p) {
+  GW_EXPECTS(!sorted.empty() && p >= 0.0 && p <= 1.0);
+  const double place = p * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  if (below + 1 >= sorted.size()) return sorted.back();
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[below + 1] - sorted[below]);
+}
+
+RankInterval quantile_ranks(std::int64_t n, double p, double confidence) {
+  GW_EXPECTS(n >= 1 && p > 0.0 && p < 1.0 && confidence > 0.0 && confidence < 1.0);
+  const double half = 0.5 * (1.0 - confidence);
+  // P(B ≥ k) falls with k: the greatest l with P(B ≥ l) ≥ 1 − α/2, the least u with P(B ≥ u) ≤ α/2.
+  const auto first_at_most = [&](double bound, bool strict) {
+    std::int64_t lo = 0, hi = n + 1;  // P(B ≥ 0) = 1, P(B ≥ n + 1) = 0
+    while (hi - lo > 1) {
+      const std::int64_t k = lo + (hi - lo) / 2;
+      const double tail = at_least(k, n, p);
+      (strict ? tail < bound : tail <= bound) ? hi = k : lo = k;
+    }
+    return hi;
+  };
+  const std::int64_t l = first_at_most(1.0 - half, true) - 1;
+  const std::int64_t u = first_at_most(half, false);
+  RankInterval ranks;
+  if (l >= 1) ranks.lower = l;
+  if (u <= n) ranks.upper = u;
+  return ranks;
+}
+
+ConfidenceInterval probability_interval(std::int64_t count, std::int64_t of, double confidence) {
+  GW_EXPECTS(of >= 1 && count >= 0 && count <= of && confidence > 0.0 && confidence < 1.0);
+  const double half = 0.5 * (1.0 - confidence);
+  const auto k = static_cast<double>(count);
+  const auto n = static_cast<double>(of);
+  return {count == 0 ? 0.0 : beta_quantile(half, k, n - k + 1.0),
+          count == of ? 1.0 : beta_quantile(1.0 - half, k + 1.0, n - k)};
+}
+
+Estimate estimate(std::span<const double> replicates) {
+  const Moments m = moments(replicates);
+  if (replicates.size() < 2) return {m.mean, std::nullopt};
+  return {m.mean, std::sqrt(m.variance / static_cast<double>(replicates.size()))};
+}
+
+ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, double confidence) {
+  GW_EXPECTS(estimate.standard_error && replicates >= 2 && confidence > 0.0 && confidence < 1.0);
+  const double t = student_quantile(0.5 + 0.5 * confidence, static_cast<double>(replicates - 1));
+  return {estimate.value - t * *estimate.standard_error,
+          estimate.value + t * *estimate.standard_error};
+}
+
+std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
+                                          std::span<const std::vector<double>> mixed,
+                                          double least_variance) {
+  GW_EXPECTS(!a.empty() && a.size() == b.size());
+  std::vector<double> both(a.begin(), a.end());
+  both.insert(both.end(), b.begin(), b.end());
+  const double variance = moments(both).variance;
+  if (!(variance > least_variance)) return std::nullopt;
+  const double scale = 1.0 / (2.0 * static_cast<double>(a.size()) * variance);
+  SobolIndices indices;
+  for (const std::vector<double>& f : mixed) {
+    GW_EXPECTS(f.size() == a.size());
+    indices.first.push_back(1.0 - scale * sum_of_squares(b, f));
+    indices.total.push_back(scale * sum_of_squares(a, f));
+    if (!std::isfinite(indices.total.back() + indices.first.back())) return std::nullopt;
+  }
+  return indices;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,79 @@
+// What samples say of a distribution, and how certain that is.
+//
+//   n   samples          R   replicates, independent of each other      α   1 − confidence
+//   V   variance         S_g, S_Tg   first and total Sobol index of a group g of inputs
+//                                    theory: docs/theory/14-scatter.md
+//
+// Sums run in the order of the samples, so that a result depends on nothing else.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gearwright {
+
+struct Moments {
+  double mean;
+  double variance;  ///< of the samples as a random choice, with n − 1; 0 for n = 1
+};
+
+/// Domain    n ≥ 1 (contract)
+Moments moments(std::span<const double> samples);
+
+/// The value below which a share p of the sorted samples lies, between two of them by a straight line.
+///
+/// Formula   at the place 1 + p (n − 1), type 7 of Hyndman and Fan
+/// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
+double quantile(std::span<const double> sorted, double p);
+
+/// Ranks of sorted samples, from 1 on, between which the p-quantile lies. None: the samples are too
+/// few for a bound on that side.
+struct RankInterval {
+  std::optional<std::int64_t> lower, upper;
+};
+
+/// Formula   [T14.8]
+/// Domain    n ≥ 1, 0 < p < 1, 0 < confidence < 1 (contract)
+RankInterval quantile_ranks(std::int64_t n, double p, double confidence);
+
+struct ConfidenceInterval {
+  double lower, upper;
+};
+
+/// Clopper and Pearson's interval of a probability that came true `count` times in `of`.
+///
+/// Formula   [T14.7]
+/// Domain    0 ≤ count ≤ of, of ≥ 1, 0 < confidence < 1 (contract)
+ConfidenceInterval probability_interval(std::int64_t count, std::int64_t of, double confidence);
+
+/// A statistic as the mean of its values in R replicates.
+struct Estimate {
+  double value;
+  std::optional<double> standard_error;  ///< none: one replicate says nothing of its error
+};
+
+/// Formula   [T14.9]
+/// Domain    R ≥ 1 (contract)
+Estimate estimate(std::span<const double> replicates);
+
+/// value ± t_{R−1} standard errors.
+///
+/// Domain    an estimate with a standard error, R ≥ 2, 0 < confidence < 1 (contract)
+ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, double confidence);
+
+struct SobolIndices {
+  std::vector<double> first, total;  ///< by group
+};
+
+/// Jansen's estimates from n evaluations each of f at A, at B, and at A with the columns of each group
+/// from B. None: the variance is at most `least_variance`, or a value is not a number.
+///
+/// Formula   [T14.10]
+/// Domain    n ≥ 1, as many in each (contract)
+std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
+                                          std::span<const std::vector<double>> mixed,
+                                          double least_variance);
+
+}  // namespace gearwright

@@ -1,0 +1,55 @@
+// The distribution of a toleranced number over its range.
+//
+//   [l, h]  range, closed      m, w   its middle and half width      u   uniform in (0, 1)
+//   C_pk    process capability: the mean lies at least 3 C_pk standard deviations inside the range
+//                                    theory: docs/theory/14-scatter.md, [T14.1], [T14.2]
+#pragma once
+
+#include <array>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/math/statistics.hpp"
+
+namespace gearwright {
+
+struct DistributionSpec {
+  enum class Kind {
+    uniform,
+    triangular,  ///< symmetric
+    normal,      ///< cut at the range, as inspection sorts out what lies beyond
+    beta
+  };
+  std::array<double, 2> range{};  ///< l, h
+  Kind kind = Kind::uniform;
+  double cpk = 1.0;                       ///< C_pk, of a normal one
+  double offset = 0.0;                    ///< of its mean from m
+  std::array<double, 2> shape{1.0, 1.0};  ///< p, q of a beta one
+};
+
+class Distribution {
+ public:
+  /// Errors    `range` that does not grow or is not finite (l = h is a number that does not vary),
+  ///           `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
+  static Result<Distribution> of(const DistributionSpec& spec);
+
+  /// F⁻¹(u).   Formula [T14.1]   Domain 0 < u < 1 (contract)
+  double at(double u) const;
+  /// Mean and variance, in closed form.
+  Moments moments() const;
+
+  double least() const { return spec_.range[0]; }
+  double greatest() const { return spec_.range[1]; }
+  bool varies() const { return spec_.range[0] < spec_.range[1]; }
+
+ private:
+  explicit Distribution(const DistributionSpec& spec);
+
+  DistributionSpec spec_;
+  double mean_ = 0.0, sigma_ = 0.0;  // of the normal one before it is cut
+  double from_ = 0.0, to_ = 0.0;     // Φ at the ends of its range
+};
+
+/// A point of a disc: its two coordinates from two numbers in (0, 1).   Formula [T14.2]
+std::array<double, 2> in_disc(double radius, double u, double v);
+
+}  // namespace gearwright
