@@ -9,17 +9,6 @@ namespace gearwright {
 
 namespace {
 
-// Touches at `first + i step` of the housing's rotation, one pitch of n.
-std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
-  const ContactPair& pair = transmission.pair();
-  if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
-  // In N the rotation runs the other way.
-  const double step = pair.pitch() / n;
-  auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
-  std::reverse(touches.begin(), touches.end());
-  return touches;
-}
-
 double least_squares_slope(const std::vector<ContactPoint>& points) {
   double n = 0.0;
   double sum_x = 0.0;
@@ -42,23 +31,34 @@ double least_squares_slope(const std::vector<ContactPoint>& points) {
   return xx > 0.0 ? xy / xx : 0.0;
 }
 
-// Amplitudes of 1, 2, … waves per pitch. [T8.18]
-std::vector<Angle> harmonics(const std::vector<ContactPoint>& points, int n) {
+}  // namespace
+
+std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
+  const ContactPair& pair = transmission.pair();
+  if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
+  // In N the rotation runs the other way.
+  const double step = pair.pitch() / n;
+  auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
+  std::reverse(touches.begin(), touches.end());
+  return touches;
+}
+
+std::vector<Angle> harmonics(const std::vector<double>& te) {
+  GW_EXPECTS(!te.empty());
   constexpr int kMax = 20;
+  const auto n = static_cast<int>(te.size());
   std::vector<Angle> amplitude;
-  const double mean = points[0].te.rad();  // of no consequence but for rounding
+  const double mean = te[0];  // of no consequence but for rounding
   for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
       const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
-      sum += (points[i].te.rad() - mean) * Complex(std::cos(turn), -std::sin(turn));
+      sum += (te[static_cast<std::size_t>(i)] - mean) * Complex(std::cos(turn), -std::sin(turn));
     }
     amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
   }
   return amplitude;
 }
-
-}  // namespace
 
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request) {
   GW_EXPECTS(request.positions >= 2 && request.pitches >= 1 && request.marking > 0.0);
@@ -104,8 +104,12 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   }
   if (greatest >= least) result.peak_to_peak = greatest - least;
   result.mean_slope = least_squares_slope(result.positions);
-  if (request.rotations.empty() && !result.contact_lost)
-    result.harmonics = harmonics(result.positions, n);
+  if (request.rotations.empty() && !result.contact_lost) {
+    std::vector<double> te;
+    for (int i = 0; i < n; ++i)
+      te.push_back(result.positions[static_cast<std::size_t>(i)].te.rad());
+    result.harmonics = harmonics(te);
+  }
   for (const Influence& influence : request.influences) {
     std::vector<Sensitivity> column;
     for (const PairTouch& t : touches) {

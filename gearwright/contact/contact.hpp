@@ -37,6 +37,15 @@ struct ContactResult {
 /// Accuracy  TE: rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
+/// Touches at `first + i step` of the housing's rotation, one pitch in n steps.
+std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
+
+/// Amplitudes of 1, 2, … waves per pitch, at most 20, of TE at equal steps of a pitch.
+///
+/// Formula   [T8.18]
+/// Domain    at least one value (contract)
+std::vector<Angle> harmonics(const std::vector<double>& te);
+
 /// TE alone over one pitch from −half a pitch on, rad; NaN where contact is lost. What maps and
 /// optimisers call.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);

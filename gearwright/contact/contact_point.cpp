@@ -132,6 +132,13 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
+// A bound that holds with weight is an edge, though the edge may touch along all of its length.
+bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
+  const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
+  return weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) >
+         kLineGap;
+}
+
 // Principal curvatures of the gap and the ellipse, in the housing. [T8.15], [T8.16]
 void curvatures(const ContactPair& pair, const GapJet& j, bool line, double marking,
                 ContactPoint& p) {
@@ -191,6 +198,14 @@ bool at_seam(Transmission& transmission, const PairTouch& touch) {
          holds(set.second, touch.touch.multiplier[1]);
 }
 
+bool on_edge(Transmission& transmission, const PairTouch& touch) {
+  if (!touch.found() || !is_edge(kind_of(transmission.field(touch.fields), touch.touch.active)))
+    return false;
+  if (holds_with_weight(transmission, touch)) return true;
+  LineWalk walk(transmission, touch);
+  return !walk.worth_walking() || !walk.ends();
+}
+
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking) {
   ContactPoint p;
@@ -204,10 +219,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.pair = static_cast<int>(turned) * touch.pair;
   p.kind = kind_of(field, touch.touch.active);
   Place at{touch.touch.s, touch.touch.z};
-  // A bound that holds with weight is an edge, though the edge may touch along all of its length.
-  const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
-  const bool edge =
-      weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) > kLineGap;
+  const bool edge = holds_with_weight(transmission, touch);
   // Without weight the next patch goes on as this one does, but for a slope that does not count here.
   if (p.kind == TouchKind::ridge && !edge) p.kind = TouchKind::interior;
   if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {

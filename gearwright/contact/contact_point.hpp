@@ -74,6 +74,9 @@ struct ContactPoint {
 /// Whether a touch is held at a seam of patches, beyond which T rises: no place of its own.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
+/// Whether an edge of a tooth touches: is_edge() of the kind that describe() gives, for less work.
+bool on_edge(Transmission& transmission, const PairTouch& touch);
+
 /// Everything about a touch of pair 0 at `touch.phi`.
 ///
 /// Units     mm; `rotation1` in the housing's sense

@@ -20,9 +20,6 @@ constexpr double kNoPlace = 1e-9;
 
 double without_rounding(double v, double least) { return std::abs(v) < least ? 0.0 : v; }
 
-// The compound's thickness changes ellipses, not the kind of a contact.
-constexpr double kAnyMarking = 0.005;  // mm
-
 }  // namespace
 
 bool ContactScore::nothing_touches() const { return std::isnan(peak_to_peak.rad()); }
@@ -30,16 +27,22 @@ bool ContactScore::nothing_touches() const { return std::isnan(peak_to_peak.rad(
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges) {
   GW_EXPECTS(positions >= 2);
-  ContactCurve c;
   Transmission transmission(pair);
+  return curve_of(transmission, transmission.over_a_pitch(-0.5 * pair.pitch(), positions), target,
+                  edges);
+}
+
+ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
+                      const ProfileTarget& target, bool edges) {
+  ContactCurve c;
   double z_half = 0.0;
-  for (const FlankPatch& p : pair.patches(1))
+  for (const FlankPatch& p : transmission.pair().patches(1))
     z_half = std::max({z_half, std::abs(p.z_lo), std::abs(p.z_hi)});
   double height = 0.0;
   double profile = 0.0;
-  int on_edge = 0;
+  int edge_touches = 0;
   int n = 0;
-  for (const PairTouch& t : transmission.over_a_pitch(-0.5 * pair.pitch(), positions)) {
+  for (const PairTouch& t : touches) {
     if (!t.found()) {
       c.score.lost = true;
       c.te.push_back(kNan);
@@ -53,14 +56,13 @@ ContactCurve contact_curve(const ContactPair& pair, int positions, const Profile
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
       if (angle) profile += (*angle - target.angle.rad()) / target.width.rad();
     }
-    if (edges && is_edge(describe(transmission, t, Angle::radians(t.phi), kAnyMarking).kind))
-      ++on_edge;
+    if (edges && on_edge(transmission, t)) ++edge_touches;
   }
   c.score.peak_to_peak = Angle::radians(without_rounding(peak_to_peak(c.te), kNoAngle));
   if (n == 0) return c;
   c.score.along_face = without_rounding(height / n, kNoPlace);
   c.score.along_profile = without_rounding(profile / n, kNoPlace);
-  c.score.edge_share = static_cast<double>(on_edge) / positions;
+  c.score.edge_share = static_cast<double>(edge_touches) / static_cast<double>(touches.size());
   return c;
 }
 

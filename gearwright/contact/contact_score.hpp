@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/contact/transmission.hpp"
 
 namespace gearwright {
 
@@ -37,6 +37,10 @@ struct ContactCurve {
 /// Accuracy  what is rounding is 0: a peak to peak below 1e-9 arcsec, places below 1e-9
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
+
+/// The same of touches over a pitch. TE is that of N.
+ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
+                      const ProfileTarget& target, bool edges);
 
 /// Of one pair.
 inline ContactScore score_of(const ContactPair& pair, int positions,

@@ -159,13 +159,29 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
       return Error{gear_field(i + 1), "", "has no usable flank; see its warnings (gearwright gear)",
                    FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
-    if (!fields[i] && !any_modification(modifications[i])) continue;
+  }
+  if (auto error = setup.make_fields(fields)) return *error;
+  return setup;
+}
+
+std::optional<Error> ContactSetup::make_fields(std::array<bool, 2> wanted) {
+  for (int i = 0; i < 2; ++i) {
+    removal_[i] = {};
+    if (!wanted[i] && !any_modification(modifications_[i])) continue;
     for (int side = 0; side < 2; ++side) {
-      auto field = make_removal_field(modifications[i][side], flank_extent(gear));
+      auto field = make_removal_field(modifications_[i][side], flank_extent(*gears_[i]));
       if (!field) return of_flank(i + 1, side, field.error());
-      setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
+      removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
     }
   }
+  return std::nullopt;
+}
+
+Result<ContactSetup> ContactSetup::with_modifications(
+    const PairModifications& modifications) const {
+  ContactSetup setup = *this;
+  setup.modifications_ = modifications;
+  if (auto error = setup.make_fields({})) return *error;
   return setup;
 }
 

@@ -56,11 +56,15 @@ class ContactSetup {
   const RemovalField* removal(int gear, bool left) const;
   /// The same with corrections made; an error where there are no such teeth.
   Result<ContactSetup> changed(const SetupChange& change) const;
+  const PairModifications& modifications() const { return modifications_; }
+  /// The same with other modifications.   Errors `gearN.modifications.…` as make_removal_field
+  Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
   /// The gear that a rack F cuts, 1 or 2; none: the teeth are no such pair.
   std::optional<int> convex_gear() const;
 
  private:
   ContactPair at(const ContactMount& place) const;
+  std::optional<Error> make_fields(std::array<bool, 2> wanted);
 
   std::array<std::shared_ptr<const Gear>, 2> gears_;
   PairModifications modifications_;

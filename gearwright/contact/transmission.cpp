@@ -102,6 +102,14 @@ PairTouch Transmission::of_pair_0(double phi) {
   return best;
 }
 
+PairTouch Transmission::follow(const PairTouch& from, double phi) {
+  GW_EXPECTS(from.found());
+  fields_[static_cast<std::size_t>(from.fields)]->set_rotation(phi);
+  const Touch t =
+      search(from.fields).from(from.touch.s, from.touch.z, from.touch.s2, from.touch.active);
+  return {t, t.found() ? from.fields : -1, phi, from.pair};
+}
+
 std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   std::vector<PairTouch> all;
   for (std::size_t f = 0; f < fields_.size(); ++f) {

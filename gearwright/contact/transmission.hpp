@@ -39,6 +39,9 @@ class Transmission {
   PairTouch at(double phi);
   /// Of tooth pair 0 alone, whether or not another one carries.
   PairTouch of_pair_0(double phi);
+  /// The same tooth pair on the same patches at another rotation of pair 0, from where it touched.
+  /// Not found: nothing of these patches touches there.
+  PairTouch follow(const PairTouch& from, double phi);
   /// Every place of tooth pair 0 at which T is greatest round about, of all pairs of patches: those at
   /// a seam too, beyond which T may rise.
   std::vector<PairTouch> every_of_pair_0(double phi);

@@ -1,0 +1,101 @@
+// Oracle: the comb of thousands of positions. Laws: (1) least is at most, and greatest at least, that of
+// the touches   (2) the positions do not matter.
+#include "gearwright/contact/continuous.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/testing/sample_pairs.hpp"
+
+namespace gearwright {
+namespace {
+
+double continuous(const ContactPair& pair, int positions) {
+  Transmission transmission(pair);
+  return continuous_extremes(transmission, one_pitch(transmission, -0.5 * pair.pitch(), positions))
+      .span();
+}
+
+// A comb's peak to peak, and the most that its curve can exceed it by between two positions.
+struct Comb {
+  double span, missed;
+};
+
+Comb comb(const ContactPair& pair, int positions) {
+  const std::vector<double> te = transmission_error(pair, positions);
+  double steepest = 0.0;
+  for (std::size_t i = 0; i < te.size(); ++i)
+    steepest = std::max(steepest, std::abs(te[i] - te[(i + 1) % te.size()]));
+  return {peak_to_peak(te), 2 * steepest};
+}
+
+std::vector<testing::SamplePair> pairs() {
+  std::vector<testing::SamplePair> all{testing::involutes(23, 61, -20),
+                                       testing::involutes(20, 40, 0),
+                                       testing::involutes(17, -61, 12), testing::arcs()};
+  FlankModifications crowned;
+  crowned.lead_crowning = 0.008;
+  crowned.profile_crowning = 0.004;
+  all.push_back(testing::involutes(17, 43, 15));
+  all.back().modify(1, crowned);
+  return all;
+}
+
+TEST(Continuous, IsTheCurveOfManyPositions) {
+  std::mt19937 seeded(38);
+  const auto angle = [&] {
+    return Angle::degrees(std::uniform_real_distribution<>(-0.03, 0.03)(seeded));
+  };
+  for (testing::SamplePair sample : pairs()) {
+    for (int i = 0; i < 4; ++i) {
+      sample.place.errors = {
+          .center_distance = 0.01 * (i - 2), .crossing = angle(), .intersecting = angle()};
+      sample.place.gear2_drives = i == 3;
+      const ContactPair pair = sample.pair();
+      SCOPED_TRACE(std::to_string(pair.patches(2).size()) + " patches, teeth " +
+                   std::to_string(sample.gears[1].spec.teeth) + ", errors " + std::to_string(i));
+      const Comb fine = comb(pair, 2048);
+      const double found = continuous(pair, 64);
+      EXPECT_GE(found, fine.span - 1e-12);
+      EXPECT_LE(found, fine.span + fine.missed + 1e-12);
+    }
+  }
+}
+
+TEST(Continuous, DoesNotDependOnThePositions) {
+  auto sample = testing::involutes(23, 61, -20);
+  sample.place.errors = {.center_distance = 0.0085,
+                         .crossing = Angle::degrees(0.02),
+                         .intersecting = Angle::degrees(-0.02)};
+  const ContactPair pair = sample.pair();
+  const double few = continuous(pair, 32);
+  for (const int n : {33, 96, 128, 1000}) EXPECT_NEAR(continuous(pair, n), few, 1e-11) << n;
+  // The comb has errors a thousand times as great.
+  EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
+}
+
+TEST(Continuous, ConjugateFlanksHaveNoSpan) {
+  EXPECT_LT(continuous(testing::involutes(20, 41, 12).pair(), 16), 1e-13);
+}
+
+TEST(Continuous, EdgesAreThoseOfTheDescription) {
+  for (testing::SamplePair sample : pairs()) {
+    for (const double tilt : {0.0, 0.01, 0.2}) {
+      sample.place.errors.crossing = Angle::degrees(tilt);
+      const ContactPair pair = sample.pair();
+      Transmission transmission(pair);
+      for (const PairTouch& t : one_pitch(transmission, -0.5 * pair.pitch(), 12)) {
+        const auto kind = describe(transmission, t, Angle::radians(t.phi), 0.005).kind;
+        EXPECT_EQ(on_edge(transmission, t), is_edge(kind));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

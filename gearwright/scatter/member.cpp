@@ -1,0 +1,113 @@
+#include "gearwright/scatter/member.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/continuous.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTouching = 1e-12;                // rad: teeth without backlash do not jam
+constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a peak to peak below is the rounding of 0
+
+// The setup of the member: the drawing's, unless its modifications differ.
+class MemberSetup {
+ public:
+  MemberSetup(const ContactSetup& setup, const Deviation& deviation) : drawn_(setup) {
+    if (!deviation.modified) return;
+    auto made = setup.with_modifications(deviation.modifications);
+    GW_EXPECTS(made);
+    own_ = std::move(made).take();
+  }
+  const ContactSetup& operator*() const { return own_ ? *own_ : drawn_; }
+
+ private:
+  const ContactSetup& drawn_;
+  std::optional<ContactSetup> own_;
+};
+
+double span_of(Transmission& transmission, const std::vector<PairTouch>& touches) {
+  const double span = continuous_extremes(transmission, touches).span();
+  return span < kNoAngle ? 0.0 : span;
+}
+
+}  // namespace
+
+bool FamilyMember::jams() const { return (*this)[ScatterQuantity::least_play] < -kTouching; }
+
+double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness) {
+  if (thickness[0] == 0.0 && thickness[1] == 0.0) return 0.0;
+  const Gear& g2 = setup.gear(2);
+  GW_EXPECTS(setup.gear(1).involute() && g2.involute());
+  const double lever = std::abs(g2.base_radius()) * std::cos(g2.reference().base_helix_angle);
+  double along_normal = 0.0;
+  for (const int which : {1, 2}) {
+    along_normal += thickness[static_cast<std::size_t>(which - 1)] *
+                    std::cos(setup.gear(which).spec.normal_pressure_angle.rad());
+  }
+  return along_normal / lever;
+}
+
+FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
+                       const MemberRequest& request) {
+  GW_EXPECTS(request.positions >= 2);
+  using Q = ScatterQuantity;
+  FamilyMember m;
+  m.value.fill(kNan);
+  const auto set = [&](Q q, double value) { m.value[static_cast<std::size_t>(q)] = value; };
+  const MemberSetup setup(drawn, deviation);
+  const ContactPair driving = (*setup).pair(deviation.errors, request.gear2_drives);
+  const ContactPair behind = (*setup).pair(deviation.errors, !request.gear2_drives);
+  Transmission transmission(driving);
+  Transmission other(behind);
+  const double first = -0.5 * driving.pitch();
+  const auto touches = one_pitch(transmission, first, request.positions);
+  const auto other_touches = one_pitch(other, first, request.positions);
+  const double taken = play_taken(drawn, deviation.thickness);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (!touches[i].found() || !other_touches[i].found()) continue;
+    least = std::min(least, -(touches[i].te() + other_touches[i].te()) - taken);
+  }
+  if (std::isfinite(least)) set(Q::least_play, least);
+  const ContactCurve curve = curve_of(transmission, touches, request.profile, true);
+  set(Q::edge_share, curve.score.edge_share);
+  m.lost = curve.score.lost;
+  if (m.lost) return m;
+  set(Q::along_face, curve.score.along_face);
+  if (request.profile.width > Angle()) set(Q::along_profile, curve.score.along_profile);
+  set(Q::peak_to_peak, span_of(transmission, touches));
+  // Each flank of a tooth takes half of the change of its thickness.
+  std::vector<double> te;
+  double sum = 0.0;
+  for (const double t : curve.te) {
+    te.push_back(driving.turned() * (t + 0.5 * taken));
+    sum += te.back();
+  }
+  set(Q::mean, sum / static_cast<double>(te.size()));
+  const auto waves = harmonics(te);
+  constexpr std::array<Q, 3> kHarmonics{Q::harmonic1, Q::harmonic2, Q::harmonic3};
+  for (std::size_t h = 0; h < std::min(waves.size(), kHarmonics.size()); ++h)
+    set(kHarmonics[h], waves[h].rad());
+  return m;
+}
+
+double continuous_peak_to_peak(const ContactSetup& drawn, const Deviation& deviation,
+                               const MemberRequest& request) {
+  const MemberSetup setup(drawn, deviation);
+  const ContactPair driving = (*setup).pair(deviation.errors, request.gear2_drives);
+  Transmission transmission(driving);
+  const auto touches = one_pitch(transmission, -0.5 * driving.pitch(), request.positions);
+  for (const PairTouch& t : touches)
+    if (!t.found()) return kNan;
+  return span_of(transmission, touches);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,62 @@
+// One member of the family: its contact over a pitch in a few numbers.
+//
+//   ΔE_sn   change of the tooth thickness      s   what it takes from the play, as an angle of gear 2
+//                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
+//
+// The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
+// continuous curve.
+#pragma once
+
+#include <array>
+
+#include "gearwright/contact/contact_score.hpp"
+#include "gearwright/scatter/tolerance.hpp"
+
+namespace gearwright {
+
+enum class ScatterQuantity {
+  peak_to_peak,   ///< rad, of the continuous curve
+  harmonic1,      ///< rad
+  harmonic2,      ///< rad
+  harmonic3,      ///< rad
+  mean,           ///< rad, of TE over the positions
+  along_face,     ///< mean place of the contact along the face, −1 to 1
+  along_profile,  ///< the same along the profile; circular-arc teeth
+  edge_share,     ///< of the positions, at which an edge touches
+  least_play,     ///< rad, of gear 2; < 0: the gears jam
+};
+constexpr std::size_t kScatterQuantities = 9;
+
+struct FamilyMember {
+  std::array<double, kScatterQuantities> value{};  ///< NaN: there is no such number
+  bool lost = false;                               ///< at some position nothing touches
+
+  double operator[](ScatterQuantity q) const { return value[static_cast<std::size_t>(q)]; }
+  bool edge() const { return (*this)[ScatterQuantity::edge_share] > 0.0; }
+  bool jams() const;
+};
+
+struct MemberRequest {
+  int positions = 32;  ///< per pitch
+  bool gear2_drives = false;
+  ProfileTarget profile{};
+};
+
+/// The play that thicker teeth take, as an angle of gear 2, rad.
+///
+/// Formula   [T14.13], exact for involutes
+/// Domain    involute teeth, or no change (contract)
+double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness);
+
+/// Domain    positions ≥ 2; modifications that check_ends() accepts (contract)
+/// Accuracy  as analyse_contact() and continuous_extremes()
+/// Laws      (1) without deviations its numbers are those of analyse_contact()
+///           (2) spur gears have the closed forms of [T14.14]
+FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
+                       const MemberRequest& request);
+
+/// Peak to peak of the continuous curve alone, rad; NaN where contact is lost.
+double continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
+                               const MemberRequest& request);
+
+}  // namespace gearwright

@@ -1,0 +1,212 @@
+// Laws: (1) without deviations the numbers are those of analyse_contact()   (2) a member is the pair with
+// its errors, modifications and thickness. Golden: closed forms of spur gears, page 14.
+#include "gearwright/scatter/member.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/math/sobol.hpp"
+#include "gearwright/scatter/testing/drawn_pair.hpp"
+
+namespace gearwright {
+namespace {
+
+using Q = ScatterQuantity;
+
+Deviation none(const ContactSetup& setup) { return deviation_at(setup, {}, {}); }
+
+// Least play as the verb contact has it.
+double least_play(const ContactResult& driving, const ContactResult& other, bool gear2_drives) {
+  Angle least = Angle::degrees(360);
+  for (std::size_t i = 0; i < driving.positions.size(); ++i) {
+    const Angle play =
+        (gear2_drives ? -1.0 : 1.0) * (other.positions[i].te - driving.positions[i].te);
+    least = std::min(least, play);
+  }
+  return least.rad();
+}
+
+TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
+  for (auto drawn :
+       {testing::helical_pair(), testing::plain_helical_pair(), testing::spur_pair(true)}) {
+    drawn.errors = {.center_distance = 0.01, .crossing = Angle::degrees(0.02)};
+    const ContactSetup setup = drawn.setup();
+    for (const bool gear2_drives : {false, true}) {
+      const MemberRequest request{32, gear2_drives, {}};
+      const FamilyMember m = member_at(setup, none(setup), request);
+      ContactRequest contact;
+      contact.positions = 32;
+      const auto driving = analyse_contact(setup.pair(gear2_drives), contact);
+      const auto other = analyse_contact(setup.pair(!gear2_drives), contact);
+      EXPECT_EQ(m[Q::harmonic1], driving.harmonics[0].rad());
+      EXPECT_EQ(m[Q::harmonic2], driving.harmonics[1].rad());
+      EXPECT_EQ(m[Q::harmonic3], driving.harmonics[2].rad());
+      EXPECT_EQ(m[Q::least_play], least_play(driving, other, gear2_drives));
+      double sum = 0.0;
+      int edges = 0;
+      for (const ContactPoint& p : driving.positions) {
+        sum += p.te.rad();
+        edges += is_edge(p.kind) ? 1 : 0;
+      }
+      EXPECT_EQ(m[Q::mean], sum / 32);
+      EXPECT_EQ(m[Q::edge_share], edges / 32.0);
+      EXPECT_GE(m[Q::peak_to_peak], driving.peak_to_peak.rad());
+      EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request));
+      EXPECT_FALSE(m.lost);
+    }
+  }
+}
+
+TEST(Member, IsThePairWithItsErrorsAndModifications) {
+  auto drawn = testing::helical_pair();
+  drawn.errors = {.center_distance = -0.004, .axial = 0.1};
+  using P = RemovalField::Parameter;
+  const std::vector<ScatterTolerance> tolerances{
+      testing::distance(0.02), testing::crossing(0.05),
+      testing::tolerance("errors.helix_slope2_um", 1e-3, -9, 9, VaryingError::helix_slope2),
+      testing::tolerance("gear1.modifications.lead_crowning_um", 1e-3, -3, 3,
+                         VaryingModification{1, P::lead_crowning})};
+  const ContactSetup setup = drawn.setup();
+  const FamilyMember m = member_at(
+      setup, deviation_at(setup, tolerances, std::vector{0.01, -0.03, 5.0, 2.0}), {16, false, {}});
+  drawn.errors.center_distance += 0.01;
+  drawn.errors.crossing = Angle::radians(-0.03 * kRadPerDeg);
+  drawn.errors.helix_twist[1] = 0.005 / (setup.gear(2).reference_diameter / 2 * 25);
+  drawn.modifications.lead_crowning += 0.002;
+  const ContactSetup made = drawn.setup();
+  const FamilyMember direct = member_at(made, none(made), {16, false, {}});
+  for (std::size_t q = 0; q < kScatterQuantities; ++q) {
+    if (std::isnan(direct.value[q])) continue;
+    EXPECT_NEAR(m.value[q], direct.value[q], 1e-13) << q;
+  }
+}
+
+TEST(Member, ThicknessIsThatOfAPairMadeAnew) {
+  for (auto drawn : {testing::spur_pair(false), testing::plain_helical_pair()}) {
+    const std::vector<ScatterTolerance> tolerances{
+        testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.02, 0.02, VaryingThickness{1}),
+        testing::tolerance("gear2.thickness_allowance_mm", 1.0, -0.03, 0.03, VaryingThickness{2})};
+    const ContactSetup setup = drawn.setup();
+    for (const bool gear2_drives : {false, true}) {
+      const MemberRequest request{8, gear2_drives, {}};
+      const FamilyMember m =
+          member_at(setup, deviation_at(setup, tolerances, std::vector{0.013, -0.027}), request);
+      auto thicker = drawn;
+      thicker.gears[0].thickness_allowance += 0.013;
+      thicker.gears[1].thickness_allowance -= 0.027;
+      const ContactSetup made = thicker.setup();
+      const FamilyMember direct = member_at(made, none(made), request);
+      EXPECT_NEAR(m[Q::least_play], direct[Q::least_play], 1e-12);
+      EXPECT_NEAR(m[Q::mean], direct[Q::mean], 1e-12);
+    }
+  }
+}
+
+TEST(Member, SpurGearsHaveClosedForms) {
+  const ContactSetup plain = testing::spur_pair(false).setup();
+  const double r_b2 = plain.gear(2).base_radius();
+  const double r_b1 = plain.gear(1).base_radius();
+  const double b = 20.0;
+  const FamilyMember nominal = member_at(plain, none(plain), {8, false, {}});
+  for (const auto& [gamma, delta] :
+       {std::pair{0.02, 0.0}, {0.0, 0.03}, {-0.015, 0.02}, {0.01, -0.03}}) {
+    Deviation d = none(plain);
+    d.errors.crossing = Angle::degrees(gamma);
+    d.errors.intersecting = Angle::degrees(delta);
+    const double alpha = std::acos((r_b1 + r_b2) / 60.4);
+    const double x = gamma * kRadPerDeg * std::cos(alpha);
+    const double y = delta * kRadPerDeg * std::sin(alpha);
+    const FamilyMember m = member_at(plain, d, {8, false, {}});
+    // To the second order in the angles, 0.03² of them.
+    const double second = 4 * 0.03 * 0.03 * kRadPerDeg * kRadPerDeg;
+    const double one = b / (2 * r_b2) * std::abs(x + y);
+    const double other = b / (2 * r_b2) * std::abs(x - y);
+    const double te = m[Q::mean] - nominal[Q::mean];
+    EXPECT_NEAR(std::min(std::abs(te - one), std::abs(te - other)), 0.0, second + 0.002 * te);
+    const double play = m[Q::least_play] - nominal[Q::least_play];
+    EXPECT_NEAR(play, -b / r_b2 * std::max(std::abs(x), std::abs(y)),
+                2 * second + 0.002 * std::abs(play));
+    EXPECT_GT(m[Q::edge_share], 0.99);
+  }
+  // More centre distance: 2 sin α_wt ΔC/r_b2 of play, with α_wt between its two ends.
+  Deviation farther = none(plain);
+  farther.errors.center_distance = 0.01;
+  const double gained =
+      member_at(plain, farther, {8, false, {}})[Q::least_play] - nominal[Q::least_play];
+  const double sine = std::sin(std::acos((r_b1 + r_b2) / 60.405));
+  EXPECT_NEAR(gained, 2 * sine * 0.01 / r_b2, 1e-9);
+  // A crowned tooth touches with an edge from 4C/(b cos α_wt) on, exactly at 0.098162°.
+  const ContactSetup crowned = testing::spur_pair(true).setup();
+  for (const double degrees : {0.09811, 0.09821}) {
+    Deviation d = none(crowned);
+    d.errors.crossing = Angle::degrees(degrees);
+    EXPECT_EQ(member_at(crowned, d, {16, false, {}}).edge(), degrees > 0.098162) << degrees;
+  }
+}
+
+TEST(Member, LostContactIsNoNumber) {
+  const ContactSetup setup = testing::spur_pair(false).setup();
+  Deviation d = none(setup);
+  d.errors.center_distance = 5.0;
+  const FamilyMember m = member_at(setup, d, {8, false, {}});
+  EXPECT_TRUE(m.lost);
+  EXPECT_FALSE(m.jams());
+  EXPECT_TRUE(std::isnan(m[Q::peak_to_peak]));
+  EXPECT_TRUE(std::isnan(continuous_peak_to_peak(setup, d, {8, false, {}})));
+}
+
+TEST(Tolerance, BoresMoveAndTiltTheAxis) {
+  const ContactSetup setup = testing::spur_pair(false).setup();
+  constexpr double span = 100.0, radius = 0.02, offset = 15.0;
+  const auto bore = [&](bool far_end) {
+    return testing::tolerance(far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0, -radius, radius,
+                              VaryingBore{span, offset, far_end});
+  };
+  const std::vector<ScatterTolerance> tolerances{bore(false), bore(true)};
+  EXPECT_EQ(coordinates_of(tolerances), 4);
+  const auto at = [&](std::vector<double> x) { return deviation_at(setup, tolerances, x).errors; };
+  // Both by x: the axis moves. One against the other: it tilts, and at the gear it moves as well.
+  EXPECT_DOUBLE_EQ(at({0.01, 0.0, 0.01, 0.0}).center_distance, -0.01);
+  EXPECT_DOUBLE_EQ(at({0.01, 0.0, 0.01, 0.0}).intersecting.rad(), 0.0);
+  EXPECT_DOUBLE_EQ(at({-0.01, 0.0, 0.01, 0.0}).intersecting.rad(), 2e-4);
+  EXPECT_DOUBLE_EQ(at({-0.01, 0.0, 0.01, 0.0}).center_distance, -15 * 2e-4);
+  EXPECT_DOUBLE_EQ(at({0.0, -0.01, 0.0, 0.01}).crossing.rad(), 2e-4);
+  // var ΔC = R²/8 of a gear in the middle.
+  const SobolPoints points(4);
+  double sum = 0.0;
+  constexpr std::uint32_t n = 4096;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    std::vector<double> x;
+    for (int t = 0; t < 2; ++t) {
+      const std::array u{unit_interval(points.bits(i, 2 * t)),
+                         unit_interval(points.bits(i, 2 * t + 1))};
+      const auto place = tolerances[static_cast<std::size_t>(t)].at(u);
+      x.insert(x.end(), place.begin(), place.end());
+    }
+    const ContactErrors e = at(x);
+    const double distance = e.center_distance + offset * e.intersecting.rad();
+    sum += distance * distance;
+  }
+  EXPECT_NEAR(sum / n, radius * radius / 8, 0.01 * radius * radius / 8);
+}
+
+TEST(Tolerance, EndsMustBeTeeth) {
+  using P = RemovalField::Parameter;
+  auto drawn = testing::helical_pair();
+  drawn.modifications.tip_relief = {0.005, 2 * 23.5, ReliefShape::linear};
+  const ContactSetup setup = drawn.setup();
+  const auto relief = [&](double um) {
+    return testing::tolerance("gear1.modifications.tip_relief_um", 1e-3, -um, um,
+                              VaryingModification{1, P::tip_relief});
+  };
+  EXPECT_FALSE(check_ends(setup, std::vector{relief(5.0)}));
+  const auto error = check_ends(setup, std::vector{relief(6.0)});
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->field, "gear1.modifications.tip_relief_um");
+  EXPECT_EQ(error->value, "-6");
+}
+
+}  // namespace
+}  // namespace gearwright

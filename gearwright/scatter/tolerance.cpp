@@ -1,0 +1,118 @@
+#include "gearwright/scatter/tolerance.hpp"
+
+#include "gearwright/base/overloaded.hpp"
+#include "gearwright/contact/contact_pair.hpp"
+
+namespace gearwright {
+
+namespace {
+
+void add_error(Deviation& d, const ContactSetup& setup, VaryingError error, double by) {
+  ContactErrors& e = d.errors;
+  const auto twist = [&](int which) {
+    const Gear& gear = setup.gear(which);
+    return by / (gear.reference_diameter / 2 * gear.spec.face_width);
+  };
+  switch (error) {
+    case VaryingError::center_distance: e.center_distance += by; break;
+    case VaryingError::crossing: e.crossing += Angle::radians(by); break;
+    case VaryingError::intersecting: e.intersecting += Angle::radians(by); break;
+    case VaryingError::axial: e.axial += by; break;
+    case VaryingError::helix_slope1: e.helix_twist[0] += twist(1); break;
+    case VaryingError::helix_slope2: e.helix_twist[1] += twist(2); break;
+    case VaryingError::cutter_lead1: e.cutter_lead[0] += Angle::radians(by); break;
+    case VaryingError::cutter_lead2: e.cutter_lead[1] += Angle::radians(by); break;
+  }
+}
+
+void add_modification(FlankModifications& m, RemovalField::Parameter parameter, double by) {
+  using P = RemovalField::Parameter;
+  switch (parameter) {
+    case P::tip_relief: m.tip_relief.amount += by; break;
+    case P::root_relief: m.root_relief.amount += by; break;
+    case P::profile_crowning: m.profile_crowning += by; break;
+    case P::profile_slope: m.profile_slope += by; break;
+    case P::lead_crowning: m.lead_crowning += by; break;
+    case P::lead_slope: m.lead_slope += by; break;
+    case P::end_relief: m.end_relief.amount += by; break;
+  }
+}
+
+// [T14.12]: what one bore does, the other one in its place.
+void add_bore(ContactErrors& e, const VaryingBore& bore, double x, double y) {
+  const double sign = bore.far_end ? 1.0 : -1.0;
+  const double in_plane = sign * x / bore.span;
+  e.intersecting += Angle::radians(in_plane);
+  e.crossing += Angle::radians(sign * y / bore.span);
+  e.center_distance -= 0.5 * x + bore.offset * in_plane;
+}
+
+void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolerance,
+         std::span<const double> x) {
+  const double by = tolerance.unit * x[0];
+  std::visit(
+      Overloaded{
+          [&](VaryingError error) { add_error(d, setup, error, by); },
+          [&](VaryingThickness t) { d.thickness[static_cast<std::size_t>(t.gear - 1)] += by; },
+          [&](VaryingModification m) {
+            if (by == 0.0) return;
+            d.modified = true;
+            for (auto& flank : d.modifications[static_cast<std::size_t>(m.gear - 1)])
+              add_modification(flank, m.parameter, by);
+          },
+          [&](const VaryingBore& b) { add_bore(d.errors, b, by, tolerance.unit * x[1]); }},
+      tolerance.of);
+}
+
+Deviation as_drawn(const ContactSetup& setup) {
+  return {setup.place().errors, setup.modifications(), false, {}};
+}
+
+}  // namespace
+
+std::array<double, 2> ScatterTolerance::at(std::span<const double> u) const {
+  if (coordinates() == 2) return in_disc(distribution.greatest(), u[0], u[1]);
+  return {distribution.at(u[0]), 0.0};
+}
+
+int coordinates_of(std::span<const ScatterTolerance> tolerances) {
+  int sum = 0;
+  for (const ScatterTolerance& t : tolerances) sum += t.coordinates();
+  return sum;
+}
+
+Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
+                       std::span<const double> x) {
+  GW_EXPECTS(static_cast<int>(x.size()) == coordinates_of(tolerances));
+  Deviation d = as_drawn(setup);
+  std::size_t at = 0;
+  for (const ScatterTolerance& t : tolerances) {
+    add(d, setup, t, x.subspan(at));
+    at += static_cast<std::size_t>(t.coordinates());
+  }
+  return d;
+}
+
+std::optional<Error> check_ends(const ContactSetup& setup,
+                                std::span<const ScatterTolerance> tolerances) {
+  const auto refuse = [](const ScatterTolerance& tolerance, double end, const Error& error) {
+    return Error{tolerance.name, format_number(end), "leads to " + error.quoted()};
+  };
+  for (const ScatterTolerance& t : tolerances) {
+    for (const double end : {t.distribution.least(), t.distribution.greatest()}) {
+      Deviation d = as_drawn(setup);
+      add(d, setup, t, std::array{end, 0.0});
+      for (const int which : {1, 2}) {
+        const Angle lead = d.errors.cutter_lead[static_cast<std::size_t>(which - 1)];
+        if (auto error = check_cutter_lead(setup.gear(which), which, lead))
+          return refuse(t, end, *error);
+      }
+      if (!d.modified) continue;
+      const auto made = setup.with_modifications(d.modifications);
+      if (!made) return refuse(t, end, made.error());
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright

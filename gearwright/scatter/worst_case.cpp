@@ -1,0 +1,205 @@
+#include "gearwright/scatter/worst_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/math/sobol.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::size_t kMostCorners = 1024;  // beyond them corners are chosen evenly
+constexpr std::size_t kChosenCorners = 256;
+constexpr std::size_t kStartCorners = 8;   // the worst corners, from which the search starts,
+constexpr std::size_t kStartSamples = 16;  // and the worst samples
+constexpr int kDirections = 8;             // places of a bore on its circle that count as corners
+constexpr double kFirstStep = 0.25;        // of a range
+constexpr double kLastStep = 1e-4;         // of a range
+constexpr double kAtEnd = 1e-9;            // of a range: this near, a place is at its end
+
+class Box {
+ public:
+  Box(const ContactSetup& setup, const ScatterTask& task, ScatterQuantity quantity)
+      : setup_(setup), task_(task), quantity_(quantity) {
+    for (const ScatterTolerance& t : task.tolerances) {
+      for (int k = 0; k < t.coordinates(); ++k)
+        sides_.push_back({t.distribution.least(), t.distribution.greatest()});
+      choices_.push_back(!t.distribution.varies() ? 1 : t.coordinates() == 2 ? kDirections : 2);
+    }
+  }
+
+  std::size_t dimensions() const { return sides_.size(); }
+  double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
+
+  // How bad: a peak to peak, or a play with its sign turned. Minus infinity where there is none.
+  double badness(const std::vector<double>& x) const {
+    const Deviation d = deviation_at(setup_, task_.tolerances, x);
+    const double value = quantity_ == ScatterQuantity::peak_to_peak
+                             ? continuous_peak_to_peak(setup_, d, task_.member)
+                             : -member_at(setup_, d, task_.member)[quantity_];
+    count_step(task_.progress);
+    return std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
+  }
+  double value(double badness) const {
+    return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
+  }
+
+  // The nearest place of the box; a bore stays in its circle.
+  std::vector<double> inside(std::vector<double> x) const {
+    std::size_t at = 0;
+    for (const ScatterTolerance& t : task_.tolerances) {
+      if (t.coordinates() == 2) {
+        const double away = std::hypot(x[at], x[at + 1]);
+        const double radius = t.distribution.greatest();
+        if (away > radius) {
+          x[at] *= radius / away;
+          x[at + 1] *= radius / away;
+        }
+      } else {
+        x[at] = std::clamp(x[at], sides_[at][0], sides_[at][1]);
+      }
+      at += static_cast<std::size_t>(t.coordinates());
+    }
+    return x;
+  }
+
+  bool is_corner(const std::vector<double>& x) const {
+    std::size_t at = 0;
+    for (const ScatterTolerance& t : task_.tolerances) {
+      const double slack = kAtEnd * width(at);
+      const bool end = t.coordinates() == 2
+                           ? std::hypot(x[at], x[at + 1]) >= t.distribution.greatest() - slack
+                           : x[at] <= sides_[at][0] + slack || x[at] >= sides_[at][1] - slack;
+      if (!end) return false;
+      at += static_cast<std::size_t>(t.coordinates());
+    }
+    return true;
+  }
+
+  std::vector<std::vector<double>> corners() const {
+    std::size_t count = 1;
+    for (const int c : choices_)
+      count = std::min(kMostCorners + 1, count * static_cast<std::size_t>(c));
+    std::vector<std::vector<double>> all;
+    if (count <= kMostCorners) {
+      for (std::size_t n = 0; n < count; ++n) {
+        std::size_t rest = n;
+        all.push_back(corner([&](std::size_t t) {
+          const auto choices = static_cast<std::size_t>(choices_[t]);
+          const std::size_t choice = rest % choices;
+          rest /= choices;
+          return static_cast<int>(choice);
+        }));
+      }
+      return all;
+    }
+    const SobolPoints points(static_cast<int>(choices_.size()));
+    for (std::uint32_t n = 0; n < kChosenCorners; ++n) {
+      all.push_back(corner([&](std::size_t t) {
+        return static_cast<int>(choices_[t] * unit_interval(points.bits(n, static_cast<int>(t))));
+      }));
+    }
+    return all;
+  }
+
+ private:
+  template <class Choice>
+  std::vector<double> corner(const Choice& choice) const {
+    std::vector<double> x;
+    for (std::size_t t = 0; t < task_.tolerances.size(); ++t) {
+      const ScatterTolerance& tolerance = task_.tolerances[t];
+      const int which = choice(t);
+      if (tolerance.coordinates() == 2) {
+        const double angle = 2 * std::numbers::pi * which / kDirections;
+        const double radius = tolerance.distribution.greatest();
+        x.push_back(radius * std::cos(angle));
+        x.push_back(radius * std::sin(angle));
+      } else {
+        x.push_back(which == 0 ? tolerance.distribution.least()
+                               : tolerance.distribution.greatest());
+      }
+    }
+    return x;
+  }
+
+  const ContactSetup& setup_;
+  const ScatterTask& task_;
+  ScatterQuantity quantity_;
+  std::vector<std::array<double, 2>> sides_;  // by coordinate
+  std::vector<int> choices_;                  // corners by tolerance
+};
+
+struct Place {
+  std::vector<double> x;
+  double badness = -std::numeric_limits<double>::infinity();
+};
+
+// Hooke and Jeeves: steps along each coordinate, and on along what they gained together.
+Place climb(const Box& box, Place place) {
+  for (double step = kFirstStep; step >= kLastStep;) {
+    Place best = place;
+    for (std::size_t i = 0; i < box.dimensions(); ++i) {
+      if (!(box.width(i) > 0.0)) continue;
+      for (const double way : {1.0, -1.0}) {
+        Place next{best.x};
+        next.x[i] += way * step * box.width(i);
+        next.x = box.inside(std::move(next.x));
+        if (next.x == best.x) continue;
+        next.badness = box.badness(next.x);
+        if (!(next.badness > best.badness)) continue;
+        best = std::move(next);
+        break;
+      }
+    }
+    if (!(best.badness > place.badness)) {
+      step *= 0.5;
+      continue;
+    }
+    Place farther{best.x};
+    for (std::size_t i = 0; i < farther.x.size(); ++i) farther.x[i] += best.x[i] - place.x[i];
+    farther.x = box.inside(std::move(farther.x));
+    farther.badness = box.badness(farther.x);
+    place = farther.badness > best.badness ? std::move(farther) : std::move(best);
+  }
+  return place;
+}
+
+void keep_worst(std::vector<Place>& places, std::size_t count) {
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.badness > b.badness; });
+  if (places.size() > count) places.resize(count);
+}
+
+}  // namespace
+
+std::optional<WorstMember> worst_member(const ContactSetup& setup, const ScatterTask& task,
+                                        const std::vector<ScatterSample>& samples,
+                                        ScatterQuantity quantity) {
+  const Box box(setup, task, quantity);
+  std::vector<Place> starts;
+  for (auto& corner : box.corners()) starts.push_back({std::move(corner)});
+  begin_stage(task.progress, "worst case", static_cast<std::int64_t>(starts.size()));
+  parallel_for(
+      starts.size(), [&](std::size_t i) { starts[i].badness = box.badness(starts[i].x); },
+      task.threads);
+  keep_worst(starts, kStartCorners);
+  std::vector<Place> worst_samples;
+  for (const ScatterSample& s : samples) {
+    const double value = s.member[quantity];
+    if (!std::isnan(value)) worst_samples.push_back({s.x, box.value(value)});
+  }
+  keep_worst(worst_samples, kStartSamples);
+  starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());
+  parallel_for(
+      starts.size(), [&](std::size_t i) { starts[i] = climb(box, std::move(starts[i])); },
+      task.threads);
+  keep_worst(starts, 1);
+  if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
+  return WorstMember{box.value(starts[0].badness), starts[0].x, box.is_corner(starts[0].x)};
+}
+
+}  // namespace gearwright
