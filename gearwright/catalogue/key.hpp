@@ -73,6 +73,7 @@ struct KeyList {
   std::string_view (*meant)(std::string_view word) = nullptr;
   std::string_view must{};  ///< of tables: what the list must be
   int first = 1;            ///< number of its first element in a path
+  bool numbers = false;     ///< of a key for a table: the list that may stand there has numbers
 };
 
 /// A key that gives in another unit or section what the key `of` gives.

@@ -19,6 +19,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -56,6 +57,7 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
+      {"scatter", &scatter_quantities().table()},
       {"load", &load_quantities().table()},
       {"load.torques", &load_torque_quantities().table()},
       {"load.positions", &load_position_quantities().table()},

@@ -51,6 +51,7 @@ const KeyTable& spec_keys() {
                  "how the contact of the pair is computed"),
        table_key("compensate", compensate_keys, &SpecTables::compensate,
                  "which corrections the verb compensate may make"),
+       table_key("scatter", scatter_keys, {}, "tolerances, and what the verb scatter is asked of them"),
        table_key("load", load_keys, &SpecTables::load,
                  "settings of the verb load: torques and resolution"),
        table_key("rating", rating_keys, &SpecTables::rating,

@@ -12,10 +12,11 @@
 #include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
+#include "gearwright/catalogue/scatter_keys.hpp"
 
 namespace gearwright {
 
-/// The tables that spec_keys() fills by itself; the gears have a reader of their own.
+/// The tables that spec_keys() fills by itself; gears and [scatter] have readers of their own.
 struct SpecTables : GivenPair {
   std::string title;
   DrawingInput drawing;
@@ -23,6 +24,7 @@ struct SpecTables : GivenPair {
   ErrorsInput errors;
   ContactInput contact;
   CompensateInput compensate;
+  ScatterInput scatter;
   LoadInput load;
   RatingTable rating;
 };

@@ -73,7 +73,7 @@ Json value_schema(const Key& key) {
   if (key.list) {
     if (key.list->single) list.insert(list.end(), elements.begin(), elements.end());
     Json array{{"type", "array"},
-               {"items", any_of(elements)},
+               {"items", key.list->numbers ? Json{{"type", "number"}} : any_of(elements)},
                {"minItems", key.list->least},
                {"maxItems", key.list->most}};
     if (key.kind == KeyKind::word) array["uniqueItems"] = true;

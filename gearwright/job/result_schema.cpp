@@ -18,6 +18,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
@@ -143,6 +144,7 @@ std::vector<const QuantityTable*> result_tables() {
                             &rack_pair_quantities().table(),  &drive_quantities().table(),
                             &drive_body_quantities().table(), &drive_mesh_quantities().table(),
                             &contact_quantities().table(),    &compensate_quantities().table(),
+                            &scatter_quantities().table(),
                             &load_quantities().table(),       &rating_quantities().table(),
                             &fit_quantities().table(),        &identify_quantities().table(),
                             &drawing_quantities().table(),    &search_quantities().table(),
@@ -177,6 +179,7 @@ Json result_schema() {
   properties["drive"] = schema.reference(drive_quantities().table());
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
+  properties["scatter"] = schema.reference(scatter_quantities().table());
   properties["load"] = schema.reference(load_quantities().table());
   properties["rating"] = schema.reference(rating_quantities().table());
   properties["fit"] = schema.reference(fit_quantities().table());

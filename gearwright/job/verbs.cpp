@@ -22,6 +22,7 @@
 #include "gearwright/job/rack_answer.hpp"
 #include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -135,6 +136,17 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
+Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
+  return solved_answer<ScatterAnswer>(
+      {.scope = Scope::pair,
+       .find = answer_scatter,
+       .judge = [](const SolvedJob& job, const ScatterAnswer&) { return judge(job); },
+       .record = scatter_json,
+       .listing = scatter_listing,
+       .csv = scatter_csv},
+      spec, progress);
+}
+
 Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
   return solved_answer<LoadAnalysis>(
       {.scope = Scope::everything,
@@ -204,6 +216,11 @@ constexpr Verb kVerbs[] = {
     {"compensate", "Tool settings, leads and crowning that cancel the spec's [errors]",
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
+    {"scatter",
+     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the worst "
+     "case",
+     "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
+     Take::none, "", run_scatter},
     {"load",
      "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
      "stress",

@@ -1,4 +1,4 @@
-// Golden: points of the published direction numbers and of the scrambling, tests/golden/sampling.json.
+// Golden: points of the published direction numbers and of the scrambling, tests/oracle/sampling.json.
 // Laws: (1) 2^k points of two coordinates are a (0, k, 2)-net, scrambled or not   (2) keys of different
 // seeds, replicates and coordinates differ.
 #include "gearwright/math/sobol.hpp"
@@ -7,21 +7,21 @@
 
 #include <set>
 
-#include "gearwright/base/testing/golden_case.hpp"
+#include "gearwright/base/testing/oracle_case.hpp"
 #include "gearwright/base/testing/violation.hpp"
 
 namespace gearwright {
 namespace {
 
 TEST(Sobol, PointsAreThoseOfTheDirectionNumbers) {
-  const auto points = testing::golden_case("sampling.json", "sobol-first-8")["expected"]["points"];
+  const auto points = testing::oracle_case("sampling.json", "sobol-first-8")["expected"]["points"];
   const SobolPoints sobol(6);
   for (std::uint32_t n = 0; n < 8; ++n)
     for (int j = 0; j < 6; ++j) EXPECT_EQ(sobol.bits(n, j) / 4294967296.0, points[n][j]) << n << j;
 }
 
 TEST(Sobol, ScramblingIsTheHash) {
-  const auto expected = testing::golden_case("sampling.json", "owen-scrambled")["expected"];
+  const auto expected = testing::oracle_case("sampling.json", "owen-scrambled")["expected"];
   const SobolPoints sobol(3);
   for (std::uint32_t n = 0; n < 4; ++n) {
     for (int j = 0; j < 3; ++j) {

@@ -1,4 +1,4 @@
-// Golden: tests/golden/sampling.json and closed forms. Laws: (1) moments do not change where a constant
+// Golden: tests/oracle/sampling.json and closed forms. Laws: (1) moments do not change where a constant
 // is added, but for the mean   (2) one replicate has no error   (3) an additive function has first and
 // total indices that are equal.
 #include "gearwright/math/statistics.hpp"
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/testing/golden_case.hpp"
+#include "gearwright/base/testing/oracle_case.hpp"
 #include "gearwright/math/sobol.hpp"
 
 namespace gearwright {
@@ -33,7 +33,7 @@ TEST(Statistics, QuantilesLieBetweenSamples) {
 }
 
 TEST(Statistics, RanksAreThoseOfTheBinomialDistribution) {
-  const auto c = testing::golden_case("sampling.json", "order-statistics");
+  const auto c = testing::oracle_case("sampling.json", "order-statistics");
   for (std::size_t i = 0; i < c["expected"]["ranks"].size(); ++i) {
     const auto& given = c["spec"]["samples_percent"][i];
     const auto ranks = quantile_ranks(given[0], given[1].get<double>() / 100, 0.95);
@@ -49,7 +49,7 @@ TEST(Statistics, RanksAreThoseOfTheBinomialDistribution) {
 }
 
 TEST(Statistics, ProbabilitiesHaveClopperAndPearsonsInterval) {
-  const auto c = testing::golden_case("sampling.json", "clopper-pearson");
+  const auto c = testing::oracle_case("sampling.json", "clopper-pearson");
   for (std::size_t i = 0; i < c["expected"]["intervals"].size(); ++i) {
     const auto& count = c["spec"]["counts"][i];
     const ConfidenceInterval found = probability_interval(count[0], count[1], 0.95);
@@ -97,7 +97,7 @@ std::optional<SobolIndices> indices_of(const F& f, std::uint32_t n, int replicat
 }
 
 TEST(Statistics, IndicesOfIshigamisFunction) {
-  const auto c = testing::golden_case("sampling.json", "ishigami")["expected"];
+  const auto c = testing::oracle_case("sampling.json", "ishigami")["expected"];
   const auto ishigami = [](const std::array<double, 3>& u) {
     const auto at = [&](int j) { return std::numbers::pi * (2 * u[j] - 1); };
     const double x3 = at(2) * at(2);

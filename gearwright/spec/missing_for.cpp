@@ -39,6 +39,16 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   return missing;
 }
 
+bool any_tolerance(const ScatterInput& s) {
+  const auto given = [](const auto& tolerance) { return tolerance.has_value(); };
+  const auto of_gear = [&](const ScatterGear& gear) {
+    return gear.thickness ||
+           std::any_of(gear.modifications.begin(), gear.modifications.end(), given);
+  };
+  return s.bearings || std::any_of(s.errors.begin(), s.errors.end(), given) ||
+         std::any_of(s.gears.begin(), s.gears.end(), of_gear);
+}
+
 // Neither arcs nor crossed axes are: why, the rating says itself.
 bool can_be_rated(const JobSpec& spec) {
   const bool crossed = spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0;
@@ -103,6 +113,12 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (under_torque && !torque)
     missing.push_back(absent_input(
         "load.torque_Nm", ": enter a torque on gear 1, in N m, torque_Nm = 100 for example"));
+  if (use == SpecUse::scatter && !any_tolerance(spec.scatter))
+    missing.push_back(absent_input(
+        "scatter.errors",
+        ": the verb scatter needs a range of at least one number, [scatter.errors] with "
+        "crossing_deg = [-0.02, 0.02] for example, [scatter.bearings] with span_mm and radius_mm, "
+        "or [scatter.gear1] with thickness_allowance_mm = [-0.02, 0.02] or modifications"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

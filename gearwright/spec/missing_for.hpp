@@ -18,6 +18,7 @@ enum class SpecUse {
   pair,        ///< the mounted pair, its contact
   load,        ///< teeth under torque, or probes of one tooth
   compensate,  ///< corrections, which may aim at teeth under torque
+  scatter,     ///< what tolerances do to the pair
   rate,        ///< strength by the standard
   run,         ///< whatever the spec has a table for
 };

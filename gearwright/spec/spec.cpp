@@ -16,6 +16,7 @@
 #include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_measured.hpp"
+#include "gearwright/spec/read_scatter.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
@@ -175,6 +176,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   if (search) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
+  if (const Json* scatter = t.table("scatter"))
+    lacks.of([&] { spec.scatter = read_scatter(*scatter); });
   for (const Key& key : spec_keys().keys)
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   share_with_rating(tree, spec);

@@ -32,7 +32,7 @@ export interface Failed {
 }
 
 /** Every verb that answers a spec with JSON. */
-export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "load" | "rate" | "fit" | "identify" | "search";
+export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
 
 /** Files that the engine makes; `report` and `json` of all that the spec describes. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";

@@ -23,6 +23,7 @@ export interface Result {
   pair?: Values;
   contact?: Values;
   compensate?: Values;
+  scatter?: Values;
   load?: Values;
   rating?: Values;
   fit?: Values;

@@ -1,4 +1,4 @@
-// A case of a file of golden values, for unit tests of functions without gears.
+// A case of a file of values from other programs, for unit tests of functions without gears.
 #pragma once
 
 #include <fstream>
@@ -10,9 +10,9 @@
 
 namespace gearwright::testing {
 
-/// The case of this id in tests/golden/`file`.
-inline nlohmann::json golden_case(const std::string& file, const std::string& id) {
-  const auto all = nlohmann::json::parse(std::ifstream(source_file("tests/golden/" + file)));
+/// The case of this id in tests/oracle/`file`.
+inline nlohmann::json oracle_case(const std::string& file, const std::string& id) {
+  const auto all = nlohmann::json::parse(std::ifstream(source_file("tests/oracle/" + file)));
   for (const auto& c : all["cases"])
     if (c["id"] == id) return c;
   throw std::logic_error("no case " + id + " in " + file);

@@ -1,0 +1,62 @@
+// The keys of [scatter] and its tables: what varies from pair to pair, and what is computed of it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/scatter/scatter.hpp"
+
+namespace gearwright {
+
+/// [scatter.bearings]
+struct ScatterBearings {
+  double span = 0.0;    ///< L  mm
+  double radius = 0.0;  ///< R  mm
+  double offset = 0.0;  ///< c  mm
+};
+
+/// [scatter.gearN]. Distributions are in the units of their keys.
+struct ScatterGear {
+  std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
+  /// By modification_entries(), of both flanks, µm.
+  std::array<std::optional<DistributionSpec>, 7> modifications;
+};
+
+/// [scatter]
+struct ScatterInput {
+  bool given = false;
+  int samples = 1024;  ///< n of each replicate
+  int replicates = 8;  ///< R
+  int seed = 1;
+  Sampling sampling = Sampling::sobol;
+  std::vector<double> percentiles{5, 50, 95};
+  double confidence = 0.95;
+  bool indices = false;
+  bool worst_case = false;
+  /// By error_entries(), in the unit of the key.
+  std::array<std::optional<DistributionSpec>, kErrorCount> errors;
+  std::optional<ScatterBearings> bearings;
+  std::array<ScatterGear, 2> gears;
+  /// [scatter.groups]: a name and the inputs that it holds, as the user wrote them.
+  struct Group {
+    std::string name;
+    std::vector<std::string> inputs;
+  };
+  std::vector<Group> groups;
+};
+
+constexpr int kMaxScatterSamples = 1 << 19;  ///< samples times replicates
+
+const KeyTable& scatter_keys();
+const KeyTable& scatter_error_keys();
+const KeyTable& scatter_bearing_keys();
+const KeyTable& scatter_gear_keys();
+const KeyTable& scatter_modification_keys();
+/// One toleranced number in full.
+const KeyTable& scatter_range_keys();
+
+}  // namespace gearwright

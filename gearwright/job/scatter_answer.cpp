@@ -1,0 +1,168 @@
+#include "gearwright/job/scatter_answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "gearwright/base/missing.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/key_hint.hpp"
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kPositions =
+    32;  // per pitch, where [contact] has none: the peak to peak needs no more
+
+Distribution distribution_of(const DistributionSpec& spec) {
+  auto made = Distribution::of(spec);  // the spec's reader has checked it
+  GW_EXPECTS(made);
+  return std::move(made).take();
+}
+
+// The bores are told apart by the end of the shaft that they are at.
+void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
+  for (const bool far_end : {false, true}) {
+    all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
+                   distribution_of({{-b.radius, b.radius}}),
+                   VaryingBore{b.span, b.offset, far_end}});
+  }
+}
+
+std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear& gear,
+                              std::vector<ScatterTolerance>& all) {
+  const std::string table = gear_field(which) + ".";
+  if (gear.thickness) {
+    if (job.pair->arcs())
+      return Error{"scatter." + table + "thickness_allowance_mm", "",
+                   "is a range for involute teeth; the thickness of circular-arc teeth changes the "
+                   "place of their contact, too"};
+    all.push_back({table + "thickness_allowance_mm", 1.0, distribution_of(*gear.thickness),
+                   VaryingThickness{which}});
+  }
+  for (std::size_t i = 0; i < modification_entries().size(); ++i) {
+    if (!gear.modifications[i]) continue;
+    const ModificationEntry& m = modification_entries()[i];
+    const std::string name = fmt::format("{}modifications.{}_um", table, m.name);
+    const auto& flanks = job.completed.gear(which).modifications;
+    if (!m.placed(flanks[0]) || !m.placed(flanks[1])) {
+      return Error{"scatter." + name, "",
+                   fmt::format("needs {}modifications.{}{} beside it, which says where the relief "
+                               "lies; its amount may be 0",
+                               table, m.name, m.reach)};
+    }
+    all.push_back({name, kMmPerUm, distribution_of(*gear.modifications[i]),
+                   VaryingModification{which, m.parameter}});
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
+  const ScatterInput& input = job.spec.scatter;
+  std::vector<ScatterTolerance> all;
+  for (std::size_t i = 0; i < kErrorCount; ++i) {
+    if (!input.errors[i]) continue;
+    const ErrorEntry& e = error_entries()[i];
+    all.push_back({"errors." + std::string(e.key), e.si(), distribution_of(*input.errors[i]),
+                   static_cast<VaryingError>(i)});
+  }
+  if (input.bearings) {
+    if (job.pair->crossed())
+      return Error{
+          "scatter.bearings", "",
+          "is for parallel axes; on crossed axes give center_distance_mm, crossing_deg and "
+          "intersecting_deg in [scatter.errors]"};
+    add_bearings(*input.bearings, all);
+  }
+  for (const int which : {1, 2}) {
+    const ScatterGear& gear = input.gears[static_cast<std::size_t>(which - 1)];
+    if (auto error = add_gear(job, which, gear, all)) return *error;
+  }
+  return all;
+}
+
+// The groups of the spec, and one for each input that is in none, in the order of their first inputs.
+Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
+                                              const std::vector<ScatterTolerance>& tolerances) {
+  std::vector<std::string> names;
+  for (const ScatterTolerance& t : tolerances) names.push_back(t.name);
+  std::vector<ToleranceGroup> groups;
+  std::vector<bool> taken(tolerances.size());
+  for (const auto& given : input.groups) {
+    ToleranceGroup group{given.name, {}};
+    for (const std::string& name : given.inputs) {
+      const auto at = std::find(names.begin(), names.end(), name);
+      const std::string field = "scatter.groups." + given.name;
+      if (at == names.end())
+        return Error{
+            field, name,
+            fmt::format("is no input of this spec; its inputs are {}", fmt::join(names, ", "))};
+      const auto index = static_cast<std::size_t>(at - names.begin());
+      if (taken[index])
+        return Error{field, name, "belongs to one group only; leave it out of the others"};
+      taken[index] = true;
+      group.tolerances.push_back(index);
+    }
+    std::sort(group.tolerances.begin(), group.tolerances.end());
+    groups.push_back(std::move(group));
+  }
+  for (std::size_t i = 0; i < tolerances.size(); ++i)
+    if (!taken[i]) groups.push_back({tolerances[i].name, {i}});
+  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+    return a.tolerances.front() < b.tolerances.front();
+  });
+  return groups;
+}
+
+// Where the racks of circular arcs have their contact as drawn: what contact_along_profile is measured from.
+ProfileTarget profile_target(const Pair& pair) {
+  constexpr Angle kProfileEnd = Angle::degrees(10);
+  if (!pair.arcs() || pair.arcs()->contacts.empty()) return {};
+  return {pair.arcs()->first_contact().at.theta, kProfileEnd};
+}
+
+}  // namespace
+
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+  const ScatterInput& input = job.spec.scatter;
+  if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
+  auto made = setup_of(job);
+  if (!made) return made.error();
+  auto tolerances = tolerances_of(job);
+  if (!tolerances) return tolerances.error();
+  auto groups = groups_of(input, *tolerances);
+  if (!groups) return groups.error();
+  ScatterAnswer answer{std::move(made).take(), {}, {}};
+  ScatterTask& task = answer.task;
+  task.tolerances = std::move(tolerances).take();
+  task.groups = std::move(groups).take();
+  const ContactInput& contact = job.spec.contact;
+  task.member = {job.spec.given.contains("contact.positions") ? contact.positions : kPositions,
+                 contact.driver == 2, profile_target(*job.pair)};
+  task.samples = input.samples;
+  task.replicates = input.replicates;
+  task.seed = static_cast<std::uint64_t>(input.seed);
+  task.sampling = input.sampling;
+  task.percentiles = input.percentiles;
+  task.confidence = input.confidence;
+  task.indices = input.indices;
+  task.worst_case = input.worst_case;
+  task.progress = progress;
+  auto scatter = scatter_of(answer.setup, task);
+  task.progress = nullptr;
+  if (!scatter) {
+    Error error = scatter.error();
+    const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
+    if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
+      error.field = "scatter." + error.field;
+    if (error.field == "tolerances") error.field = "scatter";
+    return error;
+  }
+  answer.scatter = std::move(scatter).take();
+  return answer;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,210 @@
+// The answer of `scatter` in JSON, as a listing and as a table.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/scatter_answer.hpp"
+#include "gearwright/job/value_json.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Every input with its value, of a bore its two coordinates.
+ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
+  ValueMap map;
+  std::size_t at = 0;
+  for (const ScatterTolerance& t : task.tolerances) {
+    if (t.coordinates() == 2) {
+      map.emplace_back(t.name, Value(ValueList{Value(x[at]), Value(x[at + 1])}));
+    } else {
+      map.emplace_back(t.name, Value(x[at]));
+    }
+    at += static_cast<std::size_t>(t.coordinates());
+  }
+  return map;
+}
+
+// What the spec of this sample has in [errors], and beside it what other inputs add.
+ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
+  std::array<double, kErrorCount> errors = job.spec.errors.value;
+  ValueMap others;
+  bool bores = false;
+  std::size_t at = 0;
+  for (const ScatterTolerance& t : a.task.tolerances) {
+    if (const auto* error = std::get_if<VaryingError>(&t.of)) {
+      errors[static_cast<std::size_t>(*error)] += x[at];
+    } else if (std::holds_alternative<VaryingBore>(t.of)) {
+      bores = true;
+    } else {
+      others.emplace_back(t.name, Value(x[at]));
+    }
+    at += static_cast<std::size_t>(t.coordinates());
+  }
+  if (bores) {
+    const ContactErrors e = deviation_at(a.setup, a.task.tolerances, x).errors;
+    errors[0] = e.center_distance;
+    errors[1] = e.crossing.deg();
+    errors[2] = e.intersecting.deg();
+  }
+  ValueMap map;
+  for (std::size_t i = 0; i < kErrorCount; ++i)
+    if (errors[i] != 0.0) map.emplace_back(std::string(error_entries()[i].key), Value(errors[i]));
+  ValueMap sample{{"errors", Value(std::move(map))}};
+  sample.insert(sample.end(), others.begin(), others.end());
+  return sample;
+}
+
+ScatterView view_of(const SolvedJob& job, const ScatterAnswer& a) {
+  ScatterView view{&a.scatter, &a.task, {}, {}, {}, {}};
+  for (const ScatterTolerance& t : a.task.tolerances) view.inputs.push_back(t.name);
+  for (const ScatterEntry& entry : scatter_entries()) {
+    const auto at = static_cast<std::size_t>(entry.quantity);
+    if (!a.scatter.spread[at]) continue;
+    const Spread& spread = *a.scatter.spread[at];
+    ValueList samples;
+    for (const Percentile& p : spread.percentiles)
+      samples.emplace_back(as_spec(job, a, a.scatter.samples[p.sample].x));
+    view.spread[at] = SpreadView{&entry, &spread, std::move(samples)};
+  }
+  const auto worst = [&](const std::optional<WorstMember>& w,
+                         ScatterQuantity q) -> std::optional<WorstView> {
+    if (!w) return std::nullopt;
+    return WorstView{&scatter_entries()[static_cast<std::size_t>(q)], &*w, by_input(a.task, w->x)};
+  };
+  view.worst_peak_to_peak = worst(a.scatter.worst_peak_to_peak, ScatterQuantity::peak_to_peak);
+  view.worst_least_play = worst(a.scatter.worst_least_play, ScatterQuantity::least_play);
+  return view;
+}
+
+std::string head(std::string_view text) { return fmt::format("\n{}\n", text); }
+
+std::string spread_listing(const ScatterAnswer& a) {
+  std::string out = head(fmt::format("Distribution over {} samples, {} replicates of {}",
+                                     a.scatter.samples.size(), a.task.replicates, a.task.samples));
+  out += fmt::format("  {:<38}{:>12}{:>12}", "", "mean", "st. dev.");
+  for (const double p : a.task.percentiles) out += fmt::format("{:>12}", format_number(p) + " %");
+  out += "\n";
+  for (const ScatterEntry& entry : scatter_entries()) {
+    const auto& spread = a.scatter.spread[static_cast<std::size_t>(entry.quantity)];
+    if (!spread) continue;
+    const auto text = [&](double value) {
+      return fmt::format("{:>12}", fixed_decimals(entry.shown(value), entry.digits));
+    };
+    const std::string unit(unit_text(entry.unit));
+    out += fmt::format("  {:<38}{}{}", entry.words + (unit.empty() ? "" : "  " + unit),
+                       text(spread->mean.value), text(spread->standard_deviation.value));
+    for (const Percentile& p : spread->percentiles) out += text(p.estimate.value);
+    out += "\n";
+    if (!spread->mean.standard_error) continue;
+    out += fmt::format("  {:<38}{}{}", "    standard error", text(*spread->mean.standard_error),
+                       text(spread->standard_deviation.standard_error.value_or(0.0)));
+    for (const Percentile& p : spread->percentiles)
+      out += text(p.estimate.standard_error.value_or(0.0));
+    out += "\n";
+  }
+  return out;
+}
+
+std::string probability_listing(const ScatterAnswer& a) {
+  std::string out = head("Probability");
+  for (const auto& [words, p] : {std::pair{"an edge touches", &a.scatter.edge_contact},
+                                 std::pair{"the gears jam", &a.scatter.jam},
+                                 std::pair{"contact is lost", &a.scatter.contact_lost}}) {
+    const std::string share =
+        p->count == 0 ? fmt::format("less than {:.3g} %", 100 * p->interval.upper)
+                      : fmt::format("{:.4g} %, between {:.4g} and {:.4g} %", 100 * p->value,
+                                    100 * p->interval.lower, 100 * p->interval.upper);
+    out += fmt::format("  {:<38}{} ({} of {})\n", words, share, p->count, p->of);
+  }
+  return out;
+}
+
+std::string index_listing(const ScatterAnswer& a) {
+  std::string out;
+  for (const ScatterQuantity q : {ScatterQuantity::peak_to_peak, ScatterQuantity::least_play}) {
+    const ScatterEntry& entry = scatter_entries()[static_cast<std::size_t>(q)];
+    const auto& indices = a.scatter.indices[static_cast<std::size_t>(q)];
+    out += head(fmt::format("Share of the variance: {}", entry.words));
+    if (!indices) {
+      out += "  it varies by rounding only, or contact is lost in some samples\n";
+      continue;
+    }
+    out += fmt::format("  {:<44}{:>12}{:>12}{:>12}{:>12}\n", "", "alone", "± s.e.", "in all",
+                       "± s.e.");
+    const auto text = [](const std::optional<double>& x) {
+      return x ? fmt::format("{:>12.4f}", *x) : fmt::format("{:>12}", "–");
+    };
+    for (std::size_t g = 0; g < a.task.groups.size(); ++g) {
+      const Estimate& first = indices->first[g];
+      const Estimate& total = indices->total[g];
+      out += fmt::format("  {:<44}{}{}{}{}\n", printable(a.task.groups[g].name), text(first.value),
+                         text(first.standard_error), text(total.value), text(total.standard_error));
+    }
+  }
+  return out;
+}
+
+std::string worst_listing(const ScatterView& view) {
+  std::string out = head("Worst within all ranges, found by search");
+  for (const auto& worst : {view.worst_peak_to_peak, view.worst_least_play}) {
+    if (!worst) continue;
+    const ScatterEntry& entry = *worst->entry;
+    out += fmt::format("  {:<38}{:>12} {}{}\n", entry.words,
+                       fixed_decimals(entry.shown(worst->worst->value), entry.digits),
+                       unit_text(entry.unit), worst->worst->corner ? ", at a corner" : "");
+    for (const auto& [name, value] : worst->at) {
+      const ValueList* two = value.list();
+      const auto number = [](const Value& v) { return format_number(v.number().value_or(0.0)); };
+      out += fmt::format("    {:<40}{}\n", name,
+                         two ? number((*two)[0]) + ", " + number((*two)[1]) : number(value));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
+  Json record = titled_record(job.spec);
+  record["scatter"] = to_json(scatter_quantities().of(view_of(job, a)));
+  return record;
+}
+
+std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
+  std::string out;
+  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
+  out += spread_listing(a) + probability_listing(a);
+  if (a.task.indices) out += index_listing(a);
+  if (a.task.worst_case) out += worst_listing(view_of(job, a));
+  return out;
+}
+
+std::string scatter_csv(const SolvedJob&, const ScatterAnswer& a) {
+  std::string out = "replicate,sample";
+  for (const ScatterTolerance& t : a.task.tolerances)
+    out += t.coordinates() == 2 ? fmt::format(",{0}.x_mm,{0}.y_mm", t.name) : "," + t.name;
+  for (const ScatterEntry& entry : scatter_entries()) out += fmt::format(",{}", entry.key);
+  out += ",contact_lost\r\n";
+  const auto n = static_cast<std::size_t>(a.task.samples);
+  for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
+    const ScatterSample& sample = a.scatter.samples[i];
+    out += fmt::format("{},{}", i / n, i % n);
+    for (const double x : sample.x) out += "," + csv_cell(Value(x));
+    for (const ScatterEntry& entry : scatter_entries()) {
+      const double value = sample.member[entry.quantity];
+      out += "," + (std::isnan(value) ? std::string() : csv_cell(Value(entry.shown(value))));
+    }
+    out += fmt::format(",{}\r\n", sample.member.lost);
+  }
+  return out;
+}
+
+}  // namespace gearwright

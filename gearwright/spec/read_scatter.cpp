@@ -1,0 +1,126 @@
+#include "gearwright/spec/read_scatter.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The distribution, or why there is none; an error is one of the key, `path` if the table has it.
+void check(const TableReader& t, const std::string& key, const DistributionSpec& d,
+           const Json& value) {
+  const auto made = Distribution::of(d);
+  if (made) return;
+  const Error& error = made.error();
+  if (!value.is_object()) {
+    t.fail(key, d.range[0] > d.range[1]
+                    ? "must be the least value, then the greatest; a tolerance of -0.02 to 0.02 is "
+                      "[-0.02, 0.02]"
+                    : error.rule);
+  }
+  throw SpecError{
+      {t.name(key) + "." + error.field, shown(value.value(error.field, Json())), error.rule}};
+}
+
+std::optional<DistributionSpec> read_tolerance(TableReader& t, const std::string& key) {
+  const Json* value = t.any(key);
+  if (!value) return std::nullopt;
+  DistributionSpec d;
+  if (value->is_object()) {
+    TableReader table(scatter_range_keys(), *value, t.name(key));
+    table.read(d);
+    table.finish();
+    const auto belongs = [&](const char* to, DistributionSpec::Kind kind, const char* words) {
+      if (value->contains(to) && d.kind != kind)
+        table.fail(to, std::string("belongs to distribution = \"") + words + "\"");
+    };
+    belongs("cpk", DistributionSpec::Kind::normal, "normal");
+    belongs("offset", DistributionSpec::Kind::normal, "normal");
+    belongs("shape", DistributionSpec::Kind::beta, "beta");
+  } else {
+    const bool two = value->is_array() && value->size() == 2 && (*value)[0].is_number() &&
+                     (*value)[1].is_number();
+    if (!two) {
+      const bool tolerance = value->is_number() && value->get<double>() > 0.0;
+      t.fail(key, std::string("must be [least, greatest], or a table with range and distribution") +
+                      (tolerance ? "; a tolerance of ±" + shown(*value) + " is [-" + shown(*value) +
+                                       ", " + shown(*value) + "]"
+                                 : ""));
+    }
+    d.range = {(*value)[0].get<double>(), (*value)[1].get<double>()};
+  }
+  check(t, key, d, *value);
+  for (const double end : d.range) t.check(key, end);
+  return d;
+}
+
+ScatterGear read_gear(const Json& node, const std::string& path) {
+  ScatterGear gear;
+  TableReader t(scatter_gear_keys(), node, path);
+  gear.thickness = read_tolerance(t, "thickness_allowance_mm");
+  if (const Json* table = t.table("modifications")) {
+    TableReader m(scatter_modification_keys(), *table, t.name("modifications"));
+    for (std::size_t i = 0; i < modification_entries().size(); ++i)
+      gear.modifications[i] =
+          read_tolerance(m, std::string(modification_entries()[i].name) + "_um");
+    m.finish();
+  }
+  t.finish();
+  return gear;
+}
+
+std::vector<ScatterInput::Group> read_groups(TableReader& t) {
+  std::vector<ScatterInput::Group> groups;
+  const Json* table = t.any("groups");
+  if (!table) return groups;
+  if (!table->is_object()) t.fail("groups", "must be a table of names, each with a list of inputs");
+  for (const auto& [name, inputs] : table->items()) {
+    const auto refuse = [&, &name = name, &inputs = inputs](const char* why) {
+      throw SpecError{{t.name("groups") + "." + printable(name, 40), shown(inputs), why}};
+    };
+    if (!inputs.is_array() || inputs.empty()) refuse("must be a list of inputs, not empty");
+    ScatterInput::Group group{name, {}};
+    for (const Json& input : inputs) {
+      if (!input.is_string())
+        refuse("must be a list of inputs, [\"errors.crossing_deg\"] for example");
+      group.inputs.push_back(input.get<std::string>());
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+}  // namespace
+
+ScatterInput read_scatter(const Json& node) {
+  ScatterInput s;
+  s.given = true;
+  TableReader t(scatter_keys(), node, "scatter");
+  if (const Json* table = t.table("errors")) {
+    TableReader errors(scatter_error_keys(), *table, t.name("errors"));
+    for (std::size_t i = 0; i < kErrorCount; ++i)
+      s.errors[i] = read_tolerance(errors, std::string(error_entries()[i].key));
+    errors.finish();
+  }
+  if (const Json* table = t.table("bearings")) {
+    TableReader bearings(scatter_bearing_keys(), *table, t.name("bearings"));
+    bearings.read_whole(s.bearings.emplace());
+    for (const std::size_t i : {0, 1, 2}) {
+      if (!s.errors[i]) continue;
+      t.fail("bearings", "cannot be combined with scatter.errors." +
+                             std::string(error_entries()[i].key) +
+                             "; the places of the bores give the same error");
+    }
+  }
+  for (const std::size_t i : {0, 1}) {
+    const std::string key = i == 0 ? "gear1" : "gear2";
+    if (const Json* table = t.table(key)) s.gears[i] = read_gear(*table, t.name(key));
+  }
+  s.groups = read_groups(t);
+  t.read_whole(s);
+  return s;
+}
+
+}  // namespace gearwright
