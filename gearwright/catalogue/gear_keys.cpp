@@ -171,6 +171,8 @@ const KeyTable& gear_keys() {
        Key::part("material", material_keys, &GearInput::material, "what the teeth are made of"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; of an internal gear its rim"),
+       Key::part("double_helical", double_helical_keys, {},
+                 "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
                  "where and how the gear is measured"),
        Key::number("quality", "",
@@ -189,8 +191,8 @@ const KeyTable& gear_keys() {
 
 const KeyTable& cutter_keys() {
   static const KeyTable table = [] {
-    KeyTable t =
-        without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material", "form"});
+    KeyTable t = without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material",
+                                       "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; module and angles where they are not those of the gear or its "
@@ -286,6 +288,30 @@ const KeyTable& bore_keys() {
                      "its depth into the hub, from the bore")
            .with_needs({"keyway_width_mm"})},
       check_bore};
+  return table;
+}
+
+const KeyTable& double_helical_keys() {
+  using D = DoubleHelical;
+  static const KeyTable table{
+      "double_helical",
+      "Two halves of opposite hands on one body; `helix_angle_deg` is that of the half at z > 0, "
+      "and "
+      "`face_width_mm` contains both halves and the gap",
+      {Key::number("gap_mm", "", Range::not_negative(" (0: herringbone)"), &D::gap, "0",
+                   "gap between the halves"),
+       Key::number("stagger_pitches", "s", Range::inside(-1, 1), &D::stagger_pitches, "0",
+                   "offset of the teeth at z < 0 from those at z > 0, in transverse pitches; the "
+                   "mating gear has the same"),
+       Key::positive(
+           "hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",
+           "outer diameter of the hob; a warning if its run-out needs a wider gap [T2.43]"),
+       Key::number("hob_lead_angle_deg", "γ_0", Range::between(0, 30), &D::hob_lead_angle, "0",
+                   "lead angle of the hob")
+           .with_needs({"hob_diameter_mm"}),
+       Key::not_negative("hob_half_length_mm", "l_0", &D::hob_half_length, "0",
+                         "half of the cutting length of the hob")
+           .with_needs({"hob_diameter_mm"})}};
   return table;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "gearwright/arrange/given_gear.hpp"
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/material_keys.hpp"
@@ -32,5 +33,7 @@ const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();
 const KeyTable& tip_fillet_keys();
 const KeyTable& bore_keys();
+/// Of [gearN.double_helical].
+const KeyTable& double_helical_keys();
 
 }  // namespace gearwright

@@ -18,9 +18,9 @@ struct Row {
 constexpr std::string_view kRackMate =
     "a rack as a mating part is gear 2: [gear2] with form = \"rack\". The rack that cuts a gear is "
     "[gear1.rack]";
-constexpr std::string_view kOneHelix =
-    "double helical (herringbone) gears are not supported. Give one half as a helical gear: its "
-    "helix_angle_deg, the face_width_mm of one half, and half of the torque";
+constexpr std::string_view kTwoHalves =
+    "double-helical gears have a table of their own, [gear1.double_helical], for example with "
+    "gap_mm = 0; helix_angle_deg is that of the half at z > 0";
 constexpr std::string_view kUnits =
     "units cannot be chosen; lengths are in mm and angles in degrees, as the ending of each key "
     "shows. An inch is 25.4 mm; instead of the module you can give normal_diametral_pitch_per_in";
@@ -65,8 +65,7 @@ constexpr auto kRows = std::to_array<Row>({
      "waves of the profile form are not drawn; give profile_crowning_um a range"},
     {"scatter.gear#.helix_waves", "",
      "waves of the helix form are not drawn; give lead_crowning_um a range"},
-    {"*.herringbone", "", kOneHelix},
-    {"*.double_helical", "", kOneHelix},
+    {"*.herringbone", "", kTwoHalves},
     {"*.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

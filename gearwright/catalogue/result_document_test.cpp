@@ -8,6 +8,7 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
@@ -49,6 +50,7 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"as_rack", &as_rack_quantities().table()},
       {"outline.arc", &outline_quantities().table()},
       {"pair", &pair_quantities().table()},
+      {"double_helical", &double_helical_quantities().table()},
       {"rack", &rack_quantities().table()},
       {"rack_pair", &rack_pair_quantities().table()},
       {"drive", &drive_quantities().table()},

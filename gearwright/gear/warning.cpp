@@ -139,6 +139,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the centre distance leaves more backlash than the spec gives, so the teeth are thicker than "
      "their profile shifts make them",
      "teeth thickened for the backlash"},
+    {C::hob_run_out, "hob_run_out", kCaution,
+     "of a double-helical gear: the gap between the halves is less than the hob's run-out needs "
+     "[T2.43]",
+     "a gap too narrow for the hob"},
     // The user should check numbers of the result or of the spec.
     {C::no_outline, "no_outline", kCaution,
      "a gear without an outline has no CAD files (teeth cut off, cutter through the axis, internal "

@@ -7,9 +7,11 @@
 
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
@@ -147,10 +149,15 @@ std::string csv_cell(const Value& value) {
 std::string quantities_csv(const SolvedJob& job) {
   std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
   std::vector<ValueRecord> records;
-  for (const Gear& g : job.gears) records.push_back(gear_quantities().of(g));
+  for (std::size_t i = 0; i < job.gears.size(); ++i) records.push_back(gear_record(job, i));
   Rows gears;
   for (const ValueRecord& record : records) gears.push_back(&record);
   add_records("gears", gear_quantities().table(), gears, out);
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    if (!job.halves[i]) continue;
+    const ValueRecord halves = double_helical_quantities().of(*job.halves[i]);
+    add_records(fmt::format("gears.{}", i), double_helical_quantities().table(), {&halves}, out);
+  }
   if (job.pair) {
     const ValueRecord pair = pair_quantities().of(*job.pair);
     add_records("pair", pair_quantities().table(), {&pair}, out);

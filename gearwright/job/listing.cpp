@@ -7,9 +7,11 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/interval.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
@@ -94,11 +96,17 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
 
 std::string gear_listing(const SolvedJob& job) {
   std::vector<ValueRecord> records;
-  for (const Gear& g : job.gears) records.push_back(gear_quantities().of(g));
+  for (std::size_t i = 0; i < job.gears.size(); ++i) records.push_back(gear_record(job, i));
   const std::string& title = job.spec.title;
   std::string text =
       (title.empty() ? "" : "\n" + printable(title) + "\n") +
       quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
+  std::vector<ValueRecord> halves;
+  for (const auto& of : job.halves)
+    if (of) halves.push_back(double_helical_quantities().of(*of));
+  if (!halves.empty())
+    text +=
+        quantity_listing(double_helical_quantities().table(), halves, gear_columns(halves.size()));
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
     text += interval_listing(job, i, gear_quantities().table(),
                              gear_quantities().of(job.ends->lower.gears[i]),

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -22,11 +23,23 @@ Json titled_record(const JobSpec& spec) {
   return record;
 }
 
+ValueRecord gear_record(const SolvedJob& job, std::size_t i) {
+  ValueRecord record = gear_quantities().of(job.gears[i]);
+  if (!job.halves[i]) return record;
+  for (Member& member : record)
+    if (member.info->key == "face_width_mm") member.value = job.halves[i]->face_width;
+  return record;
+}
+
 Json job_record(const SolvedJob& job) {
   Json j = titled_record(job.spec);
   if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
   j["gears"] = Json::array();
-  for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    Json gear = to_json(gear_record(job, i));
+    if (job.halves[i]) gear.update(to_json(double_helical_quantities().of(*job.halves[i])));
+    j["gears"].push_back(std::move(gear));
+  }
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   if (job.ends) {
     const auto& [lower, upper] = *job.ends;

@@ -8,6 +8,9 @@
 
 namespace gearwright {
 
+/// The record of gear i, from 0; of a double-helical gear that of one half, with the whole face.
+ValueRecord gear_record(const SolvedJob& job, std::size_t i);
+
 Json warnings_json(const std::vector<Warning>& warnings);
 /// `title` if the spec has one; a record begins with it.
 Json titled_record(const JobSpec& spec);

@@ -7,6 +7,7 @@
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
@@ -42,6 +43,7 @@ class Schema {
     }
     return {{"$ref", "#/$defs/" + name}};
   }
+  Json properties_of(const QuantityTable& table) { return record(table)["properties"]; }
   Json list_of(const QuantityTable& table) {
     return {{"type", "array"}, {"items", reference(table)}};
   }
@@ -139,12 +141,12 @@ Json error_schema() {
 
 std::vector<const QuantityTable*> result_tables() {
   return with_inner_tables({&gear_quantities().table(),       &measure_quantities().table(),
-                            &as_rack_quantities().table(),    &outline_quantities().table(),
-                            &pair_quantities().table(),       &rack_quantities().table(),
-                            &rack_pair_quantities().table(),  &drive_quantities().table(),
-                            &drive_body_quantities().table(), &drive_mesh_quantities().table(),
-                            &contact_quantities().table(),    &compensate_quantities().table(),
-                            &scatter_quantities().table(),
+                            &as_rack_quantities().table(),    &double_helical_quantities().table(),
+                            &outline_quantities().table(),    &pair_quantities().table(),
+                            &rack_quantities().table(),       &rack_pair_quantities().table(),
+                            &drive_quantities().table(),      &drive_body_quantities().table(),
+                            &drive_mesh_quantities().table(), &contact_quantities().table(),
+                            &compensate_quantities().table(), &scatter_quantities().table(),
                             &load_quantities().table(),       &rating_quantities().table(),
                             &fit_quantities().table(),        &identify_quantities().table(),
                             &drawing_quantities().table(),    &search_quantities().table(),
@@ -163,9 +165,12 @@ Json result_schema() {
   // What only the verb measure and --as-rack add to a gear.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
+  // What a double-helical gear has besides stands beside the rest.
+  const Json halves = schema.properties_of(double_helical_quantities().table());
   Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   gear["as_rack"] = rack;
   gear["measure"] = measure;
+  gear.update(halves);
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
   // What tolerances add: the same keys, with two numbers each.

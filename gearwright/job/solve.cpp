@@ -24,21 +24,25 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
 }
 
-}  // namespace
-
-std::string_view finder_of(const JobSpec& spec, const Error& error) {
-  if (spec.drive) return "";
-  if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
-  if (!spec.has(2)) return "";
-  // A fit finds the place, helices and shifts.
-  const bool found_by_fit =
-      error.kind == FailureKind::placement || error.kind == FailureKind::missing;
-  const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
-  const bool fit = spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
-  return found_by_fit && fit ? "fit" : "";
+// What is known of double-helical gears, of which `job` has a half each.
+std::optional<Error> find_halves(SolvedJob& job) {
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    const auto& given = job.spec.double_helical[i];
+    if (!given) continue;
+    const int which = static_cast<int>(i) + 1;
+    auto halves = halves_of(job.gears[i], *given);
+    if (!halves) return of_gear(which, halves.error());
+    job.halves[i] = std::move(halves).take();
+    if (auto warning = run_out_warning(*job.halves[i], which)) job.warnings.push_back(*warning);
+  }
+  const bool any = job.halves[0] || job.halves[1];
+  if (!any || !job.pair || !job.pair->crossed()) return std::nullopt;
+  return Error{"pair.shaft_angle", "",
+               "crosses the axes; double-helical gears run on parallel axes, with opposite hands"};
 }
 
-Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
+// The gears and the pair; of double-helical gears those of one half.
+Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
                         "; the spec contains readings of an unknown gear; run gearwright identify, "
@@ -59,6 +63,7 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
+  if (auto error = halve(given, spec.double_helical)) return *error;
   auto arranged = arrange(given, scope);
   if (!arranged) {
     Error error = arranged.error();
@@ -69,10 +74,39 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
     return error;
   }
   SolvedJob job{std::move(arranged).take(), spec};
+  if (auto error = find_halves(job)) return *error;
   // Warnings are for the person with the file: the members in them become its keys.
   for (Warning& w : job.warnings)
     w.message = spelled(w.message, spec.given, w.gear == 0 ? "" : gear_field(w.gear));
   return job;
 }
+
+}  // namespace
+
+std::string_view finder_of(const JobSpec& spec, const Error& error) {
+  if (spec.drive) return "";
+  if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
+  if (!spec.has(2)) return "";
+  // A fit finds the place, helices and shifts.
+  const bool found_by_fit =
+      error.kind == FailureKind::placement || error.kind == FailureKind::missing;
+  const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
+  const bool fit = spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
+  return found_by_fit && fit ? "fit" : "";
+}
+
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
+  for (const int which : {1, 2}) {
+    if (scope == Scope::gears || !spec.double_helical[static_cast<std::size_t>(which - 1)])
+      continue;
+    return Error{gear_field(which, "double_helical"), "",
+                 "is computed by the verbs gear, pair and measure; this verb is for gears of one "
+                 "helix. For one half give its face width, without `double_helical`, and half of "
+                 "the torque"};
+  }
+  return solve_halves(spec, scope);
+}
+
+Result<SolvedJob> solve_pair(const JobSpec& spec) { return solve_halves(spec, Scope::pair); }
 
 }  // namespace gearwright

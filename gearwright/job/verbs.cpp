@@ -40,6 +40,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
+  bool halves = false;  // a pair of double-helical gears is one of its pairs
 };
 
 template <class Found>
@@ -48,7 +49,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
     SolvedJob job;
     Found found;
   };
-  auto solved = solve(spec, how.scope);
+  auto solved = how.halves ? solve_pair(spec) : solve(spec, how.scope);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
   auto found = how.find(job, progress);
@@ -97,7 +98,8 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
        .record = solved_record,
        .listing = [](const SolvedJob& job,
                      const AsSolved&) { return gear_listing(job) + pair_listing(job); },
-       .csv = solved_csv},
+       .csv = solved_csv,
+       .halves = true},
       spec, progress);
 }
 

@@ -137,6 +137,19 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
   return bar;
 }
 
+// The two halves of a gear. Nothing that finds gears finds those.
+std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::string& path,
+                                                 const Json& tree) {
+  if (!gear || !gear->contains("double_helical")) return std::nullopt;
+  TableReader t(gear_keys(), *gear, path);
+  const Json* table = t.table("double_helical");
+  if (tree.contains("search") || tree.contains("fit") || is_unknown_gear(*gear))
+    t.fail("double_helical", "is not part of what a search, a fit or an identification finds");
+  if (is_rack(tree.value("gear2", Json::object())))
+    t.fail("double_helical", "does not apply to the pinion of a rack");
+  return read_table<DoubleHelical>(double_helical_keys(), *table, path + ".double_helical");
+}
+
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
   const Inherited made = inherit(given);
   const Json& tree = made.tree;
@@ -172,6 +185,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   if (is_gear(gear_2))
     lacks.of([&] { spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder); });
   if (gear_2 && is_rack(*gear_2)) lacks.of([&] { spec.rack = read_rack_bar(*gear_2, tree); });
+  spec.double_helical = {read_double_helical(gear_1, "gear1", tree),
+                         read_double_helical(gear_2, "gear2", tree)};
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;

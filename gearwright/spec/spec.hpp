@@ -30,9 +30,10 @@ struct JobSpec : SpecTables {
   std::string text;  ///< the spec as read, for the report; of a tree its JSON
   /// The same as a tree of tables, with what gear 2 has from gear 1; null in a spec that was not read.
   std::shared_ptr<const SpecTree> tree;
-  GivenKeys given;              ///< the paths of the keys in the text
+  GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null: the spec has no drive
-  std::optional<RackBar> rack;  ///< gear 2 is a rack, and `gears` has the pinion alone
+  std::optional<RackBar> rack;              ///< gear 2 is a rack, and `gears` has the pinion alone
+  DoubleHelicals double_helical;            ///< of gears, whose face width is then the whole one
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;

@@ -41,7 +41,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(std::pair{"external.json", 19}, std::pair{"spur_design.json", 18},
                       std::pair{"inspection.json", 66}, std::pair{"conjugate_action.json", 217},
                       std::pair{"small_tooth_numbers.json", 102}, std::pair{"racks.json", 7},
-                                           std::pair{"drives.json", 75}, std::pair{"scatter.json", 10}));
+                      std::pair{"drives.json", 75}, std::pair{"double_helical.json", 3},
+                      std::pair{"scatter.json", 10}));
 
 TEST(Verify, SeesAWrongNumber) {
   const char* text = R"({"cases": [{"id": "wrong", "source": "none", "verb": "gear",

@@ -1,0 +1,119 @@
+#include "gearwright/arrange/two_halves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kSameLength = 1e-9;  // relative: two ways to compute one length
+
+std::optional<Error> check_half(const GivenPair& given, int which, const DoubleHelical& halves) {
+  const GearInput& gear = given.gear(which);
+  const CylindricalSpec& c = gear.cylindrical;
+  if (!gear.face_width_given) {
+    return absent_input(gear_field(which, "face_width"),
+                        "; of a double-helical gear it holds both halves and the gap");
+  }
+  if (!(halves.gap < c.face_width)) {
+    return refused(gear_field(which, "double_helical.gap"), halves.gap, {c.face_width},
+                   "must be less than the face width {} mm, which holds both halves and the gap");
+  }
+  return std::nullopt;
+}
+
+// The halves of a pair meet over the whole of the narrower one, or they are no halves of one pair.
+std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& halves) {
+  if (halves[0].has_value() != halves[1].has_value()) {
+    const int lacking = halves[0] ? 2 : 1;
+    return absent_input(
+        gear_field(lacking, "double_helical"),
+        fmt::format("; gear {} is double-helical, and so is its mating gear", 3 - lacking));
+  }
+  const auto& [one, two] = halves;
+  if (one->stagger_pitches != two->stagger_pitches) {
+    return refused(gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
+                   fmt::format("must be that of gear 1, {}: both gears are staggered alike",
+                               format_number(one->stagger_pitches)));
+  }
+  const double b_1 = given.gear(1).cylindrical.face_width;
+  const double b_2 = given.gear(2).cylindrical.face_width;
+  const double common = (std::min(b_1, b_2) - std::max(one->gap, two->gap)) / 2;
+  const double narrower = std::min(b_1 - one->gap, b_2 - two->gap) / 2;
+  if (common >= narrower * (1 - kSameLength)) return std::nullopt;
+  return refused(gear_field(2, "double_helical.gap"), two->gap,
+                 fmt::format("the halves do not stand opposite: {:.6g} mm of a half touch, and the "
+                             "narrower half has {:.6g} mm; a wider gap belongs to the narrower "
+                             "gear",
+                             common, narrower));
+}
+
+}  // namespace
+
+std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves) {
+  if (!halves[0] && !halves[1]) return std::nullopt;
+  for (const int which : {1, 2}) {
+    const auto& half = halves[static_cast<std::size_t>(which - 1)];
+    if (!half || !given.has(which)) continue;
+    if (auto error = check_half(given, which, *half)) return error;
+  }
+  if (given.has(1) && given.has(2)) {
+    if (auto error = check_mates(given, halves)) return error;
+  }
+  for (const int which : {1, 2}) {
+    const auto& half = halves[static_cast<std::size_t>(which - 1)];
+    if (!half || !given.has(which)) continue;
+    double& face = given.gear(which).cylindrical.face_width;
+    face = (face - half->gap) / 2;
+  }
+  return std::nullopt;
+}
+
+Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
+  const double beta = std::abs(half.spec.helix_angle.rad());
+  if (beta == 0.0) {
+    return refused(
+        "helix_angle", 0,
+        "must not be 0: the halves of a double-helical gear have helix angles of opposite "
+        "hands, and this is that of the half at z > 0");
+  }
+  Halves made{};
+  made.given = given;
+  made.half_face_width = half.spec.face_width;
+  made.face_width = 2 * half.spec.face_width + given.gap;
+  made.axial_shift_per_index_error = 1 / (2 * std::tan(beta));
+  if (!given.hob_diameter) return made;
+  const double h = std::abs(half.tip_diameter - half.root_diameter) / 2;
+  const double d = *given.hob_diameter;
+  if (!(d > 2 * h)) {
+    return refused("double_helical.hob_diameter", d, {2 * h},
+                   "must be greater than {} mm, twice the depth of the teeth");
+  }
+  // One hob cuts both hands: it is swivelled by |β| − γ_0 for the half of its own hand, and by
+  // |β| + γ_0 for the other one. The gap serves both.
+  double run_out = 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    const double eta = beta + side * given.hob_lead_angle.rad();
+    run_out = std::max(run_out, std::sqrt(h * (d - h)) * std::cos(eta) +
+                                    given.hob_half_length * std::sin(std::abs(eta)));
+  }
+  made.hob_run_out = run_out;
+  return made;
+}
+
+std::optional<Warning> run_out_warning(const Halves& halves, int which) {
+  if (!halves.hob_run_out || *halves.hob_run_out <= halves.given.gap) return std::nullopt;
+  return Warning{
+      WarningCode::hob_run_out,
+      fmt::format("The run-out of the hob needs a gap of at least {:.4f} mm; the gap is "
+                  "{:.4f} mm. A smaller hob or a wider gap would help, or a shaped gear.",
+                  *halves.hob_run_out, halves.given.gap),
+      which};
+}
+
+}  // namespace gearwright

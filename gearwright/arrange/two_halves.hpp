@@ -1,0 +1,57 @@
+// Double-helical gears: two halves of opposite hands on one body, with a gap or without one.
+//
+// A half is a helical gear like any other, and two halves mesh as a helical pair of their own face:
+// what is arranged and mounted is the half at z > 0.
+//
+//   b      whole face with the gap, mm     b_B  face of one half, (b − gap)/2, mm
+//   d_a0   outer diameter of the hob, mm   l_0  half its cutting length, mm     γ_0  its lead angle
+//   h      depth of the teeth, mm          theory: docs/theory/02-involute-and-pair.md, 2.11
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gearwright/arrange/arrange.hpp"
+
+namespace gearwright {
+
+/// As a drawing gives it; its whole face is that of the gear.
+struct DoubleHelical {
+  double gap = 0.0;                      ///< mm, between the halves
+  double stagger_pitches = 0.0;          ///< s, of the half at z < 0 against the other one
+  std::optional<double> hob_diameter{};  ///< d_a0  mm; none: no run-out is computed
+  Angle hob_lead_angle{};                ///< γ_0
+  double hob_half_length = 0.0;          ///< l_0   mm
+};
+
+/// By gears.
+using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
+
+/// One gear of two halves, with what follows.
+struct Halves {
+  DoubleHelical given;
+  double face_width = 0.0;             ///< b    mm
+  double half_face_width = 0.0;        ///< b_B  mm
+  std::optional<double> hob_run_out;   ///< mm: the least gap for the hob's run-out
+  double axial_shift_per_index_error;  ///< Δz/e, by which floating shares an index error
+};
+
+/// Puts the half in the place of each double-helical gear.
+///
+/// Formula   [T2.42]
+/// Errors    `gearN.face_width` that is absent, `gearN.double_helical.gap` that leaves no half,
+///           `gearN.double_helical` that is absent while the mating gear has one,
+///           `gear2.double_helical.gap` where the halves do not stand opposite,
+///           `gear2.double_helical.stagger_pitches` that differ
+std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves);
+
+/// Formula   [T2.43], [T2.44]
+/// Domain    `half` has the face of one half
+/// Errors    `helix_angle` of 0, `double_helical.hob_diameter` of a hob that is less than twice as thick
+///           as the teeth are deep
+Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
+
+/// A warning that the hob's run-out needs a wider gap; none: it does not, or no hob is given.
+std::optional<Warning> run_out_warning(const Halves& halves, int which);
+
+}  // namespace gearwright

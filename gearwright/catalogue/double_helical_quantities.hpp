@@ -1,0 +1,11 @@
+// What a gear of two halves has beside the quantities of a gear.
+#pragma once
+
+#include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/catalogue/quantity.hpp"
+
+namespace gearwright {
+
+const Quantities<Halves>& double_helical_quantities();
+
+}  // namespace gearwright

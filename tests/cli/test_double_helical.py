@@ -1,0 +1,56 @@
+"""Double-helical gears: the verbs gear, pair and measure compute one half, the others reject the table."""
+
+import json
+import unittest
+
+from cli import Run
+
+PAIR = """[gear1]
+teeth = 23
+normal_module_mm = 3
+helix_angle_deg = 28
+face_width_mm = 150
+[gear1.double_helical]
+gap_mm = 30
+{}
+[gear2]
+teeth = 67
+face_width_mm = 150
+[gear2.double_helical]
+gap_mm = 30
+"""
+
+
+class TwoHalves(unittest.TestCase):
+    def test_a_pair_has_the_numbers_of_one_half(self):
+        answer = json.loads(Run("pair", PAIR.format(""), "--json").out)
+        gear = answer["gears"][0]
+        self.assertEqual((gear["face_width_mm"], gear["half_face_width_mm"], gear["apex_to_half_mm"]), (150, 60, 15))
+        self.assertAlmostEqual(answer["pair"]["overlap_ratio"], 2.988748794338065, 12)
+        text = Run("pair", PAIR.format("")).out
+        for words in ("Double helical", "face width of one half", "150.0000"):
+            self.assertIn(words, text)
+        self.assertIn("half_face_width_mm", Run("pair", PAIR.format(""), "--csv").out)
+
+    def test_a_hob_that_needs_a_wider_gap_is_a_warning(self):
+        run = Run("pair", PAIR.format("hob_diameter_mm = 120\nhob_half_length_mm = 20"), "--json")
+        self.assertIn("hob_run_out", [w["code"] for w in json.loads(run.out)["warnings"]])
+
+    def test_other_verbs_reject_it(self):
+        for verb in ("contact", "run"):
+            run = Run(verb, PAIR.format(""))
+            self.assertEqual(run.status, 1)
+            for words in ("gear1.double_helical", "one half"):
+                self.assertIn(words, run.err)
+
+    def test_halves_that_make_no_pair_are_errors(self):
+        for old, new, key in (("[gear2.double_helical]\ngap_mm = 30\n", "", "gear2.double_helical"),
+                              ("helix_angle_deg = 28\n", "", "gear1.helix_angle_deg"),
+                              ("gap_mm = 30\n\n", "gap_mm = 150\n", "gear1.double_helical.gap_mm")):
+            run = Run("pair", PAIR.format("").replace(old, new, 1))
+            self.assertEqual(run.status, 1)
+            self.assertIn(key, run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
