@@ -22,7 +22,7 @@ constexpr double kHead = 34.0;   // px above the plot: the words of the y axis
 constexpr double kFoot = 44.0;   // px below it: numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kShade = 19.0;               // px, a box of the key
-constexpr double kAcross = 58.0, kUp = 32.0;  // px between ticks, at least
+constexpr double kAcross = 58.0, kUp = 26.0;  // px between ticks, at least
 
 // Letters of markup: tags and the further bytes of a character count nothing.
 double letters(std::string_view markup) {
@@ -82,6 +82,7 @@ struct Layout {
   double left, right, top, bottom;  // px, of the plot
   double foot, height;              // px, the line of the x axis' numbers; the whole
   double note = 20.0;               // px, the line of the note
+  double lane_words = 0.0;          // px, their line above each lane; 0: they stand before it
   Ticks across, up;
 
   Layout(const Figure& f, double width) {
@@ -102,6 +103,10 @@ struct Layout {
     if (f.shades)
       beside = std::max(beside, 22 + kShade + kLetter * std::max(6.0, letters(f.shades->most)));
     for (const FigureLane& lane : f.lanes) before = std::max(before, kLetter * letters(lane.words));
+    if (before > width / 4) {
+      before = 0.0;
+      lane_words = 16.0;
+    }
     const double tall = f.tall * (width - beside - 100);
     up = ticks_on(f.y, std::max(120.0, tall), kUp);
     for (const double v : up.values)
@@ -112,10 +117,11 @@ struct Layout {
     note = kLetter * (letters(words_of(f.y)) + letters(f.note)) > width - 4 * kEdge ? 38.0 : 20.0;
     top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));
-    foot = bottom + (f.lanes.empty() ? 0.0 : 8 + kLane * static_cast<double>(f.lanes.size()));
+    foot = bottom + (f.lanes.empty() ? 0.0 : 8 + lane() * static_cast<double>(f.lanes.size()));
     height = foot + kFoot;
     across = ticks_on(f.x, right - left, kAcross);
   }
+  double lane() const { return kLane + lane_words; }
 };
 
 class Writer {
@@ -144,7 +150,7 @@ class Writer {
     if (frame >= 0) svg_.end_group();
     svg_.end_group();
     for (std::size_t i = 0; i < f_.lanes.size(); ++i)
-      lane(f_.lanes[i], at_.bottom + 8 + kLane * static_cast<double>(i));
+      lane(f_.lanes[i], at_.bottom + 8 + at_.lane() * static_cast<double>(i));
     if (f_.shades) shades(*f_.shades);
     return svg_.str();
   }
@@ -220,7 +226,11 @@ class Writer {
   }
 
   void lane(const FigureLane& lane, double y) {
-    svg_.text({at_.left - 8, y + 14}, escaped(lane.words), Anchor::end, "tick");
+    if (at_.lane_words > 0.0)
+      svg_.text({at_.left, y + 12}, escaped(lane.words), Anchor::start, "tick halo");
+    else
+      svg_.text({at_.left - 8, y + 14}, escaped(lane.words), Anchor::end, "tick");
+    y += at_.lane_words;
     svg_.line({at_.left, y + (kLane - 4) / 2}, {at_.right, y + (kLane - 4) / 2}, "grid");
     for (const FigureLane::Block& block : lane.blocks) {
       const double from = std::max(x_(block.from), at_.left),

@@ -17,6 +17,7 @@
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/walls.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_report.hpp"
@@ -294,6 +295,9 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
+  if (job.pair && job.ends)
+    for (const Arranged* end : {&job.ends->upper, &job.ends->lower})
+      report.pair_ends.push_back(pair_quantities().of(*end->pair));
   report.measures = measure_records(job);
   report.measure_ends = measure_end_records(job);
   report.k_diagrams = k_diagrams(job);

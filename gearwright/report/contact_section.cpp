@@ -111,7 +111,7 @@ std::string pattern_part(const ContactReport& report) {
              "here {} µm. That is the shaded area, the <em>marking pattern</em>. At one instant "
              "the flanks are that close only within an ellipse about the contact point, or along "
              "a line; while the gears turn it wanders over the flank. A good pattern lies in "
-             "the middle and keeps off the borders. Where the way of contact runs along a border "
+             "the middle and keeps off the borders. Where the path of contact runs along a border "
              "(dashed), an <em>edge</em> works: its sharp line carries what a surface should, "
              "scrapes off the oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +

@@ -16,8 +16,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kOfPair{"gear_ratio", "center_distance_mm",
-                                                  "contact_ratio", "normal_mm"};
+constexpr std::array<std::string_view, 3> kOfPair{"gear_ratio", "center_distance_mm",
+                                                  "contact_ratio"};
+constexpr std::array<std::string_view, 1> kBacklash{"normal_mm"};
 constexpr std::array<std::string_view, 2> kOfRating{"S_F", "S_H"};
 constexpr std::array<std::string_view, 2> kOfLoad{"max_pressure_MPa", "peak_to_peak_arcsec"};
 
@@ -25,20 +26,21 @@ std::string box(const std::string& words, std::string_view symbol, const std::st
   return fmt::format("<div><dt>{} {}</dt><dd>{}</dd></div>\n", words, symbol_html(symbol), value);
 }
 
-// The rows of these keys, in their order.
+// The rows of these keys, in their order; of several records from the first's value to the last's.
 template <std::size_t n>
-std::string boxes(const QuantityTable& table, const ValueRecord& record,
+std::string boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
                   const std::array<std::string_view, n>& keys) {
-  const std::vector<TextGroup> groups = text_groups(table, {record}, kPage);
+  const std::vector<TextGroup> groups = text_groups(table, records, kPage);
   std::string text;
   for (const std::string_view key : keys) {
     for (const TextGroup& group : groups) {
       const auto row = std::find_if(group.rows.begin(), group.rows.end(),
                                     [&](const TextRow& r) { return r.info->key == key; });
       if (row == group.rows.end()) continue;
+      const char* const between = records.size() > 1 ? " … " : " / ";
       std::string value;
       for (const std::string& one : row->texts)
-        if (value != one) value += (value.empty() ? "" : " / ") + one;
+        if (value != one) value += (value.empty() ? "" : between) + one;
       const std::string unit(unit_text(row->info->unit));
       text += box(with_symbols(capitalised(row->info->words)), row->info->symbol,
                   escaped(value + (unit == "″" || unit.empty() ? unit : " " + unit)));
@@ -52,16 +54,20 @@ std::string boxes(const QuantityTable& table, const ValueRecord& record,
 
 std::string key_figures(const ReportInput& input) {
   std::string text;
-  if (input.pair)
-    text += boxes(pair_quantities().table(), pair_quantities().of(*input.pair), kOfPair);
+  if (input.pair) {
+    const std::vector<ValueRecord> nominal{pair_quantities().of(*input.pair)};
+    const auto& ends = input.pair_ends.empty() ? nominal : input.pair_ends;
+    text += boxes(pair_quantities().table(), nominal, kOfPair);
+    text += boxes(pair_quantities().table(), ends, kBacklash);
+  }
   if (input.rating)
-    text += boxes(rating_quantities().table(), rating_quantities().of(*input.rating), kOfRating);
+    text += boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)}, kOfRating);
   if (input.load) {
     const auto views = torque_views(input.load->contact, input.load->standard);
     const auto& torques = input.load->contact.torques;
     const auto shown = static_cast<std::size_t>(&shown_torque(*input.load) - torques.data());
-    text +=
-        boxes(load_torque_quantities().table(), load_torque_quantities().of(views[shown]), kOfLoad);
+    text += boxes(load_torque_quantities().table(), {load_torque_quantities().of(views[shown])},
+                  kOfLoad);
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
                 shown_arcsec(input.contact->driving.peak_to_peak.arcsec()) + "″");

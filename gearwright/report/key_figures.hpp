@@ -7,8 +7,9 @@
 
 namespace gearwright {
 
-/// A box for each key figure that the input has: ratio, centre distance, contact ratio, backlash, safeties,
-/// pressure, unevenness. Rows of the catalogue with their words, symbols and units; empty without any.
+/// A box for each key figure that the input has: ratio, centre distance, contact ratio, backlash (at
+/// both ends of tolerances), safeties, pressure, unevenness. Rows of the catalogue with their words,
+/// symbols and units; empty without any.
 std::string key_figures(const ReportInput& input);
 
 }  // namespace gearwright

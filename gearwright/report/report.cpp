@@ -63,7 +63,7 @@ std::string finding_list(const ReportInput& input) {
     const std::string where =
         f.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", f.gear);
     text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n", name,
-                        word, where, escaped(f.whole()));
+                        word, where, with_symbols(f.whole()));
   }
   return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
 }

@@ -29,11 +29,12 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;                  ///< empty: one is made from the tooth numbers
-  DrawingInput drawing;               ///< the title block; may be empty
-  std::vector<const Gear*> gears;     ///< one or two, with a pair its gears
-  std::optional<Pair> pair;           ///< none: the gears are not mounted
-  std::vector<ValueRecord> measures;  ///< of the gears; may be empty
+  std::string title;                   ///< empty: one is made from the tooth numbers
+  DrawingInput drawing;                ///< the title block; may be empty
+  std::vector<const Gear*> gears;      ///< one or two, with a pair its gears
+  std::optional<Pair> pair;            ///< none: the gears are not mounted
+  std::vector<ValueRecord> pair_ends;  ///< of tolerances: least backlash, most; may be empty
+  std::vector<ValueRecord> measures;   ///< of the gears; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty
   std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -68,6 +69,29 @@ TEST(StrictHtml, SeesWhatIsBroken) {
         "<a href=\"#x\"></a>", "<p id=\"x\"></p><p id=\"x\"></p>", "a\x01"}) {
     EXPECT_TRUE(broken(body)) << body;
   }
+}
+
+// Tolerances give the backlash two ends; the other key figures stay the drawing's.
+TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
+  const auto pair_at = [](double distance) {
+    return sample_pair(sample_gear(21, 2, 0, 0), sample_gear(40, 2, 0, 0), distance);
+  };
+  ReportInput input = report_input(pair_at(61.1));
+  const auto key = [&](const std::string& words) {
+    const std::string page = report_html(input);
+    const std::size_t at = page.find("<dd>", page.find("<dt>" + words)) + 4;
+    return page.substr(at, page.find("</dd>", at) - at);
+  };
+  const std::string middle = key("Normal backlash");
+  EXPECT_EQ(middle.find("…"), middle.npos);
+  std::string both;
+  for (const double distance : {61.05, 61.2}) {
+    const Pair pair = pair_at(distance);
+    input.pair_ends.push_back(pair_quantities().of(pair));
+    both += (both.empty() ? "" : " … ") + printed(pair.involute()->mesh.backlash.normal, 4);
+  }
+  EXPECT_EQ(key("Normal backlash"), both + " mm");
+  EXPECT_EQ(key("Centre distance"), "61.1000 mm");
 }
 
 TEST(Report, IsWellFormedAndReachesForNothing) {

@@ -14,7 +14,7 @@ export interface Point {
   front: boolean;
 }
 /** What stands around the plot, px. */
-const kRoom = { across: 110, up: 116 };
+const kRoom = { across: 110, up: 84 };
 
 export class ParetoPicture {
   private readonly slot = new FigureSlot();
