@@ -111,6 +111,7 @@ TABLES = {
     "basic": (of_gear(basic={"base_diameter_mm": 37.588, "base_tooth_thickness_mm": 3.5}), ("gear1", "basic")),
     "root_fillet": (of_gear(root_fillet={}), ("gear1", "root_fillet")),
     "tip_fillet": (of_gear(tip_fillet={}), ("gear1", "tip_fillet")),
+    "double_helical": (of_gear(helix_angle_deg=30, double_helical={}), ("gear1", "double_helical")),
     "measure": (of_gear(measure={}), ("gear1", "measure")),
     "tolerance": (of_gear(tolerance={}), ("gear1", "tolerance")),
     "measured": (of_gear(measured={}), ("gear1", "measured")),
