@@ -14,7 +14,7 @@ TEST(KDiagram, AFlatTraceHasAReadableScale) {
   const std::string text = k_figures({{"Gear 1", relieved, flat}});
   EXPECT_EQ(text.find("0.000"), text.npos);
   EXPECT_NE(text.find(">−10<"), text.npos);
-  EXPECT_NE(text.find(">0.5<"), text.npos);
+  EXPECT_NE(text.find(">0.6<"), text.npos);
 }
 
 }  // namespace
