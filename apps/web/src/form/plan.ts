@@ -62,7 +62,13 @@ const kTitles: Record<string, string> = {
   rack: "Rack",
   measured: "Readings",
   drawing: "Title block",
+  scatter: "Scatter of tolerances",
 };
+
+/** The title of a table's section: its own above, else its name with a capital letter. */
+function titleOf(name: string): string {
+  return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
+}
 
 /** The name of the table that stands at a place: a rack's depends on its kind. */
 function tableAt(key: InputKey, value: Json | undefined): string {
@@ -97,7 +103,7 @@ function section(id: string, name: string, table: string, places: string[], spec
   const present = places.some((where) => at(spec, where) !== undefined);
   return {
     id,
-    title: kTitles[name] ?? name.replaceAll("_", " "),
+    title: titleOf(name),
     meaning: list.meaning,
     table,
     places,
