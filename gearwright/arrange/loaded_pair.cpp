@@ -7,6 +7,7 @@
 
 #include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/stiffness_reasons.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/rating/material.hpp"
@@ -114,7 +115,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                      where),
          0});
   for (const LoadedTorque& t : contact.torques) {
-    const std::string torque = format_number(t.torque / kMmPerM);
+    const std::string torque = format_number(newton_metres(t.torque));
     if (const std::string where =
             rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
         !where.empty())
@@ -179,7 +180,7 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   request.regime = regime_of(arranged);
   if (request.regime == LoadRegime::point)
     if (auto error = not_for_points(input)) return *error;
-  for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
+  for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
   request.positions = input.positions;
   request.rotations = input.rotations;
   request.slices =
@@ -238,7 +239,7 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   for (const LoadedTorque& t : found.torques)
     if (std::none_of(t.positions.begin(), t.positions.end(),
                      [](const LoadedPosition& p) { return p.solved(); }))
-      return refused("load.torques", t.torque / kMmPerM,
+      return refused("load.torques", newton_metres(t.torque),
                      "leaves no position at which the forces of these teeth converge; accuracy = "
                      "\"full\", another number of slices or less torque may help");
   warn_about(found, warnings);
@@ -297,7 +298,7 @@ Warning edge_carries_at(double torque) {
   return {WarningCode::edge_carries,
           fmt::format("At {} N m an edge of a tooth carries load; the pressure there is a lower "
                       "bound.",
-                      format_number(torque / kMmPerM)),
+                      format_number(newton_metres(torque))),
           0};
 }
 
@@ -310,7 +311,7 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  task.request.torques = {torque * kMmPerM};
+  task.request.torques = {from_newton_metres(torque)};
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   return contact_of(warnings, task, *compliance);

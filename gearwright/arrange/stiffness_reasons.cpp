@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gearwright/arrange/load_standard.hpp"
-#include "gearwright/base/units.hpp"
+#include "gearwright/base/torque.hpp"
 
 namespace gearwright {
 
@@ -160,11 +160,11 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
              ? fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
                            "as stiff as c_γα of ISO 6336-1. The difference comes from the teeth "
                            "themselves{}, not from errors, modifications, face or bodies.",
-                           format_number(t.torque / kMmPerM), ratio, ring)
+                           format_number(newton_metres(t.torque)), ratio, ring)
              : fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
                            "as stiff as c_γα of ISO 6336-1. This includes a factor of {}; a factor "
                            "of {:.2f} comes from the teeth themselves{}.",
-                           format_number(t.torque / kMmPerM), ratio, list, left, ring),
+                           format_number(newton_metres(t.torque)), ratio, list, left, ring),
          0});
   }
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/compensate_forms.hpp"
@@ -275,7 +276,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
           {WarningCode::load_unfinished,
            fmt::format("At {} N m the corrected teeth have no result at a position, because no "
                        "teeth touch there or the forces do not converge.",
-                       format_number(l.torque / kMmPerM)),
+                       format_number(newton_metres(l.torque))),
            0});
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
     answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));

@@ -8,7 +8,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/base/units.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -69,7 +69,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
         least_gain(a.aim));
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
-    head(fmt::format("Under {} N m", format_number(l.torque / kMmPerM)).c_str());
+    head(fmt::format("Under {} N m", format_number(newton_metres(l.torque))).c_str());
     out += quantity_listing(quantities.table(), {quantities.of(l.before), quantities.of(l.after)},
                             {"before", "after"});
   }

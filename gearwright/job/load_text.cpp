@@ -7,6 +7,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
@@ -28,7 +29,7 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
                      "N/mm²", "N/mm²");
   for (const LoadedTorque& t : contact.torques)
     out += fmt::format(
-        "  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", format_number(t.torque / kMmPerM),
+        "  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", format_number(newton_metres(t.torque)),
         fixed_decimals(t.peak_to_peak.arcsec(), 4), fixed_decimals(t.stiffness.mean, 3),
         fixed_decimals(t.max_pressure, 1), fixed_decimals(t.max_root_stress[0], 1),
         fixed_decimals(t.max_root_stress[1], 1),
