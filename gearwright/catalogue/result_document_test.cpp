@@ -24,6 +24,7 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/pair/collision_causes.hpp"
 
 namespace gearwright {
 namespace {
@@ -118,6 +119,15 @@ TEST(ResultDocument, CodesAreTheWarnings) {
     text += fmt::format("| `{}` | {} | {} |\n", m.text, level, cell(m.sentence));
   }
   expect_block(kDocument, "codes", "warning", text);
+}
+
+TEST(ResultDocument, CausesAreTheCollisions) {
+  std::string text = "| cause | meaning |\n|---|---|\n";
+  for (const CauseMeaning& m : collision_causes()) {
+    EXPECT_STREQ(to_string(m.cause), m.text);
+    text += fmt::format("| `{}` | {} |\n", m.text, cell(m.sentence));
+  }
+  expect_block(kDocument, "causes", "collision", text);
 }
 
 }  // namespace

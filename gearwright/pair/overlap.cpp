@@ -13,24 +13,45 @@
 #include <string>
 #include <utility>
 
+#include "gearwright/base/contract.hpp"
+#include "gearwright/pair/collision_causes.hpp"
 #include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright {
 
+namespace {
+
+// In the order of the documents.
+constexpr std::array kCauses{
+    CauseMeaning{CollisionCause::tip_bulge, "tip_bulge", "a tip that projects beyond its involute"},
+    CauseMeaning{CollisionCause::tip_to_fillet, "tip_to_fillet",
+                 "a part of the mating gear's tip and a root fillet"},
+    CauseMeaning{CollisionCause::tip_corner, "tip_corner", "a tip corner and a flank"},
+    CauseMeaning{CollisionCause::trochoid, "trochoid",
+                 "internal pairs: the pinion's tip corner and the internal gear, on its way in or "
+                 "out"},
+    CauseMeaning{CollisionCause::root, "root",
+                 "a tip below the mating gear's root circle; nothing else is computed then, not "
+                 "even the free rotation"},
+    CauseMeaning{CollisionCause::negative_backlash, "negative_backlash",
+                 "the flanks themselves: the teeth are too thick for this centre distance"},
+    CauseMeaning{CollisionCause::outline, "outline", "other parts of the outlines"},
+    CauseMeaning{CollisionCause::form_circle, "form_circle",
+                 "without overlap: the mating tip passes the form circle, and no arc meets early"},
+    CauseMeaning{CollisionCause::base_tangent, "base_tangent",
+                 "without overlap: the mating tip passes the base tangent point, and no arc "
+                 "meets early"}};
+
+}  // namespace
+
+std::span<const CauseMeaning> collision_causes() { return kCauses; }
+
 const char* to_string(CollisionCause cause) {
-  switch (cause) {
-    case CollisionCause::negative_backlash: return "negative_backlash";
-    case CollisionCause::root: return "root";
-    case CollisionCause::tip_to_fillet: return "tip_to_fillet";
-    case CollisionCause::tip_corner: return "tip_corner";
-    case CollisionCause::trochoid: return "trochoid";
-    case CollisionCause::tip_bulge: return "tip_bulge";
-    case CollisionCause::outline: return "outline";
-    case CollisionCause::form_circle: return "form_circle";
-    case CollisionCause::base_tangent: return "base_tangent";
-  }
-  return "";
+  const auto row = std::find_if(kCauses.begin(), kCauses.end(),
+                                [&](const CauseMeaning& m) { return m.cause == cause; });
+  GW_ENSURES(row != kCauses.end());
+  return row->text;
 }
 
 }  // namespace gearwright
