@@ -1,6 +1,6 @@
 // The catalogue of results: what is said of each quantity, once, and how it is got.
 //
-//   QuantityInfo            key, words (the standard's term), symbol, unit, digits, one sentence
+//   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
 //   Quantity<S>     the same with the way to get it from a subject S: a gear, a pair, a contact
 //   Quantities<S>   all quantities of a subject; of(subject) is the record that every door takes
 //
@@ -8,54 +8,21 @@
 // docs/spec.md are made from it. A new quantity is one entry of one of the *_quantities.cpp files.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/term.hpp"
 #include "gearwright/catalogue/value.hpp"
 
 namespace gearwright {
-
-enum class Unit {
-  none,
-  mm,
-  um,
-  deg,
-  arcsec,
-  per_mm,
-  mm_per_rad,
-  m_per_s,
-  newton,
-  newton_metre,
-  kilowatt,
-  megapascal,
-  per_minute,
-  hertz,
-  newton_per_mm,
-  newton_per_mm_um,  ///< stiffness of a mesh per face width
-  newton_per_um,
-  celsius,
-  kg,
-  kg_per_mm,
-  modules,          ///< normal modules; no unit for people
-  modules_squared,  ///< of a region of two shifts
-  percent           ///< a share of 1; people read 100 times it
-};
-
-enum class Type {
-  number,
-  whole,
-  index,  ///< a whole number that may pass 2³¹
-  flag,
-  word,
-  text,
-  record,
-  map
-};
 
 /// Where a quantity is given.
 enum Doors : unsigned {
@@ -122,6 +89,8 @@ struct Quantity {
   Quantity& list(std::vector<int> l) { return info.list = std::move(l), *this; }
   Quantity& per_gear() { return info.list = {2}, info.two = Two::gears, *this; }
   Quantity& ends() { return info.list = {2}, info.two = Two::ends, *this; }
+  Quantity& unit(Unit u) { return info.unit = u, *this; }
+  Quantity& words(std::string w) { return info.words = std::move(w), *this; }
   Quantity& column(std::string name) { return info.column = std::move(name), *this; }
   Quantity& greater_first() { return info.greater_first = true, *this; }
   Quantity& otherwise(std::string text) { return info.nothing = std::move(text), *this; }
@@ -132,6 +101,46 @@ struct Quantity {
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
 };
+
+/// Whether T is an angle, or angles that may be absent, two or many.
+template <class T>
+struct HasAngles : std::is_same<T, Angle> {};
+template <class T>
+struct HasAngles<std::optional<T>> : HasAngles<T> {};
+template <class T, std::size_t n>
+struct HasAngles<std::array<T, n>> : HasAngles<T> {};
+template <class T>
+struct HasAngles<std::vector<T>> : HasAngles<T> {};
+
+/// Angles as values, in degrees or seconds of arc.
+Value angles_in(Unit unit, Angle angle);
+template <class T>
+Value angles_in(Unit unit, const std::optional<T>& maybe) {
+  return maybe ? angles_in(unit, *maybe) : Value();
+}
+template <class Range>
+Value angles_in(Unit unit, const Range& angles) {
+  ValueList list;
+  for (const auto& a : angles) list.push_back(angles_in(unit, a));
+  return list;
+}
+
+template <class S>
+class Quantities;
+
+/// The record of a subject, of one that may be absent, of each of a range; or the finished value.
+template <class T, class R>
+Value record_value(const Quantities<T>& quantities, const R& found) {
+  if constexpr (std::is_same_v<R, T>) {
+    return quantities.of(found);
+  } else if constexpr (std::is_same_v<R, std::optional<T>> || std::is_same_v<R, const T*>) {
+    return found ? Value(quantities.of(*found)) : Value();
+  } else if constexpr (std::is_convertible_v<R, Value> && !std::is_same_v<R, std::vector<T>>) {
+    return found;
+  } else {
+    return quantities.each(found);
+  }
+}
 
 template <class S>
 class Quantities {
@@ -151,44 +160,55 @@ class Quantities {
   /// The headings in the order in which people meet them; others follow as they come.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
-  // One quantity each. `group` heads it for people, `symbol` may be empty.
-  Quantity<S>& add(Type type, Unit unit, const char* group, const char* key, const char* words,
-                   const char* symbol, const char* meaning, Get get) {
-    list_.push_back({{key, words, symbol, unit, group, meaning, type}, std::move(get)});
+  /// Heads the quantities that follow for people; none at first.
+  void under(const char* group) { group_ = group; }
+
+  /// One quantity, in the unit that its key ends with. `get` is a member of S or a function of it: a
+  /// value, or angles, which take the unit of the key. `symbol` may be empty.
+  template <class G>
+  Quantity<S>& add(Type type, const char* key, const char* words, const char* symbol,
+                   const char* meaning, G get) {
+    const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
+    list_.push_back({{key, words, symbol, unit, group_, meaning, type}, getter(unit, get)});
     return list_.back();
   }
-  Quantity<S>& mm(const char* group, const char* key, const char* words, const char* symbol,
-                  const char* meaning, Get get) {
-    return add(Type::number, Unit::mm, group, key, words, symbol, meaning, std::move(get));
+  template <class G>
+  Quantity<S>& number(const char* key, const char* words, const char* symbol, const char* meaning,
+                      G get) {
+    return add(Type::number, key, words, symbol, meaning, std::move(get));
   }
-  Quantity<S>& deg(const char* group, const char* key, const char* words, const char* symbol,
-                   const char* meaning, Get get) {
-    return add(Type::number, Unit::deg, group, key, words, symbol, meaning, std::move(get));
+  template <class G>
+  Quantity<S>& whole(const char* key, const char* words, const char* symbol, const char* meaning,
+                     G get) {
+    return add(Type::whole, key, words, symbol, meaning, std::move(get));
   }
-  Quantity<S>& pure(const char* group, const char* key, const char* words, const char* symbol,
-                    const char* meaning, Get get) {
-    return add(Type::number, Unit::none, group, key, words, symbol, meaning, std::move(get));
+  template <class G>
+  Quantity<S>& flag(const char* key, const char* words, const char* meaning, G get) {
+    return add(Type::flag, key, words, "", meaning, std::move(get)).always();
   }
-  Quantity<S>& whole(const char* group, const char* key, const char* words, const char* symbol,
-                     const char* meaning, Get get) {
-    return add(Type::whole, Unit::none, group, key, words, symbol, meaning, std::move(get));
+  template <class G>
+  Quantity<S>& word(const char* key, const char* words, const char* meaning, G get) {
+    return add(Type::word, key, words, "", meaning, std::move(get));
   }
-  Quantity<S>& flag(const char* group, const char* key, const char* words, const char* meaning,
-                    Get get) {
-    return add(Type::flag, Unit::none, group, key, words, "", meaning, std::move(get)).always();
+  template <class G>
+  Quantity<S>& text(const char* key, const char* meaning, G get) {
+    return add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
   }
-  Quantity<S>& word(const char* group, const char* key, const char* words, const char* meaning,
-                    Get get) {
-    return add(Type::word, Unit::none, group, key, words, "", meaning, std::move(get));
+  /// A quantity of several tables, whose words and symbol are those of its term.
+  template <class G>
+  Quantity<S>& term(const char* key, const char* meaning, G get) {
+    const Term& t = term_of(key);
+    Quantity<S>& q = add(t.type, key, t.words, t.symbol, meaning, std::move(get));
+    q.info.always = t.type == Type::flag;
+    return q;
   }
-  Quantity<S>& text(const char* key, const char* meaning, Get get) {
-    return add(Type::text, Unit::none, "", key, key, "", meaning, std::move(get)).doors(kJson);
-  }
-  /// A record, or a list of them, of what `of` says.
-  Quantity<S>& record(const char* group, const char* key, const char* meaning,
-                      const QuantityTable& (*of)(), Get get) {
-    Quantity<S>& q = add(Type::record, Unit::none, group, key, key, "", meaning, std::move(get));
-    q.info.of = of;
+  /// A record of the quantities `of`, or a list of them: `get` gives the subject, an optional or a
+  /// pointer that may be empty, a range of subjects, or the finished value.
+  template <const auto& (*of)(), class G>
+  Quantity<S>& record(const char* key, const char* meaning, G get) {
+    Quantity<S>& q = add(Type::record, key, key, "", meaning,
+                         [get](const S& s) { return record_value(of(), std::invoke(get, s)); });
+    q.info.of = []() -> const QuantityTable& { return of().table(); };
     return q;
   }
 
@@ -217,14 +237,20 @@ class Quantities {
   }
 
  private:
+  template <class G>
+  static Get getter(Unit unit, G get) {
+    using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
+    if constexpr (HasAngles<R>::value) {
+      return [unit, get](const S& s) { return angles_in(unit, std::invoke(get, s)); };
+    } else {
+      return get;
+    }
+  }
+
   std::deque<Quantity<S>> list_;  // entries stay where they are while more are added
   QuantityTable table_;
+  const char* group_ = "";
 };
-
-/// "mm", "°", "µm"; empty for pure numbers.
-std::string_view unit_text(Unit unit);
-/// How a key ends that has this unit: "_mm", "_deg"; empty for pure numbers.
-std::string_view unit_suffix(Unit unit);
 
 /// Decimals that people read: 4 of mm (0.1 µm, the last digit of a gear drawing), 5 of degrees
 /// (0.17 µm on a radius of 1 m) and of pure numbers.
