@@ -1,6 +1,5 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"

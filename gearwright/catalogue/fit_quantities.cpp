@@ -1,7 +1,5 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 
-#include "gearwright/base/angle.hpp"
-
 namespace gearwright {
 
 namespace {

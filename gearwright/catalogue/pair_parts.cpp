@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/units.hpp"
 #include "gearwright/pair/drive.hpp"
 
 namespace gearwright {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 
 namespace gearwright {

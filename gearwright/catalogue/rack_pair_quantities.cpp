@@ -1,8 +1,5 @@
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 
-#include <cmath>
-#include <numbers>
-
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
 

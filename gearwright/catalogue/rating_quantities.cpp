@@ -1,8 +1,5 @@
 #include "gearwright/catalogue/rating_quantities.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
