@@ -16,32 +16,32 @@ struct UnitRow {
 };
 
 // In the order of the enumerators.
-constexpr std::array kUnits{UnitRow{Unit::none, "", "", 5},
-                            UnitRow{Unit::mm, "mm", "_mm", 4},
-                            UnitRow{Unit::um, "µm", "_um", 3},
-                            UnitRow{Unit::deg, "°", "_deg", 5},
-                            UnitRow{Unit::arcsec, "″", "_arcsec", 4},
-                            UnitRow{Unit::per_mm, "1/mm", "_per_mm", 6},
-                            UnitRow{Unit::mm_per_rad, "mm/rad", "_mm_per_rad", 4},
-                            UnitRow{Unit::m_per_s, "m/s", "_m_per_s", 4},
-                            UnitRow{Unit::newton, "N", "_N", 1},
-                            UnitRow{Unit::newton_metre, "N m", "_Nm", 1},
-                            UnitRow{Unit::kilowatt, "kW", "_kW", 2},
-                            UnitRow{Unit::megapascal, "N/mm²", "_MPa", 2},
-                            UnitRow{Unit::per_minute, "1/min", "_rpm", 1},
-                            UnitRow{Unit::hertz, "Hz", "_hz", 3},
-                            UnitRow{Unit::newton_per_mm, "N/mm", "_N_per_mm", 2},
-                            UnitRow{Unit::newton_per_mm_um, "N/(mm µm)", "", 3},
-                            UnitRow{Unit::newton_per_um, "N/µm", "", 3},
-                            UnitRow{Unit::celsius, "°C", "_C", 1},
-                            UnitRow{Unit::kg, "kg", "_kg", 6},
-                            UnitRow{Unit::kg_per_mm, "kg/mm", "", 6},
-                            UnitRow{Unit::modules, "", "", 5},
-                            UnitRow{Unit::modules_squared, "", "", 5},
-                            UnitRow{Unit::percent, "%", "", 3}};
+constexpr std::array kUnitRows{UnitRow{Unit::none, "", "", 5},
+                               UnitRow{Unit::mm, "mm", "_mm", 4},
+                               UnitRow{Unit::um, "µm", "_um", 3},
+                               UnitRow{Unit::deg, "°", "_deg", 5},
+                               UnitRow{Unit::arcsec, "″", "_arcsec", 4},
+                               UnitRow{Unit::per_mm, "1/mm", "_per_mm", 6},
+                               UnitRow{Unit::mm_per_rad, "mm/rad", "_mm_per_rad", 4},
+                               UnitRow{Unit::m_per_s, "m/s", "_m_per_s", 4},
+                               UnitRow{Unit::newton, "N", "_N", 1},
+                               UnitRow{Unit::newton_metre, "N m", "_Nm", 1},
+                               UnitRow{Unit::kilowatt, "kW", "_kW", 2},
+                               UnitRow{Unit::megapascal, "N/mm²", "_MPa", 2},
+                               UnitRow{Unit::per_minute, "1/min", "_rpm", 1},
+                               UnitRow{Unit::hertz, "Hz", "_hz", 3},
+                               UnitRow{Unit::newton_per_mm, "N/mm", "_N_per_mm", 2},
+                               UnitRow{Unit::newton_per_mm_um, "N/(mm µm)", "", 3},
+                               UnitRow{Unit::newton_per_um, "N/µm", "", 3},
+                               UnitRow{Unit::celsius, "°C", "_C", 1},
+                               UnitRow{Unit::kg, "kg", "_kg", 6},
+                               UnitRow{Unit::kg_per_mm, "kg/mm", "", 6},
+                               UnitRow{Unit::modules, "", "", 5},
+                               UnitRow{Unit::modules_squared, "", "", 5},
+                               UnitRow{Unit::percent, "%", "", 3}};
 
 const UnitRow& row(Unit unit) {
-  const UnitRow& r = kUnits[static_cast<std::size_t>(unit)];
+  const UnitRow& r = kUnitRows[static_cast<std::size_t>(unit)];
   GW_ENSURES(r.unit == unit);
   return r;
 }
@@ -113,7 +113,7 @@ int unit_digits(Unit unit) { return row(unit).digits; }
 
 Unit unit_of(std::string_view key) {
   Unit found = Unit::none;
-  for (const UnitRow& r : kUnits)
+  for (const UnitRow& r : kUnitRows)
     // "_N_per_mm" ends with "_per_mm" and "_mm" too.
     if (key.ends_with(r.suffix) && unit_suffix(found).size() < std::string_view(r.suffix).size())
       found = r.unit;
