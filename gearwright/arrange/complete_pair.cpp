@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright {
 
@@ -51,7 +52,7 @@ bool share_a_rack(const GivenPair& given) {
 // [T2.21]
 void shorten_tips(GivenPair& given, double a) {
   double extended = 0.0;
-  const double side = given.gears[1]->cylindrical.teeth > 0 ? 1.0 : -1.0;
+  const double side = side_of(given.gears[1]->cylindrical.teeth);
   const auto reference_radius = [](const CylindricalSpec& c) {
     return c.normal_module / std::cos(c.helix_angle.rad()) * std::abs(c.teeth) / 2;
   };
@@ -65,7 +66,7 @@ void shorten_tips(GivenPair& given, double a) {
   for (auto& gear : given.gears) {
     CylindricalSpec& c = gear->cylindrical;
     if (c.tip_diameter) continue;
-    const double sign = c.teeth > 0 ? 1.0 : -1.0;
+    const double sign = side_of(c.teeth);
     c.tip_diameter = 2 * reference_radius(c) +
                      sign * 2 * (c.normal_module * (addendum_of(c.rack) + c.profile_shift) + k_m);
   }

@@ -208,7 +208,7 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
     }
     const double clearance =
         gear->tip_clearance.value_or(default_tip_clearance(gear->cylindrical.normal_module));
-    const double side = mate->cylindrical.teeth < 0 ? -1.0 : 1.0;
+    const double side = side_of(mate->cylindrical.teeth);
     gear->cylindrical.tip_fillet =
         TipFilletSpec{TipFilletSpec::By::end_radius, side * (*center_distance - root) - clearance};
   }

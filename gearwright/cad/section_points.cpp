@@ -106,7 +106,7 @@ std::vector<SectionPoint> section_points(const Outline& outline, const SectionTo
                                          std::size_t most) {
   GW_EXPECTS(!outline.arcs.empty() && outline.teeth != 0);
   GW_EXPECTS(tolerance.chord > 0.0 && tolerance.facet_turn > 0.0 && tolerance.level_turn >= 0.0);
-  const double side = outline.teeth > 0 ? 1.0 : -1.0;  // arcs run clockwise: material on the right
+  const double side = outline.side();  // arcs run clockwise: material on the right
 
   std::vector<SectionPoint> points;
   for (const Arc& arc : outline.arcs) {

@@ -172,7 +172,7 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   SectionMesh mesh;
   mesh.module = module;
   mesh.to_tip = options.to_tip;
-  mesh.outward = outline.teeth > 0 ? 1.0 : -1.0;
+  mesh.outward = outline.side();
   mesh.tooth_count = std::abs(outline.teeth);
   mesh.bore_radius = bore_radius / module;
   std::vector<Part> parts;

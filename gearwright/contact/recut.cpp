@@ -82,7 +82,7 @@ Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
     const double alpha_n = gear.spec.normal_pressure_angle.rad();
     const double alpha_t = std::atan(std::tan(alpha_n) / cos_beta);
     const double half = ref.reference_tooth_thickness_normal / cos_beta / (2 * r);
-    const double side = gear.internal() ? -1.0 : 1.0;
+    const double side = gear.side();
     changed.curve =
         std::make_shared<Involute>(r * std::cos(alpha_t), half + side * involute(alpha_t));
   }

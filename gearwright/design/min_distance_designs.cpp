@@ -32,7 +32,7 @@ constexpr int kCells = 512;  // of β_w1, when roots of a function of no known s
 class PitchSum {
  public:
   PitchSum(const std::array<int, 2>& teeth, double sigma)
-      : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(teeth[1] > 0 ? 1.0 : -1.0), sigma_(sigma) {
+      : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(side_of(teeth[1])), sigma_(sigma) {
     // Both helices stay within ±90°.
     lo_ = -kHalfPi + std::max(0.0, side_ > 0 ? sigma_ : 0.0) + kMargin;
     hi_ = kHalfPi + std::min(0.0, side_ > 0 ? sigma_ : 0.0) - kMargin;

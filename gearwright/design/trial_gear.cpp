@@ -111,7 +111,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
       teeth, 1.0, problem.normal_pressure_angle.rad(), std::abs(helix.rad()), 0.0, 0.0});
   TrialGear g;
   g.teeth = teeth;
-  const double sign = teeth > 0 ? 1.0 : -1.0;
+  const double sign = side_of(teeth);
   g.r = sign * reference.reference_diameter / 2.0;
   g.r_b = sign * reference.base_diameter / 2.0;
   g.addendum = racks.rack[i].addendum;

@@ -86,6 +86,7 @@ struct Gear {
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }
+  double side() const { return side_of(spec.teeth); }  ///< σ  +1 external, −1 internal
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
   /// Domain  an involute gear (contract), here and for the base radius

@@ -20,6 +20,7 @@
 
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/curve/curve.hpp"
+#include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
 
@@ -27,7 +28,7 @@ struct PinionMotion {
   int cutter_teeth;  ///< z_0 ≥ 1
   int teeth;         ///< z, negative for an internal gear
   double distance;   ///< E > 0  mm
-  double side() const { return teeth > 0 ? 1.0 : -1.0; }
+  double side() const { return side_of(teeth); }
   double ratio() const { return static_cast<double>(cutter_teeth) / teeth; }  ///< m
   double cutter_pitch_radius() const;                                         ///< r_p  mm
   double pitch_radius() const;                                                ///< r_g  mm, signed

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/generation/outline.hpp"
 #include "gearwright/inspection/identify_fit.hpp"
 #include "gearwright/inspection/identify_model.hpp"
 #include "gearwright/inspection/standard_racks.hpp"
@@ -209,7 +210,7 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
     const double likelihood = std::exp(f.log_worth - top) / sum;
     if (likelihood < kNothing || static_cast<int>(list.size()) == kMostCandidates) break;
     const GearNumbers& g = f.fit.gear;
-    const double side = p.teeth > 0 ? 1.0 : -1.0;
+    const double side = side_of(p.teeth);
     const double d = std::abs(g.teeth) * g.module / std::cos(g.beta);
     const double nominal = d + side * 2 * g.module * (1 + g.shift);
     std::optional<double> of_tip;

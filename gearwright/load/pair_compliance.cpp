@@ -57,7 +57,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   // The loaded flank of the section lies at y > 0. In N it is the right one of both gears of an
   // external pair: mirrored. Of an internal pair N is mirrored already; its pinion touches with the
   // left flank, as the section has it, its ring with the right one, and is mirrored back.
-  const double twist = gear.internal() ? gear.twist() : -gear.twist();
+  const double twist = -gear.side() * gear.twist();
   const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
                                           std::nullopt, request.progress);
   if (!section) return of_gear(which, section.error());

@@ -28,7 +28,7 @@ struct Fillet {
 
 Fillet fillet_of(const LoadScene& report, std::size_t which) {
   // The outline runs to the tip with the material on its right, of an internal gear on its left.
-  const double side = report.gears[which]->internal() ? -1.0 : 1.0;
+  const double side = report.gears[which]->side();
   const Eigen::MatrixXd& stress = shown_torque(report).root_stress[which];
   Fillet f;
   Index row = 0;
@@ -51,7 +51,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double most = f.stress[f.worst];
   const std::string name = fmt::format("Gear {}", which + 1);
   // From a module behind the root to almost one beyond the fillet, the pulled side in the middle.
-  const double out = gear.internal() ? -1.0 : 1.0;
+  const double out = gear.side();
   const double root = f.at.front().norm() - out * 1.0 * module;
   const double flank = f.at.back().norm() + out * 0.9 * module;
   const auto [lo, hi] = std::minmax(root, flank);

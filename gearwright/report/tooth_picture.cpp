@@ -42,7 +42,7 @@ Viewport window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
   const double m = gear.spec.normal_module;
-  const double out = gear.internal() ? -1.0 : 1.0;  // from root to tip
+  const double out = gear.side();  // from root to tip
   const double pitch = gear.transverse_module * std::numbers::pi;
   const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
