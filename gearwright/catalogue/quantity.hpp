@@ -133,8 +133,63 @@ struct Quantity {
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
 };
 
+/// The forms of an entry of S. `Self` adds it.
+template <class Self, class S>
+class QuantityForms {
+ public:
+  using Get = std::function<Value(const S&)>;
+
+  // One quantity each. `group` heads it for people, `symbol` may be empty.
+  auto& mm(const char* group, const char* key, const char* words, const char* symbol,
+           const char* meaning, Get get) {
+    return number(Unit::mm, group, key, words, symbol, meaning, std::move(get));
+  }
+  auto& deg(const char* group, const char* key, const char* words, const char* symbol,
+            const char* meaning, Get get) {
+    return number(Unit::deg, group, key, words, symbol, meaning, std::move(get));
+  }
+  auto& pure(const char* group, const char* key, const char* words, const char* symbol,
+             const char* meaning, Get get) {
+    return number(Unit::none, group, key, words, symbol, meaning, std::move(get));
+  }
+  auto& number(Unit unit, const char* group, const char* key, const char* words, const char* symbol,
+               const char* meaning, Get get) {
+    return self().add(Type::number, unit, group, key, words, symbol, meaning, std::move(get));
+  }
+  auto& whole(const char* group, const char* key, const char* words, const char* symbol,
+              const char* meaning, Get get) {
+    return self().add(Type::whole, Unit::none, group, key, words, symbol, meaning, std::move(get));
+  }
+  auto& flag(const char* group, const char* key, const char* words, const char* meaning, Get get) {
+    return self()
+        .add(Type::flag, Unit::none, group, key, words, "", meaning, std::move(get))
+        .always();
+  }
+  auto& word(const char* group, const char* key, const char* words, const char* meaning, Get get) {
+    return self().add(Type::word, Unit::none, group, key, words, "", meaning, std::move(get));
+  }
+  auto& text(const char* key, const char* meaning, Get get) {
+    return self()
+        .add(Type::text, Unit::none, "", key, key, "", meaning, std::move(get))
+        .doors(kJson);
+  }
+  /// A record, or a list of them, of what `of` says.
+  auto& record(const char* group, const char* key, const char* meaning,
+               const QuantityTable& (*of)(), Get get) {
+    auto& q = self().add(Type::record, Unit::none, group, key, key, "", meaning, std::move(get));
+    q.info.of = of;
+    return q;
+  }
+
+ private:
+  Self& self() { return static_cast<Self&>(*this); }
+};
+
+template <class S, class P>
+class PartQuantities;
+
 template <class S>
-class Quantities {
+class Quantities : public QuantityForms<Quantities<S>, S> {
  public:
   using Get = std::function<Value(const S&)>;
 
@@ -151,45 +206,15 @@ class Quantities {
   /// The headings in the order in which people meet them; others follow as they come.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
-  // One quantity each. `group` heads it for people, `symbol` may be empty.
   Quantity<S>& add(Type type, Unit unit, const char* group, const char* key, const char* words,
                    const char* symbol, const char* meaning, Get get) {
     list_.push_back({{key, words, symbol, unit, group, meaning, type}, std::move(get)});
     return list_.back();
   }
-  Quantity<S>& mm(const char* group, const char* key, const char* words, const char* symbol,
-                  const char* meaning, Get get) {
-    return add(Type::number, Unit::mm, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& deg(const char* group, const char* key, const char* words, const char* symbol,
-                   const char* meaning, Get get) {
-    return add(Type::number, Unit::deg, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& pure(const char* group, const char* key, const char* words, const char* symbol,
-                    const char* meaning, Get get) {
-    return add(Type::number, Unit::none, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& whole(const char* group, const char* key, const char* words, const char* symbol,
-                     const char* meaning, Get get) {
-    return add(Type::whole, Unit::none, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& flag(const char* group, const char* key, const char* words, const char* meaning,
-                    Get get) {
-    return add(Type::flag, Unit::none, group, key, words, "", meaning, std::move(get)).always();
-  }
-  Quantity<S>& word(const char* group, const char* key, const char* words, const char* meaning,
-                    Get get) {
-    return add(Type::word, Unit::none, group, key, words, "", meaning, std::move(get));
-  }
-  Quantity<S>& text(const char* key, const char* meaning, Get get) {
-    return add(Type::text, Unit::none, "", key, key, "", meaning, std::move(get)).doors(kJson);
-  }
-  /// A record, or a list of them, of what `of` says.
-  Quantity<S>& record(const char* group, const char* key, const char* meaning,
-                      const QuantityTable& (*of)(), Get get) {
-    Quantity<S>& q = add(Type::record, Unit::none, group, key, key, "", meaning, std::move(get));
-    q.info.of = of;
-    return q;
+  /// Entries of a part of the subject, which `find` finds or not.
+  template <class P>
+  PartQuantities<S, P> part(const P* (*find)(const S&)) {
+    return {*this, find};
   }
 
   const QuantityTable& table() const { return table_; }
@@ -219,6 +244,29 @@ class Quantities {
  private:
   std::deque<Quantity<S>> list_;  // entries stay where they are while more are added
   QuantityTable table_;
+};
+
+/// Entries of what only some subjects have: one kind of pair, a result that may be absent. Their
+/// getters take it as it is; without it the value is null.
+template <class S, class P>
+class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
+ public:
+  using Find = const P* (*)(const S&);
+
+  PartQuantities(Quantities<S>& all, Find find) : all_(all), find_(find) {}
+
+  Quantity<S>& add(Type type, Unit unit, const char* group, const char* key, const char* words,
+                   const char* symbol, const char* meaning, std::function<Value(const P&)> get) {
+    return all_.add(type, unit, group, key, words, symbol, meaning,
+                    [find = find_, get = std::move(get)](const S& subject) {
+                      const P* part = find(subject);
+                      return part ? get(*part) : Value();
+                    });
+  }
+
+ private:
+  Quantities<S>& all_;
+  Find find_;
 };
 
 /// "mm", "°", "µm"; empty for pure numbers.
