@@ -57,12 +57,11 @@ std::string gear_html(const GearValue& g) {
 
 std::string pair_html(const PairValue& p) {
   const Pair& pair = p.pair();
-  const InvolutePair* involute = pair.involute();
-  const bool picture =
-      involute && !pair.crossed() && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
+  const ParallelPair* parallel = pair.parallel();
+  const bool picture = parallel && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
   return framed(fmt::format("Gear pair {} / {}", pair.gear(1).spec.teeth, pair.gear(2).spec.teeth),
                 definitions({&pair.gear(1), &pair.gear(2)}) + verdict_line(judge(p.model->job)) +
-                    (picture ? mesh_figures(*involute, kShapes) : std::string()) +
+                    (picture ? mesh_figures(*parallel, kShapes) : std::string()) +
                     pair_table(pair));
 }
 

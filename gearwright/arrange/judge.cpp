@@ -37,7 +37,7 @@ struct RatedAgain {
   Rating rating;
 };
 std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRating& nominal) {
-  const auto pair = rated_pair(*arranged.pair->involute());
+  const auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
   auto rating = rate(*pair, *nominal.input);
   if (!rating) return std::nullopt;
@@ -133,9 +133,8 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   state.findings = depth == TryDepth::as_drawn ? findings_of(judged_of(changed, of_changed))
                                                : findings_within_tolerances(changed, of_changed);
   if (changed.pair) {
-    state.contact_ratio = true_contact_ratio(*changed.pair);
-    const InvolutePair* p = changed.pair->involute();
-    state.backlash = p ? p->mesh.backlash.normal : changed.pair->arcs()->backlash_normal;
+    state.contact_ratio = changed.pair->contact_ratio_true();
+    state.backlash = changed.pair->normal_backlash();
   }
   return state;
 }

@@ -73,8 +73,7 @@ std::optional<Error> not_made_for(const Arranged& arranged) {
 }
 
 LoadRegime regime_of(const Arranged& arranged) {
-  const bool lines = arranged.pair->involute() && !arranged.pair->crossed();
-  return lines ? LoadRegime::line : LoadRegime::point;
+  return arranged.pair->parallel() ? LoadRegime::line : LoadRegime::point;
 }
 
 // Deflections bend lines; where a point of contact goes is for the errors of mounting to say.

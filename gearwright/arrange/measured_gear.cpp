@@ -176,8 +176,7 @@ class Measuring {
                      "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
     }
     ToleranceSubject subject = tolerance_subject(gear_);
-    const InvolutePair* const mounted =
-        request_.pair && !request_.pair->crossed() ? request_.pair->involute() : nullptr;
+    const ParallelPair* const mounted = request_.pair ? request_.pair->parallel() : nullptr;
     if (mounted && mounted->flanks_meet()) subject.contact_ratio = mounted->contact_ratio();
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
@@ -228,13 +227,14 @@ Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools) {
 
 ToleranceSubject tolerance_subject(const Gear& gear) {
   const CylindricalSpec& s = gear.spec;
-  return {gear.reference_diameter,
-          s.normal_module,
-          s.face_width,
-          std::abs(s.teeth),
-          s.helix_angle.rad(),
-          of_involute(gear, &ReferenceGeometry<double>::transverse_pressure_angle),
-          {}};
+  return {
+      gear.reference_diameter,
+      s.normal_module,
+      s.face_width,
+      std::abs(s.teeth),
+      s.helix_angle.rad(),
+      gear.involute() ? std::optional(gear.reference().transverse_pressure_angle) : std::nullopt,
+      {}};
 }
 
 }  // namespace gearwright

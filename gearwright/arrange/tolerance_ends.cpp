@@ -125,7 +125,7 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
       given.gears[i]->cylindrical.thickness_allowance = nominal.gears[i].spec.thickness_allowance;
   }
   if (deviations) {
-    const bool wider_is_looser = nominal.pair->kind() != PairKind::parallel_internal;
+    const bool wider_is_looser = nominal.pair->mounted().side() > 0.0;
     given.pair.center_distance =
         nominal.pair->center_distance() + (*deviations)[(end == 0) == wider_is_looser ? 1 : 0];
     given.pair.shaft_angle = nominal.pair->shaft_angle();

@@ -133,11 +133,9 @@ const Quantities<ArcContactView>& arc_contact_quantities() {
   return kAll;
 }
 
-std::vector<ArcContactView> arc_contacts_of(const Pair& v) {
+std::vector<ArcContactView> arc_contacts_of(const ArcPair& pair) {
   std::vector<ArcContactView> list;
-  if (v.arcs()) {
-    for (const ArcPairContact& c : v.arcs()->contacts) list.push_back({v.arcs(), &c});
-  }
+  for (const ArcPairContact& c : pair.contacts) list.push_back({&pair, &c});
   return list;
 }
 

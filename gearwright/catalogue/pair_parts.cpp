@@ -18,11 +18,6 @@ double amount(const Interference& i) {
   return angle ? angle->rad() : std::get<double>(i.amount);
 }
 
-// Lengths along the line: in the transverse section, or in space where the axes cross.
-double line_cosine(const InvolutePair& p) {
-  return p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
-}
-
 struct PathPoint {
   const InvolutePair* pair;
   double rho1;
@@ -31,9 +26,9 @@ struct PathPoint {
 void say_path_point(Quantities<PathPoint>& q) {
   using P = PathPoint;
   q.mm("", "from_A_mm", "distance from A", "", "along the line",
-       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_A) / line_cosine(*p.pair)); });
+       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_A) / p.pair->mesh.line_cosine); });
   q.mm("", "from_pitch_point_mm", "distance from the pitch point", "", "along the line",
-       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_C) / line_cosine(*p.pair)); });
+       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_C) / p.pair->mesh.line_cosine); });
   q.mm("", "rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile",
        [](const P& p) { return Value(p.rho1); });
   q.mm("", "rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
@@ -133,16 +128,16 @@ const Quantities<LineView>& line_quantities() {
   return kAll;
 }
 
-std::optional<LineView> line_of(const Pair& v) {
-  if (v.involute()) {
-    const InvolutePair& p = *v.involute();
-    return LineView{p.path_length(),
-                    {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
-                    {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
-  }
-  // The way of the first contact over the common face, and its mirror image on the non-working
-  // flanks.
-  const ArcPair& p = *v.arcs();
+namespace {
+
+std::optional<LineView> line_between(const InvolutePair& p) {
+  return LineView{p.path_length(),
+                  {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
+                  {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
+}
+
+// The way of the first contact over the common face, and its mirror image on the non-working flanks.
+std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
   const double face = std::min(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
@@ -150,6 +145,33 @@ std::optional<LineView> line_of(const Pair& v) {
   return LineView{face,
                   {Vec3(at.x(), at.y(), -half), Vec3(at.x(), at.y(), half)},
                   {Vec3(at.x(), -at.y(), half), Vec3(at.x(), -at.y(), -half)}};
+}
+
+std::vector<InterferenceView> interference_between(const InvolutePair& p) {
+  std::vector<InterferenceView> list;
+  for (const Interference& i : p.interference)
+    list.push_back({i.code, i.gear, amount(i), i.message});
+  return list;
+}
+
+std::vector<InterferenceView> interference_between(const ArcPair& p) {
+  std::vector<InterferenceView> list;
+  for (const Warning& w : p.warnings) {
+    if (w.code == WarningCode::root || w.code == WarningCode::interference ||
+        w.code == WarningCode::overlap)
+      list.push_back({w.code, w.gear, std::nullopt, w.message});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<LineView> line_of(const Pair& v) {
+  return v.visit([](const auto& p) { return line_between(p); });
+}
+
+std::vector<InterferenceView> interference_of(const Pair& v) {
+  return v.visit([](const auto& p) { return interference_between(p); });
 }
 
 const Quantities<InvolutePair>& path_quantities() {
@@ -204,24 +226,24 @@ const Quantities<PairBacklash>& backlash_quantities() {
   return kAll;
 }
 
-const Quantities<InvolutePair>& needed_face_quantities() {
-  static const Quantities<InvolutePair> kAll(
-      "pair.needed face width", [](Quantities<InvolutePair>& q) {
+const Quantities<ParallelPair>& needed_face_quantities() {
+  static const Quantities<ParallelPair> kAll(
+      "pair.needed face width", [](Quantities<ParallelPair>& q) {
         const auto positive = [](double total) {
-          return [total](const InvolutePair& p) {
+          return [total](const ParallelPair& p) {
             return face_width_for_total(p, total).value_or(0.0) > 0.0;
           };
         };
         q.mm("", "total_1", "face width for a total contact ratio of 1", "b",
              "null for a spur pair that needs one",
-             [](const InvolutePair& p) { return Value(face_width_for_total(p, 1.0)); })
+             [](const ParallelPair& p) { return Value(face_width_for_total(p, 1.0)); })
             .shown(positive(1.0));
         q.mm("", "total_1_2", "face width for a total contact ratio of 1.2", "b",
              "null for a spur pair that needs one",
-             [](const InvolutePair& p) { return Value(face_width_for_total(p, 1.2)); })
+             [](const ParallelPair& p) { return Value(face_width_for_total(p, 1.2)); })
             .shown(positive(1.2));
         q.mm("", "overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
-             [](const InvolutePair& p) { return Value(face_width_for_overlap(p)); });
+             [](const ParallelPair& p) { return Value(face_width_for_overlap(p)); });
       });
   return kAll;
 }
@@ -258,18 +280,19 @@ const Quantities<Efficiency>& efficiency_quantities() {
   return kAll;
 }
 
-const Quantities<InvolutePair>& internal_quantities() {
-  static const Quantities<InvolutePair> kAll("pair.internal", [](Quantities<InvolutePair>& q) {
+const Quantities<InternalMargins>& internal_quantities() {
+  using M = InternalMargins;
+  static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
     q.mm(kMargins, "involute_margin_mm",
          "involute: start of the path above the pinion's form point", "",
          "[T2.27]; negative: the tip reaches below it, null: no such limit",
-         [](const InvolutePair& p) { return Value(p.involute_margin); });
+         [](const M& m) { return Value(m.involute); });
     q.deg(kMargins, "trochoid_margin_deg", "trochoid: tips pass each other", "",
           "[T2.28], of sharp tips without backlash; negative: they collide; null: no such limit",
-          [](const InvolutePair& p) { return degrees(p.trochoid_margin); });
+          [](const M& m) { return degrees(m.trochoid); });
     q.deg(kMargins, "trimming_margin_deg", "trimming: radial assembly", "",
           "[T2.28]; negative: axial mounting only; null: no such limit",
-          [](const InvolutePair& p) { return degrees(p.trimming_margin); });
+          [](const M& m) { return degrees(m.trimming); });
   });
   return kAll;
 }
@@ -330,22 +353,6 @@ const Quantities<Collision>& collision_quantities() {
      }).always();
   });
   return kAll;
-}
-
-std::vector<InterferenceView> interference_of(const Pair& v) {
-  std::vector<InterferenceView> list;
-  if (v.involute()) {
-    for (const Interference& i : v.involute()->interference)
-      list.push_back({i.code, i.gear, amount(i), i.message});
-  } else {
-    for (const Warning& w : v.arcs()->warnings) {
-      if (w.code != WarningCode::root && w.code != WarningCode::interference &&
-          w.code != WarningCode::overlap)
-        continue;
-      list.push_back({w.code, w.gear, std::nullopt, w.message});
-    }
-  }
-  return list;
 }
 
 }  // namespace gearwright

@@ -35,10 +35,10 @@ const Quantities<InvolutePair>& path_quantities();
 
 const Quantities<PairBacklash>& backlash_quantities();
 
-const Quantities<InvolutePair>& needed_face_quantities();
+const Quantities<ParallelPair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
-const Quantities<InvolutePair>& internal_quantities();
+const Quantities<InternalMargins>& internal_quantities();
 
 /// One entry of `interference`.
 struct InterferenceView {
@@ -59,6 +59,6 @@ struct ArcContactView {
   const ArcPairContact* contact;
 };
 const Quantities<ArcContactView>& arc_contact_quantities();
-std::vector<ArcContactView> arc_contacts_of(const Pair& pair);
+std::vector<ArcContactView> arc_contacts_of(const ArcPair& pair);
 
 }  // namespace gearwright

@@ -70,7 +70,7 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
       r.alpha_t = reference.transverse_pressure_angle;
       r.beta_b = std::abs(reference.base_helix_angle);
     }
-    const double side = teeth[i] < 0 ? -1.0 : 1.0;
+    const double side = side_of(teeth[i]);
     sum += side * reference.base_diameter / 2;
     const StraightRack rack = rack_of(problem, t, i);
     RatedGear& g = r.gears[i];
@@ -119,8 +119,8 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
     if (!gears[i]->internal()) continue;
     if (auto cut = cut_by_default(*gears[i])) gears[i] = std::move(cut);
   }
-  const auto pair = mount_involutes(*std::move(gears[0]), *std::move(gears[1]),
-                                    PairSpec{.center_distance = row.center_distance});
+  const auto pair = mount(*std::move(gears[0]), *std::move(gears[1]),
+                          PairSpec{.center_distance = row.center_distance});
   if (!pair) return pair.error();
   return rated_pair(*pair);
 }

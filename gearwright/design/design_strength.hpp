@@ -18,7 +18,7 @@ namespace gearwright {
 
 /// The pair of a design as the rating takes it.
 ///
-/// Errors    as make_gear, mount_involutes, rated_pair
+/// Errors    as make_gear, mount, rated_pair
 /// Accuracy  both ways agree to 1e-12 (design/design_strength_test.cpp)
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The same by gears that are cut and mounted.

@@ -82,7 +82,7 @@ double gap_of(const Gear& gear) {
 
 class Search {
  public:
-  explicit Search(const FewTeethProblem& p) : p_(p), side_(p.teeth[1] > 0 ? 1.0 : -1.0) {}
+  explicit Search(const FewTeethProblem& p) : p_(p), side_(side_of(p.teeth[1])) {}
 
   Verdict best;
   int tried = 0;
@@ -329,7 +329,7 @@ class Search {
   }
 
   Verdict mounted(Cut cut) const {
-    auto pair = mount_involutes(std::move(cut.gear_1), std::move(cut.gear_2), {cut.mounted});
+    auto pair = mount_as<ParallelPair>(std::move(cut.gear_1), std::move(cut.gear_2), {cut.mounted});
     if (!pair) return stopped(11, pair.error().quoted());
     if (!pair->interference.empty())
       return stopped(12, "interference: " + pair->interference.front().message);
@@ -339,7 +339,7 @@ class Search {
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
-  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, InvolutePair pair,
+  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, ParallelPair pair,
                double distance, double mounted) const {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);

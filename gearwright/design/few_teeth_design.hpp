@@ -47,7 +47,7 @@ struct FewTeethDesign {
   double wheel_tip_diameter, wheel_shift;
   double generating_distance, center_distance;
   double face_width;
-  InvolutePair pair;
+  ParallelPair pair;
 };
 
 struct FewTeethAnswer {

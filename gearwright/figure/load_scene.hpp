@@ -17,7 +17,7 @@ namespace gearwright {
 
 struct LoadScene {
   std::array<const Gear*, 2> gears{};
-  const InvolutePair* pair = nullptr;  ///< that turns under the slider; null: teeth touch at points
+  const ParallelPair* pair = nullptr;  ///< that turns under the slider; null: teeth touch at points
   bool gear2_drives = false;
   LoadedContact contact;               ///< positions evenly over one pitch, from −half a pitch on
   std::vector<LoadStandard> standard;  ///< at each torque; may be empty

@@ -105,10 +105,6 @@ struct Gear {
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
 
-/// A number of involute gears; none for other gears.
-std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number);
-std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number);
-
 /// Checks the limits of a spec and returns the first member out of bounds, or nothing. make_gear
 /// calls it too.
 std::optional<Error> check_limits(const CylindricalSpec& spec);

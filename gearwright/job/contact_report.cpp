@@ -110,7 +110,7 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
   const int positions = std::min(r.positions, kMaxPositions);
-  const bool of_points = job.pair->crossed() || job.pair->arcs();
+  const bool of_points = !job.pair->parallel();
   const auto make = [&](std::size_t i) {
     if (i == 0) {
       r.patterns =

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/double_helical_quantities.hpp"
@@ -115,10 +116,13 @@ std::string gear_listing(const SolvedJob& job) {
 }
 
 std::string pair_listing(const Pair& pair) {
-  const char* kind = pair.arcs()      ? "Circular-arc pair, parallel axes"
-                     : pair.crossed() ? "Pair on crossed axes"
-                     : pair.kind() == PairKind::parallel_external ? "External pair, parallel axes"
-                                                                  : "Internal pair, parallel axes";
+  const char* kind =
+      pair.visit(Overloaded{[](const ArcPair&) { return "Circular-arc pair, parallel axes"; },
+                            [](const CrossedPair&) { return "Pair on crossed axes"; },
+                            [](const ParallelPair& p) {
+                              return p.margins ? "Internal pair, parallel axes"
+                                               : "External pair, parallel axes";
+                            }});
   return fmt::format("\n{}\n", kind) +
          quantity_listing(pair_quantities().table(), {pair_quantities().of(pair)}, {});
 }

@@ -47,9 +47,8 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   if (part.answer.contact) {
     auto contact = over_a_pitch(job, part.answer, progress);
     if (!contact) return contact.error();
-    const bool lines = contact->regime == LoadRegime::line;
     part.report = LoadScene{{&job.gears[0], &job.gears[1]},
-                            lines ? job.pair->involute() : nullptr,
+                            job.pair->parallel(),
                             input.driver == 2,
                             std::move(contact).take(),
                             load_standard(job, part.answer)};

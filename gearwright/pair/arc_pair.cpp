@@ -274,6 +274,10 @@ void warn_about_pair(ArcPair& pair) {
 std::vector<WorkingArc> convex_arcs(const Gear& gear) { return working(gear, 1.0); }
 std::vector<WorkingArc> concave_arcs(const Gear& gear) { return working(gear, -1.0); }
 
+double ArcPair::contact_ratio() const {
+  return overlap_ratio * static_cast<double>(std::max<std::size_t>(1, contacts.size()));
+}
+
 std::array<double, 2> ArcPair::working_pitch_diameter() const {
   const double z_1 = gears[0].spec.teeth, z_2 = gears[1].spec.teeth;
   return {2 * center_distance * z_1 / (z_1 + z_2), 2 * center_distance * z_2 / (z_1 + z_2)};
@@ -302,8 +306,6 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
   // [T7.11]
   pair.overlap_ratio = std::min(s_1.face_width, s_2.face_width) *
                        std::sin(std::abs(s_1.helix_angle.rad())) / (kPi * s_1.normal_module);
-  pair.contact_ratio =
-      pair.overlap_ratio * static_cast<double>(std::max<std::size_t>(1, pair.contacts.size()));
   pair.face_for_contact = longest_gap(pair);
   for (const std::size_t i : {0, 1}) {
     pair.tip_clearance[i] = pair.center_distance - pair.gears[i].actual_tip_radius() -

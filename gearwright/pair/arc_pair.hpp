@@ -27,12 +27,14 @@ struct ArcPair : MountedGears {
   ArcPair() = default;   ///< empty, and no aggregate: mount_arcs() makes it
   double overlap_ratio;  ///< ε_β  of the common face; for unequal racks of gear 1's
   std::vector<ArcPairContact> contacts;  ///< empty where the gears are not of one lead
-  double contact_ratio;                  ///< ε_β times the number of contacts
   double face_for_contact;  ///< the least face width over which one point always touches, mm
   std::optional<std::array<Angle, 2>>
       backlash_rotation;         ///< of each gear with the mating gear held; none without contacts
   double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
 
+  double contact_ratio() const;  ///< ε_β times the number of contacts
+  double contact_ratio_true() const { return contact_ratio(); }
+  double normal_backlash() const { return backlash_normal; }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
   /// The contact that touches first: the one with the minimum angular backlash.   Domain: there are
   /// contacts

@@ -136,16 +136,15 @@ std::optional<double> min_on(const std::function<double(double)>& f) {
 
 }  // namespace
 
-std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
+std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
   GW_EXPECTS(which == 1 || which == 2);
   const Gear& gear = pair.gears[which - 1];
   const Gear& mate = pair.gears[2 - which];
   if (!gear.tooth) return std::nullopt;  // an internal gear that nothing has cut
   const double a = pair.center_distance;
-  GW_EXPECTS(!pair.crossed());
-  const Orbit::Kind kind = pair.kind == PairKind::parallel_external ? Orbit::external
-                           : gear.internal()                        ? Orbit::ring
-                                                                    : Orbit::in_ring;
+  const Orbit::Kind kind = gear.internal()   ? Orbit::ring
+                           : mate.internal() ? Orbit::in_ring
+                                             : Orbit::external;
   const double play =
       (which == 1 ? pair.mesh.backlash.rotation[1] : pair.mesh.backlash.rotation[0]) / 2;
   const double z = std::abs(gear.spec.teeth);

@@ -11,9 +11,9 @@ void find_form_clearance(InvolutePair& pair);
 /// Tips to roots on the centre line; `root`.
 void find_tip_clearance(InvolutePair& pair);
 /// Internal pairs: involute, trochoid and trimming interference. [T2.27], [T2.28]
-void find_internal_margins(InvolutePair& pair);
-/// Tip corners to fillets, parallel axes; `tip_to_fillet`. [T2.26]
-void find_fillet_clearance(InvolutePair& pair);
+void find_internal_margins(ParallelPair& pair);
+/// Tip corners to fillets; `tip_to_fillet`. [T2.26]
+void find_fillet_clearance(ParallelPair& pair);
 /// Overlap of the outlines, strikes beyond the flanks and the free play of two gears whose flanks
 /// have this play: half of it as a turn of gear 2, all of it along the normal, mm. [T2.29]…[T2.33]
 ///

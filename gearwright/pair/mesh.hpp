@@ -50,6 +50,8 @@ struct Mesh {
   T line_offset;            ///< z_L   mm; the trailing line lies at −z_L
   T base_tangent_distance;  ///< N     between the base tangent points, in the measure of ρ_1
   T base_cosine_ratio;      ///< c_2/c_1
+  T line_cosine;            ///< c_1 on crossed axes, whose line of action leaves the transverse
+                            ///< section; 1 on parallel axes
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
                                              ///< negative: beyond the base tangent
   T path_length;    ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
@@ -174,6 +176,7 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   const T c_1 = cos(gears[0].helix_angle);
   const T c_2 = cos(gears[1].helix_angle);
   m.base_cosine_ratio = m.crossed ? T(c_2 / c_1) : T(1);
+  m.line_cosine = m.crossed ? c_1 : T(1);
   const auto& sides = m.rack.sides;
   for (int i : {0, 1}) {
     m.tan_base_helix[i] = tan(gears[i].helix_angle);

@@ -14,11 +14,8 @@
 
 namespace gearwright {
 
-enum class PairKind { parallel_external, parallel_internal, crossed };
-
 struct MountedGears {
   MountedGears() = default;  ///< empty, and no aggregate: mount() makes it
-  PairKind kind = PairKind::parallel_external;
   std::array<Gear, 2> gears{};
   double center_distance = 0.0;            ///< a    mm
   double reference_center_distance = 0.0;  ///< a_d  mm
@@ -35,8 +32,9 @@ struct MountedGears {
   std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 
-  bool crossed() const { return kind == PairKind::crossed; }
-  double gear_ratio() const;  ///< z2/z1, negative for internal pairs
+  bool crossed() const { return shaft_angle.rad() != 0.0; }
+  double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
+  double gear_ratio() const;                       ///< z2/z1, negative for internal pairs
   /// Gear frames in the housing at rotation 0. [T1.5]
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;

@@ -77,8 +77,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
     return {CollisionCause::tip_bulge, gear};
   // A pinion's tip corner in an internal gear's flank passes it on the way in or out.
   if (touch.places[0].corner)
-    return p.kind == PairKind::parallel_internal ? Cause{CollisionCause::trochoid, 2}
-                                                 : Cause{CollisionCause::tip_corner, 2};
+    return p.gears[1].internal() ? Cause{CollisionCause::trochoid, 2}
+                                 : Cause{CollisionCause::tip_corner, 2};
   if (touch.places[1].corner) return {CollisionCause::tip_corner, 1};
   return {CollisionCause::outline, 0};
 }
@@ -119,8 +119,7 @@ Collision in_root(const MountedGears& p, int tip) {
   OutlineTouch touch;
   touch.gap = 0.0;
   const double r = p.gears[i].actual_tip_radius();
-  const double side = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
-  touch.point = tip == 1 ? Vec2(side * r, 0.0) : Vec2(p.center_distance - r, 0.0);
+  touch.point = tip == 1 ? Vec2(p.side() * r, 0.0) : Vec2(p.center_distance - r, 0.0);
   touch.rotation_1 = tip == 1 ? 0.0 : std::numbers::pi / p.gears[0].spec.teeth;
   touch.places[i] = {ArcName::tip_land, false};
   touch.places[1 - i] = {ArcName::root_land, false};

@@ -86,7 +86,7 @@ Factor flank_helix_factor(const RatedPair& pair) {
 double pitch_curvature(const RatedPair& pair) {
   const double t = std::tan(pair.alpha_wt) / 2;
   const double rho1 = pair.gears[0].base_diameter * t;
-  const double rho2 = pair.gears[1].base_diameter * t * (pair.internal() ? -1 : 1);
+  const double rho2 = pair.gears[1].base_diameter * t * pair.gears[1].side();
   return rho1 * rho2 / (rho1 + rho2);
 }
 

@@ -28,7 +28,7 @@ Centrodes centrodes_of(const InvolutePair& pair) {
     c.reference[i] = pair.gears[i].reference_diameter / 2;
     c.working[i] = pair.mesh.rack.sides[i].pitch_radius;
   }
-  c.side_1 = pair.kind == PairKind::parallel_internal ? -1.0 : 1.0;
+  c.side_1 = pair.side();
   c.side_2 = -1.0;
   c.a_d = pair.reference_center_distance;
   c.a = pair.center_distance;

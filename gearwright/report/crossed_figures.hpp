@@ -55,32 +55,32 @@ std::string section_figure(const InvolutePair& pair);
 /// Over the pressure angle of the common rack: centre distance, shaft angle and contact ratio without
 /// backlash, with the least centre distance, its approximations and the place where the pair is
 /// mounted. One curve per panel, all over the same α_wn.
-std::string range_figure(const InvolutePair& pair);
+std::string range_figure(const CrossedPair& pair);
 
 /// The face widths that the lines of action need: f and f′ over α_wn, with the actual face widths.
-std::string face_width_figure(const InvolutePair& pair);
+std::string face_width_figure(const CrossedPair& pair);
 
 /// The faces from end to end, with the parts that the leading and the trailing line use.
 ///
 /// Domain    the flanks meet (contract)
-std::string face_use_figure(const InvolutePair& pair);
+std::string face_use_figure(const CrossedPair& pair);
 
 /// How the flanks slide over each other: across the teeth, as on parallel axes, and along them, as a
 /// screw. A figure and a table: speeds of the contact over the flanks, mm per radian of gear 1.
 ///
 /// Domain    the flanks meet (contract)
-std::string speed_figures(const InvolutePair& pair);
+std::string speed_figures(const CrossedPair& pair);
 
 /// The least centre distance, exact and as it was found by hand: where on the curve a(α_wn) the
 /// approximate solutions of pair/series.hpp lie, magnified. Empty where there is nothing to compare: no
 /// least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
-std::string min_distance_figure(const InvolutePair& pair);
+std::string min_distance_figure(const CrossedPair& pair);
 
 /// The solutions with the exact place at the angle of each: Δ to the exact solution. A sentence
 /// where all agree (the sum of shifts is nothing), empty where there are none.
-std::string min_distance_table(const InvolutePair& pair);
+std::string min_distance_table(const CrossedPair& pair);
 
 /// Both, folded away: they are for a user who checks a calculation by hand.
-std::string min_distance_part(const InvolutePair& pair);
+std::string min_distance_part(const CrossedPair& pair);
 
 }  // namespace gearwright

@@ -33,7 +33,7 @@ double transverse_of(const BasePair<double>& gears, double alpha_n) {
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));
 }
 
-std::optional<CrossedSample> sample_at_transverse(const InvolutePair& pair, double alpha) {
+std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, double alpha) {
   const BasePair<double>& gears = pair.input.gears;
   const CrossedPlace place = crossed_place(gears, alpha);
   if (!shaft_angle_range(gears).contains(place.shaft_angle.rad())) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<CrossedSample> sample_at_transverse(const InvolutePair& pair, doub
 }
 
 // The gears as one rack cut them, or nothing.
-std::optional<ReferencePair<double>> shared_rack(const InvolutePair& pair) {
+std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {
     const CylindricalSpec& s = pair.gears[i].spec;
@@ -64,16 +64,14 @@ std::optional<ReferencePair<double>> shared_rack(const InvolutePair& pair) {
 
 }  // namespace
 
-std::optional<CrossedSample> crossed_sample(const InvolutePair& pair, Angle normal_pressure_angle) {
+std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle) {
   const double alpha_n = normal_pressure_angle.rad();
-  GW_EXPECTS(pair.crossed());
   const BasePair<double>& gears = pair.input.gears;
   if (!(alpha_n > 0.0) || !has_rack(gears[limiting_gear(gears)], alpha_n)) return std::nullopt;
   return sample_at_transverse(pair, transverse_of(gears, alpha_n));
 }
 
-std::vector<CrossedSample> crossed_samples(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::vector<CrossedSample> crossed_samples(const CrossedPair& pair) {
   const BasePair<double>& gears = pair.input.gears;
   const double limit = kHalfPi - std::abs(gears[limiting_gear(gears)].helix_angle);
   std::vector<double> worth{pair.mesh.rack.normal_pressure_angle};
@@ -98,7 +96,7 @@ std::vector<CrossedSample> crossed_samples(const InvolutePair& pair) {
   return samples;
 }
 
-std::vector<Approximation> approximations(const InvolutePair& pair) {
+std::vector<Approximation> approximations(const CrossedPair& pair) {
   const auto racks = shared_rack(pair);
   if (!racks || !pair.min_distance) return {};
   const auto series = min_distance_series(*racks);
@@ -123,7 +121,7 @@ Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area)
 
 std::string angle_words() { return "working normal pressure angle " + symbol_svg("α_wn") + ", °"; }
 
-void draw_angles(Svg& svg, const InvolutePair& pair, const Axis& x, const PlotArea& area) {
+void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area) {
   const double top = area.top;
   const double bottom = area.bottom();
   draw_foot(svg, x, top, bottom, 8, angle_words());

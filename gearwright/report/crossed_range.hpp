@@ -27,14 +27,14 @@ struct CrossedSample {
 ///
 /// Formula   crossed_place, then mesh_of at that place
 /// Domain    crossed axes (contract)
-std::optional<CrossedSample> crossed_sample(const InvolutePair& pair, Angle normal_pressure_angle);
+std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
 /// Samples by growing α_wn over the part worth showing: where ε ≥ 1, the place of the pair and the
 /// least centre distance, with some margin, and no further than racks exist.
 ///
 /// Domain    crossed axes (contract)
 /// Laws      at least two samples; the pair's α_wn lies within, to 1e-6 rad
-std::vector<CrossedSample> crossed_samples(const InvolutePair& pair);
+std::vector<CrossedSample> crossed_samples(const CrossedPair& pair);
 
 /// How the pair's gears would be treated by hand: a name and the α_wn that it gives.
 struct Approximation {
@@ -46,14 +46,14 @@ struct Approximation {
 /// The approximate solutions of the least centre distance (pair/series.hpp); none unless both gears
 /// have one rack, module and pressure angle equal to 1e-9 of themselves. Those that lead to no rack
 /// are left out.
-std::vector<Approximation> approximations(const InvolutePair& pair);
+std::vector<Approximation> approximations(const CrossedPair& pair);
 
 /// The α_wn axis of these pictures, in degrees.
 Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area);
 
 /// The ground of a picture over α_wn, with its foot: shaded where ε ≥ 1, lines at the least centre
 /// distance and at the pair's place, named above the plot.
-void draw_angles(Svg& svg, const InvolutePair& pair, const Axis& x, const PlotArea& area);
+void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area);
 
 /// What an axis of α_wn carries (SVG markup).
 std::string angle_words();

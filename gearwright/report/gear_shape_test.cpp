@@ -84,8 +84,8 @@ TEST_P(GearShape, FollowsTheOutline) {
 INSTANTIATE_TEST_SUITE_P(Teeth, GearShape, ::testing::Values(6, 8, 17, 25, 60, 300));
 
 TEST(GearShape, FollowsTeethCutByGears) {
-  const InvolutePair sixty = testing::two_and_sixty();
-  const InvolutePair ring = testing::pinion_in_cut_ring();
+  const ParallelPair sixty = testing::two_and_sixty();
+  const ParallelPair ring = testing::pinion_in_cut_ring();
   for (const Gear* gear : {&sixty.gears[0], &sixty.gears[1], &ring.gears[1]}) {
     const std::vector<Vec2> chain = points_of(tooth_path(*gear), outline_unit_mm(*gear));
     double worst = 0.0;

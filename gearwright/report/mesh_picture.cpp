@@ -166,7 +166,7 @@ void draw_turn(Svg& svg, const Vec2& axis, double radius, bool clockwise, const 
 }
 
 std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>& shapes) {
-  const bool external = pair.kind == PairKind::parallel_external;
+  const bool external = pair.side() > 0.0;
   const auto [left, right, tall] = extent_of(pair);
   const double scale = 0.94 * std::min(kWholeWidth / (right - left), kWholeHeight / tall);
   // No taller than the pair needs.
@@ -222,7 +222,7 @@ std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair) {
     const Gear& gear = pair.gears[i];
     return gear.reference().base_tooth_thickness / gear.reference().base_diameter;
   };
-  const double sigma = pair.kind == PairKind::parallel_external ? 1.0 : -1.0;
+  const double sigma = pair.side();
   const double psi_1 = base_half(0) - inv_w;
   const double psi_2 = base_half(1) - sigma * inv_w;
   return {psi_1, -sigma * (std::numbers::pi / std::abs(pair.input.gears[1].teeth) - psi_2)};

@@ -21,7 +21,7 @@ Vec2 turned(const Vec2& p, double angle) {
 }
 
 TEST(MeshPicture, LeadingFlanksMeetAtThePitchPoint) {
-  for (const InvolutePair& pair : {testing::helical_pair(), testing::undercut_pair()}) {
+  for (const ParallelPair& pair : {testing::helical_pair(), testing::undercut_pair()}) {
     const auto phi = rotation_to_pitch_point(pair);
     const Vec2 C = pair.on_line_of_action(pair.mesh.rho1_C).r.head<2>();
     // Gear 1: the clockwise flank of tooth 0.
@@ -41,7 +41,7 @@ TEST(MeshPicture, LeadingFlanksMeetAtThePitchPoint) {
 }
 
 TEST(MeshPicture, PinionInItsRing) {
-  const InvolutePair pair = testing::internal_pair();
+  const ParallelPair pair = testing::internal_pair();
   const auto phi = rotation_to_pitch_point(pair);
   const Vec2 C = pair.on_line_of_action(pair.mesh.rho1_C).r.head<2>();
   Vec2 p1 = flank_point(pair.gears[0], pair.mesh.rack.sides[0].pitch_radius);

@@ -50,7 +50,7 @@ TEST(PageStyle, KnowsEveryClassOfEveryPage) {
   expect_known(report_html(testing::report_input(testing::undercut_pair())), "undercut");
   expect_known(report_html(testing::report_input(testing::two_and_sixty())), "two teeth");
   expect_known(report_html(testing::report_input(testing::internal_pair())), "internal");
-  for (const InvolutePair& pair : testing::crossed_pairs())
+  for (const CrossedPair& pair : testing::crossed_pairs())
     expect_known(report_html(testing::report_input(pair)), "crossed");
   for (const testing::SearchSample& sample : testing::all_searches())
     expect_known(search_report(sample.report()), "search");

@@ -28,7 +28,7 @@ struct Quantity {
   int digits;
 };
 
-std::vector<Quantity> quantities(const InvolutePair& pair) {
+std::vector<Quantity> quantities(const CrossedPair& pair) {
   return {
       {"centre distance " + symbol_svg("a") + ", mm",
        [](const CrossedSample& s) { return s.place.center_distance; }, pair.center_distance, 4},
@@ -40,7 +40,7 @@ std::vector<Quantity> quantities(const InvolutePair& pair) {
 
 // The range of a panel: the curve where ε ≥ 1, elsewhere only what lies in between, and the mounted
 // pair.
-std::array<double, 2> shown(const InvolutePair& pair, const std::vector<CrossedSample>& samples,
+std::array<double, 2> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                             const Quantity& q) {
   double lo = q.mounted;
   double hi = q.mounted;
@@ -54,7 +54,7 @@ std::array<double, 2> shown(const InvolutePair& pair, const std::vector<CrossedS
 }
 
 // Of the curve where the pair is mounted, px up per px to the right.
-double slope(const InvolutePair& pair, const Quantity& q, const Axis& x, const Axis& y) {
+double slope(const CrossedPair& pair, const Quantity& q, const Axis& x, const Axis& y) {
   const Angle at = Angle::radians(pair.mesh.rack.normal_pressure_angle);
   const Angle step = Angle::degrees(0.01 * (x.hi - x.lo));
   const auto before = crossed_sample(pair, at - step);
@@ -63,7 +63,7 @@ double slope(const InvolutePair& pair, const Quantity& q, const Axis& x, const A
   return (y(q.value(*before)) - y(q.value(*after))) / (x(2 * step.deg()) - x(0.0));
 }
 
-void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSample>& samples,
+void draw_panel(Svg& svg, const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                 const Quantity& q, const Axis& x, double top) {
   const auto [lo, hi] = shown(pair, samples, q);
   const Axis y{lo, hi, top + kPanel, top};
@@ -94,7 +94,7 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
            {left ? -9.0 : 9.0, high ? -9.0 : 17.0});
 }
 
-std::string range_svg(const InvolutePair& pair) {
+std::string range_svg(const CrossedPair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   const Axis x = angle_axis(samples, kArea);
   Svg svg("range", kArea.width, kArea.height(), "Places that the pair can take",
@@ -118,12 +118,12 @@ constexpr double kWorthShowing = 1e-6;
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
 
 // µm of centre distance at α_wn (degrees) above the least.
-double above_min(const InvolutePair& pair, double degrees) {
+double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
 }
 
-std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>& all) {
+std::string zoom_svg(const CrossedPair& pair, const std::vector<Approximation>& all) {
   const double exact = pair.min_distance->normal_pressure_angle.deg();
   std::vector<double> angles{exact};
   for (const Approximation& a : all) angles.push_back(a.normal_pressure_angle.deg());
@@ -163,7 +163,7 @@ std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>&
   return svg.str();
 }
 
-std::vector<std::string> table_row(const InvolutePair& pair, const std::string& name, Angle angle) {
+std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle) {
   const auto s = crossed_sample(pair, angle);
   GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
   const double off = s->place.center_distance - pair.min_distance->center_distance;
@@ -178,7 +178,7 @@ std::vector<std::string> table_row(const InvolutePair& pair, const std::string& 
 
 }  // namespace
 
-std::string range_figure(const InvolutePair& pair) {
+std::string range_figure(const CrossedPair& pair) {
   const bool by_hand = !approximations(pair).empty();
   return captioned(
       range_svg(pair),
@@ -190,8 +190,7 @@ std::string range_figure(const InvolutePair& pair) {
           by_hand ? " Hollow dots: approximate solutions of the least centre distance." : ""));
 }
 
-std::string min_distance_figure(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::string min_distance_figure(const CrossedPair& pair) {
   const std::vector<Approximation> all = approximations(pair);
   const std::string zoom = all.empty() ? std::string() : zoom_svg(pair, all);
   if (zoom.empty()) return {};
@@ -202,8 +201,7 @@ std::string min_distance_figure(const InvolutePair& pair) {
       "each angle: near its least it hardly changes.");
 }
 
-std::string min_distance_table(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::string min_distance_table(const CrossedPair& pair) {
   const std::vector<Approximation> all = approximations(pair);
   if (all.empty()) return {};
   const Angle exact = pair.min_distance->normal_pressure_angle;
@@ -224,7 +222,7 @@ std::string min_distance_table(const InvolutePair& pair) {
                      rows);
 }
 
-std::string min_distance_part(const InvolutePair& pair) {
+std::string min_distance_part(const CrossedPair& pair) {
   const std::string table = min_distance_table(pair);
   const std::string figure = min_distance_figure(pair);
   if (figure.empty()) return table;

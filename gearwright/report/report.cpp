@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/overloaded.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
@@ -36,19 +35,23 @@ std::string default_title(const ReportInput& input) {
                      input.gears[1]->spec.teeth);
 }
 
+bool helical(const Gear& gear) { return gear.spec.helix_angle.rad() != 0.0; }
+
+std::string kind_of(const ArcPair&) { return "Circular-arc gear pair on parallel axes"; }
+
+std::string kind_of(const CrossedPair& pair) {
+  return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°", pair.shaft_angle.deg());
+}
+
+std::string kind_of(const ParallelPair& pair) {
+  return fmt::format("{} gear pair on parallel axes{}", helical(pair.gears[0]) ? "Helical" : "Spur",
+                     pair.margins ? ", internal" : "");
+}
+
 std::string kind_of(const ReportInput& input) {
-  const bool helical = input.gears[0]->spec.helix_angle.rad() != 0.0;
-  if (input.pair && input.pair->arcs()) return "Circular-arc gear pair on parallel axes";
-  if (input.pair) {
-    if (input.pair->crossed()) {
-      return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°",
-                         input.pair->shaft_angle().deg());
-    }
-    return fmt::format("{} gear pair on parallel axes{}", helical ? "Helical" : "Spur",
-                       input.pair->kind() == PairKind::parallel_internal ? ", internal" : "");
-  }
+  if (input.pair) return input.pair->visit([](const auto& pair) { return kind_of(pair); });
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
-  return fmt::format("{} {}{}", helical ? "Helical" : "Spur",
+  return fmt::format("{} {}{}", helical(*input.gears[0]) ? "Helical" : "Spur",
                      input.gears[0]->involute() ? "" : "circular-arc ",
                      input.gears[0]->internal() ? "internal gear" : "gear");
 }
@@ -111,8 +114,8 @@ std::string gear_section(const ReportInput& input) {
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + table + "</section>\n";
 }
 
-std::string crossed_section(const InvolutePair& pair) {
-  const auto if_they_meet = [&](std::string (*figures)(const InvolutePair&)) {
+std::string pair_section(const CrossedPair& pair) {
+  const auto if_they_meet = [&](std::string (*figures)(const CrossedPair&)) {
     return pair.flanks_meet() ? figures(pair) : std::string();
   };
   return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_figures(pair) +
@@ -124,8 +127,7 @@ std::string crossed_section(const InvolutePair& pair) {
          "</section>\n";
 }
 
-std::string pair_section(const InvolutePair& pair) {
-  if (pair.crossed()) return crossed_section(pair);
+std::string pair_section(const ParallelPair& pair) {
   const bool meet = pair.flanks_meet();
   const std::string path =
       meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
@@ -134,6 +136,8 @@ std::string pair_section(const InvolutePair& pair) {
                      mesh_figures(pair, kShapes, meet ? ratio_figure(pair) : std::string()),
                      pair_table(pair), interference_table(pair), path, centrode_figures(pair));
 }
+
+std::string pair_section(const ArcPair& pair) { return arc_pair_section(pair, kShapes); }
 
 std::string file_section(const std::vector<ReportFile>& files) {
   if (files.empty()) return {};
@@ -206,9 +210,7 @@ std::string report_html(const ReportInput& input) {
   // What decides comes first; data sheets of the gears follow.
   std::string sections;
   if (input.pair) {
-    sections += input.pair->visit(
-        Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
-                   [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
+    sections += input.pair->visit([](const auto& pair) { return pair_section(pair); });
   }
   if (input.contact) sections += contact_section(*input.contact);
   if (input.load) sections += load_section(*input.load, kShapes);

@@ -234,24 +234,23 @@ std::string path_table(const InvolutePair& p) {
     const char* words;
     double rho1;
   };
-  // Along the line of action: crossed lines leave the transverse section at the angle β_b1.
-  const double cosine = p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
+  const bool crossed = p.crossed();
   const std::array<Mark, 5> marks{
       {{"A", "tip of gear 2 comes in", m.rho1_A},
-       {"B", p.crossed() ? "one pitch before E" : "one base pitch before E", m.rho1_B},
-       {"C", p.crossed() ? "pitch point of gear 1" : "pitch point", m.rho1_C},
-       {"D", p.crossed() ? "one pitch after A" : "one base pitch after A", m.rho1_D},
+       {"B", crossed ? "one pitch before E" : "one base pitch before E", m.rho1_B},
+       {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
+       {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
        {"E", "tip of gear 1 goes out", m.rho1_E}}};
   std::vector<std::vector<std::string>> rows;
   for (const Mark& mark : marks) {
     const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
     rows.push_back({fmt::format("<strong>{}</strong> {}", mark.letter, mark.words),
-                    length((mark.rho1 - m.rho1_C) / cosine), length(mark.rho1),
+                    length((mark.rho1 - m.rho1_C) / m.line_cosine), length(mark.rho1),
                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
-  return value_table(p.crossed() ? "Points of the line of action; ζ: mm of sliding per mm that the "
-                                   "contact runs over the flank"
-                                 : "Points of the path of contact",
+  return value_table(crossed ? "Points of the line of action; ζ: mm of sliding per mm that the "
+                               "contact runs over the flank"
+                             : "Points of the path of contact",
                      {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
                       symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},
                      rows);

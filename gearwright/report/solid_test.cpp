@@ -25,7 +25,7 @@ TEST(Base64, of_the_standard) {
 }
 
 TEST(Solid, stands_on_the_page_where_there_is_one) {
-  const InvolutePair pair = testing::helical_pair();
+  const ParallelPair pair = testing::helical_pair();
   ReportInput input = testing::report_input(pair);
   EXPECT_EQ(report_html(input).find("id=\"solid\""), std::string::npos);
   EXPECT_EQ(report_html(input).find("webgl"), std::string::npos);

@@ -19,7 +19,7 @@ constexpr int kSteps = 120;  // of the slider, and of an arrow key, per pitch
 double turn_per_pitch(const InvolutePair& pair, std::size_t i) {
   GW_EXPECTS(!pair.crossed() && i < 2);
   const double one = 360.0 / std::abs(pair.gears[i].spec.teeth);
-  return i == 0 || pair.kind == PairKind::parallel_internal ? one : -one;
+  return i == 0 ? one : -pair.side() * one;
 }
 
 std::string turn_attribute(const InvolutePair& pair, std::size_t i) {

@@ -68,7 +68,8 @@ std::vector<Finding> margin_findings(const Pair& pair) {
     if (p == nullptr) continue;
     // There is no flank past an undercut, and `undercut` and `contact_lost` report it.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
-    judge(findings, kFillet, which, p->fillet_clearance[i], m);
+    if (const ParallelPair* parallel = pair.parallel())
+      judge(findings, kFillet, which, parallel->fillet_clearance[i], m);
   }
   return findings;
 }

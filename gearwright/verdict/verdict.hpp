@@ -123,9 +123,6 @@ using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, T
 /// Domain    one or two gears, warnings (contract)
 std::vector<Finding> findings_of(const Judged& judged);
 
-/// Over the usable flanks and the whole face.
-double true_contact_ratio(const Pair& pair);
-
 /// Whether `a` is worse than `b`, both of one code and gear: by level, then by the first value.
 bool worse(const Finding& a, const Finding& b);
 

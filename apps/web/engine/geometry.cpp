@@ -84,15 +84,6 @@ void append_circles(Json& circles, const ValueRecord& record, std::size_t gear) 
 
 Json pose_row(const Eigen::Isometry3d& x) { return web::row(Numbers(x.data(), x.data() + 16)); }
 
-std::string kind_name(PairKind kind) {
-  switch (kind) {
-    case PairKind::parallel_external: return "parallel_external";
-    case PairKind::parallel_internal: return "parallel_internal";
-    case PairKind::crossed: return "crossed";
-  }
-  return "";
-}
-
 }  // namespace
 
 Result<ToothedBody> Session::body(int gear, bool in_place) const {
@@ -189,7 +180,7 @@ Result<Json> Session::lines() const {
       }
     }
   }
-  return Json{{"kind", kind_name(pair.kind())},
+  return Json{{"kind", to_string(pair.kind())},
               {"centerDistance", pair.center_distance()},
               {"shaftAngleDeg", pair.shaft_angle().deg()},
               {"lineOfAction", row(line_of_action)},
@@ -208,7 +199,6 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     return pose_row(x);
   }
   const Pair& pair = *job_.pair;
-  const bool internal = pair.kind() == PairKind::parallel_internal;
   const Angle rotation1 = Angle::degrees(rotation1_deg);
   // Gears that cannot touch stand without errors.
   const auto touching = nominal ? Result<const ContactPair*>(nullptr) : contact_pair();
@@ -236,7 +226,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     if (p->kind != TouchKind::none) rotation2 = p->rotation2;
     x.translation().x() += contact->place().errors.center_distance;
   }
-  x = x * Eigen::AngleAxisd((internal ? -1.0 : 1.0) * rotation2.rad(), Vec3::UnitZ());
+  x = x * Eigen::AngleAxisd(pair.mounted().side() * rotation2.rad(), Vec3::UnitZ());
   return pose_row(x);
 }
 
