@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "gearwright/gear/gear_field.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -65,7 +67,7 @@ RatedGear rated_gear(const Gear& gear, double bore, double beta, double beta_b) 
 }
 
 Result<RatedPair> rated(const ArcPair&, const std::array<double, 2>&) {
-  return Error{"gear1.rack", "", "cuts circular arcs; ISO 6336 rates involute gears only"};
+  return Error{gear_field(1, "rack"), "", "cuts circular arcs; ISO 6336 rates involute gears only"};
 }
 
 Result<RatedPair> rated(const CrossedPair&, const std::array<double, 2>&) {
