@@ -131,7 +131,7 @@ double over_two_balls(const Gear& gear, const BallSeat& seat) {
 namespace {
 
 // The least distance of two helices on one cylinder, in its diameters, whose points in one
-// transverse plane stand δ off opposite: √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. [T10.9]
+// transverse plane deviate by δ from opposite: √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. [T10.9]
 double least_across(double delta, double T) {
   double epsilon = delta;
   if (T > 0.0 && (delta > 0.0 || T > 1.0)) {

@@ -37,12 +37,12 @@ constexpr std::size_t kUtf8 = 0;
 // 6 0.39 s 20.1 MB.
 constexpr int kLevel = 3;
 constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // bytes of one text
-// A page's size is an int32: all texts of a group but the last, the last, a length before each,
-// levels.
+// The size of a page is an int32. A page contains all texts of a group but the last, the last text,
+// a length before each, and levels.
 static_assert(ParquetWriter::kGroupTextBytes + kTextLimit + 5 * ParquetWriter::kGroupRows <
               std::numeric_limits<std::int32_t>::max());
 
-// Whole characters, none in more bytes than it needs, no surrogates, nothing above U+10FFFF.
+// True for whole characters in their shortest form, without surrogates, up to U+10FFFF.
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
@@ -123,7 +123,9 @@ struct ParquetWriter::State {
     std::string bytes(ZSTD_compressBound(page.size()), '\0');
     const std::size_t size =
         ZSTD_compress2(zstd.get(), bytes.data(), bytes.size(), page.data(), page.size());
-    if (ZSTD_isError(size)) throw std::bad_alloc();  // the room suffices: nothing else can fail
+    if (ZSTD_isError(size))
+      throw std::bad_alloc();  // the buffer is large enough, so nothing else
+                               // can fail
     bytes.resize(size);
     return bytes;
   }
@@ -133,7 +135,7 @@ struct ParquetWriter::State {
   std::string footer() const;
 };
 
-// Writes a chunk and its entry in the group's; gives its size as it would be without compression.
+// Writes a chunk and its entry in the metadata of the group. Returns its size without compression.
 std::size_t ParquetWriter::State::write_chunk(const ColumnChunk& chunk, Thrift& group) {
   const ParquetColumn& column = chunk.column;
   const std::string page = page_of(chunk, rows);

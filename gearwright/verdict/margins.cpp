@@ -27,7 +27,7 @@ constexpr Margin kTip{WarningCode::tip_margin,
                       "The clearance of the tip of gear {} to the root of its mating gear",
                       kMarginTip};
 
-// "0.1500 mm", below a micrometre "0.021 µm", which would be 0.0000 mm.
+// "0.1500 mm", or below a micrometre "0.021 µm" instead of 0.0000 mm.
 std::string millimetres(double mm) {
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }

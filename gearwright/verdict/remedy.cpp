@@ -82,7 +82,7 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
                                   TryDepth depth) {
   const double step = lever.step();
   const double begin = lever.now / step;
-  const auto steps_for = [&](double offset) {  // at least one step away from today's value
+  const auto steps_for = [&](double offset) {  // at least one step away from the present value
     const double to = begin + lever.direction * std::max(offset / step, 0.0);
     const double whole = lever.direction > 0 ? std::ceil(to - 1e-9) : std::floor(to + 1e-9);
     return std::abs(whole - begin) < 1e-9 ? whole + lever.direction : whole;

@@ -59,7 +59,7 @@ struct SpecChange {
 struct Finding {
   WarningCode code;  ///< of a warning, or of a margin: form_margin, fillet_margin, tip_margin,
                      ///< edge_contact, contact_place, root_safety, flank_safety
-  Level level;       ///< green: good to know
+  Level level;       ///< green: for information
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< a sentence each; the remedy may be empty
   std::vector<FindingValue> values{};  ///< the first: the number that is too small
@@ -123,10 +123,10 @@ using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, T
 /// Domain    one or two gears, warnings (contract)
 std::vector<Finding> findings_of(const Judged& judged);
 
-/// Over the usable flanks and the whole face.
+/// The contact ratio over the usable flanks and the whole face.
 double true_contact_ratio(const Pair& pair);
 
-/// Whether `a` is worse than `b`, both of one code and gear: by level, then by the first value.
+/// True if `a` is worse than `b`, both of one code and gear: by level, then by the first value.
 bool worse(const Finding& a, const Finding& b);
 
 /// The verdict over these findings of what is judged.
