@@ -58,8 +58,8 @@ struct MeshPart {
 /// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied.
 ///
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
-///           the caps are plane. Where bore (or rim) and root come closer than four tolerances,
-///           a quarter of their distance takes the tolerance's place
+///           the caps are plane. Where bore (or rim) and root are closer than four tolerances, a
+///           quarter of their distance replaces the tolerance
 /// Errors    bore.diameter_mm (names the largest that fits), bore.keyway_*, teeth when the outline
 ///           bounds no body (severed tooth, root beyond the axis), chord_tolerance_mm when the mesh
 ///           would have more than 2·10⁶ vertices or 20 000 points on half a tooth

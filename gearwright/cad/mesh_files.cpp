@@ -25,7 +25,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// For the rounded triangle, which is the one in the file.
+// The normal of the rounded triangle, which is the one in the file.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();
@@ -70,7 +70,7 @@ void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
   xml += "</triangles></mesh></object>\n";
 }
 
-// 3MF multiplies row vectors: the images of the axes one after the other, then the origin's.
+// 3MF multiplies row vectors: the images of the three axes come first, then that of the origin.
 std::string transform(const Eigen::Isometry3d& pose) {
   std::string out;
   for (int column = 0; column < 4; ++column) {
@@ -103,7 +103,7 @@ std::string json_string(const std::string& text) {
   return out + "\"";
 }
 
-// Shortest decimal of the float itself: a reader gets the same float.
+// Shortest decimal of the float itself, from which a reader obtains the same float.
 std::string json_vector(const Eigen::Vector3f& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
@@ -121,7 +121,7 @@ std::string json_matrix(const Eigen::Isometry3d& pose) {
   return ",\"matrix\":[" + numbers + "]";
 }
 
-// The lists of the JSON chunk, grown part by part beside the binary chunk.
+// The lists of the JSON chunk, extended part by part together with the binary chunk.
 struct Lists {
   std::string nodes, roots, meshes, materials, accessors, views;
   int view_count = 0;
@@ -208,7 +208,7 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
 
   std::string out;
   out.reserve(kHeaderBytes + 4 + kTriangleBytes * count);
-  out = "Gearwright, binary STL, mm:";  // must not begin with "solid", the mark of a text STL
+  out = "Gearwright, binary STL, mm:";  // must not begin with "solid", which marks a text STL
   for (const MeshPart& part : parts) out += " " + part.name;
   out.resize(kHeaderBytes, ' ');
   append_u32(out, static_cast<std::uint32_t>(count));
@@ -256,7 +256,8 @@ std::string glb_bytes(const std::vector<MeshPart>& parts) {
     GW_EXPECTS(!parts[i].mesh.triangles.empty());
     add_part(parts[i], i, lists, binary);
   }
-  // All entries are 4 bytes wide: the binary chunk needs no padding, the text is padded by blanks.
+  // All entries are 4 bytes wide, so the binary chunk needs no padding. The text is padded by
+  // blanks.
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"Gearwright"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
       lists.roots, lists.nodes, lists.meshes, lists.materials, lists.accessors, lists.views,

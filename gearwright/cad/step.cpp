@@ -17,7 +17,8 @@
 namespace gearwright {
 namespace {
 
-// A file names its content, not the time of its making: same gears, same bytes.
+// A file contains its content but not the time of its creation, so the same gears give the same
+// bytes.
 constexpr const char* kTime = "1970-01-01T00:00:00";
 
 // First edition of ISO 10303-242, third of ISO 10303-214.

@@ -20,7 +20,7 @@
 namespace gearwright {
 
 struct ToothedBody {
-  std::string name;         ///< "gear1", the name a CAD tree shows
+  std::string name;         ///< "gear1", the name in a CAD tree
   Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
   double twist = 0.0;       ///< τ  rad/mm
   double face_width = 0.0;  ///< b  mm
@@ -28,7 +28,7 @@ struct ToothedBody {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
 };
 
-/// Colours that distinguish gears in contact wherever their file is opened.
+/// Colours that distinguish gears in contact in every program.
 /// Linear RGB, far apart in lightness as well as hue: steel, bronze, blue, green.
 inline constexpr std::array<std::array<double, 3>, 4> kPartColours{
     {{0.45, 0.49, 0.53}, {0.55, 0.34, 0.14}, {0.12, 0.26, 0.48}, {0.2, 0.42, 0.24}}};
