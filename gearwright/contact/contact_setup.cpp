@@ -18,7 +18,7 @@ bool any_modification(const FlankModifications& m) {
          m.lead_crowning != 0.0 || m.lead_slope != 0.0;
 }
 
-// Tips that pass each other, or why else no tooth finds another.
+// The reason why no teeth touch, such as tips that pass each other.
 std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
@@ -111,7 +111,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     if (f.lead_slope == 0.0 && f.lead_crowning == 0.0 && f.profile_slope == 0.0 &&
         f.profile_crowning == 0.0)
       continue;
-    // The flanks that touch: right ones of external gears when gear 1 drives.
+    // The touching flanks, which are the right flanks of external gears if gear 1 drives.
     const bool left = change.left != (i == 1 && gears_[1]->internal());
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
@@ -133,7 +133,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // a check of the drawing's setting
+    rack->pressure_angle.reset();  // only a check of the setting on the drawing
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())

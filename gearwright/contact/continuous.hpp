@@ -1,12 +1,13 @@
-// The least and the greatest transmission error of the continuous curve, from touches at some positions.
+// The least and the greatest transmission error of the continuous curve, computed from touches at
+// some positions.
 //
 //   T_a, T_b   two branches: a tooth pair on a pair of patches, as a function of the rotation
 //   TE = max over the branches, so that a maximum lies inside a branch or at its end, and a minimum inside
 //   one or at a handover T_a = T_b; where a branch begins ahead of the others TE jumps
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
-// At the positions alone the peak to peak is too small by up to half a slope times a step, and the
-// part that is missed wanders with the phase of the handovers.
+// The peak to peak at the positions alone is too small by up to half a slope times a step, and the
+// missing part varies with the phase of the handovers.
 #pragma once
 
 #include <vector>
@@ -26,8 +27,8 @@ struct CurveExtremes {
 /// Formula   [T14.11]
 /// Units     rad
 /// Domain    at least one touch that is found (contract)
-/// Accuracy  1e-12 rad at the extremes that it finds, at a jump 1.5e-5 of what TE changes in a step; a
-///           branch that leads for less than a step may be overlooked
+/// Accuracy  1e-12 rad at the extremes that are found, and at a jump 1.5e-5 of the change of TE in
+///           a step. A branch that is greatest for less than a step may be missed
 /// Laws      (1) least is at most, and greatest at least, that of the touches
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);

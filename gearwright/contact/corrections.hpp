@@ -1,4 +1,5 @@
-// The corrections that a workshop makes on a pair against its errors, and the task of finding them.
+// The corrections by which a workshop compensates the errors of a pair, and the task of finding
+// them.
 //
 //   const auto setup = ContactSetup::of(*pair, {});
 //   CompensationTask task = compensation_task(*setup, {{CorrectionOf::lead_slope, 1}}, scenarios);
@@ -23,7 +24,7 @@ enum class CorrectionOf {
 
 struct WorkshopCorrection {
   CorrectionOf what;
-  int gear;  ///< 1, 2; 0: of the tool setting, the gear that the rack F cuts
+  int gear;  ///< 1, 2; 0 for the tool setting, which applies to the gear that the rack F cuts
 
   bool operator==(const WorkshopCorrection&) const = default;
   bool slope() const {
@@ -31,7 +32,7 @@ struct WorkshopCorrection {
   }
 };
 
-/// Bounds of everyday work and a small change, in the correction's unit.
+/// Usual bounds of a correction and a small change, in its unit.
 constexpr Correction usual_bounds(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting: return {-5.0, 5.0, 0.005};
@@ -44,10 +45,11 @@ constexpr Correction usual_bounds(CorrectionOf what) {
   return {};
 }
 
-/// A tool setting needs a rack F, a lead a helical gear that a rack cuts.
+/// True if the correction is possible: a tool setting needs a rack F, a lead needs a helical gear
+/// that a rack cuts.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// What a workshop would choose: tool setting and lead of arcs, else slope and crowning of gear 1.
+/// The usual corrections: tool setting and lead for arcs, otherwise slope and crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
 /// The pair under each of the `scenarios` with these corrections, within their usual bounds; a tool

@@ -7,7 +7,8 @@ namespace gearwright {
 
 namespace {
 
-// What changes when e grows, at a fixed place (s, z) of flank 1 and along both of its directions.
+// The change when e grows, at a fixed place (s, z) of flank 1, and its derivatives in both
+// directions.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;
@@ -15,7 +16,7 @@ struct Change {
   Vec3 dr = Vec3::Zero();  // of the point, in N
 };
 
-// A point that moves by d, and so along s and z, as seen from gear 2.
+// Adds the effect of a point that moves by d, which varies along s and z, as seen from gear 2.
 void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, const Vec3& d_z) {
   const Complex over = 1.0 / j.w;
   const auto across = [](const Vec3& v) { return Complex(v.x(), v.y()); };
@@ -35,7 +36,7 @@ void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, cons
   c.p_z = dL_z.imag() - j.slope2_u * c.du_z - j.slope2_Z * c.dZ_z - bend_u * j.u.z - bend_Z * j.Z.z;
 }
 
-// φ2* of points that move on gear 1 by a turn q(s, z) about its axis.
+// Adds the change of φ2* of points that turn on gear 1 by q(s, z) about its axis.
 void add_turn_of_1(Change& c, const ContactPair& pair, const GapJet& j, double q, double q_s,
                    double q_z) {
   const Mat3& m = pair.mount().rotation;
@@ -122,7 +123,7 @@ Change change_of_modification(const ContactPair& pair, const GapField& field, co
   return c;
 }
 
-// An active bound: its gradient, its Hessian, and how it moves with e. Unscaled.
+// An active bound: its gradient, its Hessian, and its movement with e. Unscaled.
 struct ActiveBound {
   double a_s = 0.0, a_z = 0.0;
   double h_ss = 0.0, h_sz = 0.0, h_zz = 0.0;
@@ -151,7 +152,7 @@ ActiveBound active_bound(int j, const GapJet& at, const Change& c) {
 
 namespace {
 
-// What the touch does about a change: KKT system of the active bounds. [T8.10]
+// The reaction of the touch to a change, from the KKT system of the active bounds. [T8.10]
 Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
                       const GapJet& j) {
   const detail::ActiveSet& set = touch.touch.active;
@@ -223,7 +224,7 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // In N both rotations change sign together when gear 2 drives: their quotient does not.
+  // In N both rotations change sign together if gear 2 drives, but their quotient does not.
   return pair.turned() * answer_to(c, pair, touch, j).te - pair.ratio();
 }
 

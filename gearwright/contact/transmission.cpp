@@ -7,12 +7,12 @@ namespace gearwright {
 
 namespace {
 
-// rad below another pair, and falling: nothing comes back. A whole convex flank has one hump; of
-// patches, and of flanks that may be hollow, a later one may rise again.
+// rad below another pair: if T also falls, the track ends. A whole convex flank has one hump; with
+// patches, or with flanks that may be concave, a later hump may follow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
-// Pairs that touch together to rounding: the one nearest to the centre line stands for them.
+// Pairs that touch together within rounding are represented by the one nearest to the centre line.
 constexpr double kTogether = 1e-13;  // rad
 
 bool wins(const Touch& t, double phi, const PairTouch& best) {
@@ -22,7 +22,7 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// Nothing on the flank makes it hollow.
+// True if no part of the flank is concave.
 bool is_convex(const FlankPatch& f) {
   if (!f.removal || f.removal->none()) return true;
   if (f.removal->has_topography()) return false;
@@ -31,7 +31,8 @@ bool is_convex(const FlankPatch& f) {
          f.removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// How far from the mesh, rad, points of one patch can lie inside the annulus of the other. [T8.13]
+// Distance from the mesh, rad, within which points of one patch can lie inside the annulus of the
+// other. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().shaft_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -77,7 +78,7 @@ Touch Transmission::cold(int fields, double phi) {
 }
 
 PairTouch Transmission::at(double phi) {
-  // Whole pitches change nothing but the number of the tooth pair.
+  // Whole pitches change only the number of the tooth pair.
   const double whole = std::round(phi / pair_.pitch());
   phi -= whole * pair_.pitch();
   count_step(progress_);
@@ -120,7 +121,7 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// What one pair of patches finds, position by position of tooth pair 0, folded into the pitch.
+// The results of one pair of patches at each position of tooth pair 0, reduced to one pitch.
 class Transmission::Track {
  public:
   Track(Transmission& all, int fields, double first, int n, double below,
@@ -129,7 +130,7 @@ class Transmission::Track {
 
   double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
 
-  // True unless it lies well below another pair.
+  // Returns true unless it lies well below another pair.
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;
@@ -139,8 +140,8 @@ class Transmission::Track {
     return t.te >= b.touch.te - below_;
   }
 
-  // From a touch at m on, one way, until D is empty, or the touch is well below and falls, or
-  // `known` says that another track has been here.
+  // Follows a touch from m in one direction until D is empty, the touch is well below and falls, or
+  // `known` returns true because another track has been here.
   template <class Known>
   void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
     GapField& field = *all_.fields_[static_cast<std::size_t>(fields_)];
@@ -178,7 +179,7 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// One maximum, one interval of rotation: whole flanks that nowhere hollow each other.
+// One maximum and one interval of rotation: whole flanks without concave contact.
 void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kBelow, best);
   const int most = farthest_pair_ * n;
@@ -190,7 +191,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      // First where T rises: what lies below it on the other side need not be looked at.
+      // The direction in which T rises comes first. If T is well below on the other side, that side
+      // is not examined.
       fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
       const Touch ahead =
           searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
@@ -201,8 +203,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Several maxima, and intervals of rotation with nothing between: every one that a grid of cold
-// starts finds is followed, until it runs into one that has been.
+// Several maxima, and separate intervals of rotation: every maximum that a grid of cold starts
+// finds is followed until it meets one that was followed before.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
@@ -247,7 +249,7 @@ GapJet Transmission::jet_at(const PairTouch& t, double s, double z) {
   field.set_rotation(t.phi);
   double s2 = t.touch.s2;
   const GapJet rough = field.at(s, z, s2);
-  // A second evaluation starts on the radius itself.
+  // A second evaluation starts at the exact radius.
   s2 = field.two().profile.s_of(rough.u.v, s2);
   return field.at(s, z, s2);
 }
