@@ -55,7 +55,7 @@ void collect_warnings(Arranged& arranged) {
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 
-// The gears' shifts as far as they are given, and whether a tip is to keep a clearance.
+// The given shifts of the gears. Returns true if a tip has to keep a clearance.
 Result<bool> begin_gears(GivenPair& given) {
   bool clear_tips = false;
   for (const int which : {1, 2}) {

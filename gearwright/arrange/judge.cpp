@@ -31,7 +31,7 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The rating of the same load on changed gears; none: the standard has none of them.
+// The rating of the same load on changed gears; none if the standard does not cover them.
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
@@ -62,7 +62,7 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// The corner with every tolerance at its nominal value that makes no difference to the finding.
+// The corner in which every tolerance without influence on the finding is at its nominal value.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,
@@ -79,7 +79,7 @@ ToleranceCorner what_matters(const Arranged& arranged,
   return corner;
 }
 
-// As drawn, and what is of a worse level at an end of the tolerances.
+// The findings as drawn, and those of a worse level at an end of the tolerances.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with) {
   std::vector<Finding> findings = findings_of(judged_of(arranged, with));
   const std::vector<TolerancedNumber> tolerances = tolerances_of(arranged);

@@ -15,8 +15,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
-constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
+constexpr double kMostPoisson = 0.49;  // at 0.5, like a liquid, plane strain has no stiffness
+                                       // matrix
+constexpr double kHertzRatio = 0.1;    // half width over radius, above which the error of Hertz
+                                       // reaches a percent
 
 Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<Warning>& warnings) {
   const GearInput& input = arranged.completed.gear(which);
@@ -51,7 +53,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   return body;
 }
 
-// Why teeth of this kind are not looked at under load, if so.
+// The reason why teeth of this kind are not computed under load, if there is one.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
@@ -77,7 +79,8 @@ LoadRegime regime_of(const Arranged& arranged) {
   return lines ? LoadRegime::line : LoadRegime::point;
 }
 
-// Deflections bend lines; where a point of contact goes is for the errors of mounting to say.
+// Deflections apply to line contact. For point contact, errors of mounting describe the
+// displacement.
 std::optional<Error> not_for_points(const LoadInput& input) {
   for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
                                      std::pair("load.deflection_bow", input.deflection_bow)})
@@ -88,7 +91,8 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
-// The rotations of gear 1 at positions of a kind, as many as a sentence holds; empty: there are none.
+// The rotations of gear 1 at positions of one kind, as many as fit into a sentence; empty if there
+// are none.
 template <class Is>
 std::string rotations_where(const LoadedTorque& t, Is is) {
   constexpr int kMostNamed = 8;
@@ -104,7 +108,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // Whether anything touches does not depend on the torque.
+  // Whether teeth touch does not depend on the torque.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(

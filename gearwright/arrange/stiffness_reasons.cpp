@@ -16,12 +16,12 @@ namespace gearwright {
 namespace {
 
 constexpr double kWorthANote = 0.25;  // of c_γα
-constexpr double kFactor = 0.03;      // nearer to 1 than that a factor is not named
-constexpr double kMuchLeft = 0.1;     // from 1: what faces and bodies are looked at for
-constexpr double kOverlap = 2.0;      // of a helical face that is not narrow
-constexpr double kWidest = 12.0;      // modules of face: wider ones take long and tell no more
+constexpr double kFactor = 0.03;      // a factor nearer to 1 than this is not named
+constexpr double kMuchLeft = 0.1;     // difference from 1 above which faces and bodies are examined
+constexpr double kOverlap = 2.0;      // overlap ratio of a helical face that is not narrow
+constexpr double kWidest = 12.0;  // modules of face; wider faces take long without further insight
 constexpr double kLeastWider = 1.2;
-constexpr double kThickRim = 8.0;  // modules around a ring
+constexpr double kThickRim = 8.0;  // modules, rim of an internal gear
 constexpr int kPositions = 8, kMostSlices = 16;
 
 struct StiffnessFactor {
@@ -48,7 +48,7 @@ bool has_modifications(const ContactSetup& setup) {
   return false;
 }
 
-// Of the pair without errors and modifications.
+// The pair without errors and modifications.
 ContactPair bare_pair(const LoadTask& task, const Gear& gear_1, const Gear& gear_2) {
   ContactMount place = task.setup.place();
   place.errors = ContactErrors();
@@ -61,8 +61,8 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// Of the bare pair with faces so much wider, under the same line load; coarse, for ratios. NaN: there
-// is no such pair.
+// The stiffness of the bare pair with faces wider by this factor, under the same line load, with
+// coarse accuracy, for ratios. NaN if there is no such pair.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
   LoadRequest request = task.request;
@@ -82,7 +82,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// What new tables show: a narrow helical face, and bodies that are held near to their teeth or thin.
+// Effects that need new tables: a narrow helical face, and bodies that are thin or held close to
+// their teeth.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

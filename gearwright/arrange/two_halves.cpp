@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSameLength = 1e-9;  // relative: two ways to compute one length
+constexpr double kSameLength = 1e-9;  // relative, for two ways to compute one length
 
 std::optional<Error> check_half(const GivenPair& given, int which, const DoubleHelical& halves) {
   const GearInput& gear = given.gear(which);
@@ -27,7 +27,7 @@ std::optional<Error> check_half(const GivenPair& given, int which, const DoubleH
   return std::nullopt;
 }
 
-// The halves of a pair meet over the whole of the narrower one, or they are no halves of one pair.
+// The halves of a pair must have equal faces up to the width of the narrower one.
 std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& halves) {
   if (halves[0].has_value() != halves[1].has_value()) {
     const int lacking = halves[0] ? 2 : 1;
@@ -94,8 +94,8 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
     return refused("double_helical.hob_diameter", d, {2 * h},
                    "must be greater than {} mm, twice the depth of the teeth");
   }
-  // One hob cuts both hands: it is swivelled by |β| − γ_0 for the half of its own hand, and by
-  // |β| + γ_0 for the other one. The gap serves both.
+  // One hob cuts both hands: it is swivelled by |β| − γ_0 for the half of its own hand, and by |β|
+  // + γ_0 for the other one. The gap must suffice for both.
   double run_out = 0.0;
   for (const double side : {-1.0, 1.0}) {
     const double eta = beta + side * given.hob_lead_angle.rad();

@@ -18,7 +18,7 @@ namespace {
 }
 
 fs::path beside(const fs::path& path) {
-  // The temporary file is in the same folder, so that renaming stays on one file system. The
+  // The temporary file is in the same folder, so renaming stays on one file system. The
   // process id separates two runs.
   return path.parent_path() /
          ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
@@ -42,13 +42,13 @@ struct Target {
 
 Target target_of(const fs::path& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);  // of what a link leads to
+  const fs::file_status status = fs::status(path, error);  // status of the target of a link
   if (fs::is_directory(status)) fail(path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) return {path, true};
   return {fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path, false};
 }
 
-// Writes all of `content` and gives 0 or the system's error number.
+// Writes all of `content`. Returns 0 or the system's error number.
 int write_all(int file, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(file, content.data(), content.size());
