@@ -20,11 +20,11 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wrong
+constexpr std::size_t kLettersOff = 3;  // one letter in this many letters of a verb may be wrong
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
 
-// CLI11's own range lets nan pass.
+// The range of CLI11 itself accepts nan.
 CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {
@@ -214,7 +214,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
-    // gaer is gear with two letters exchanged: two steps of editing, one slip of the hand.
+    // `gaer` is `gear` with two letters exchanged, which is two edits but one typing error.
     const bool turned =
         word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
     if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;

@@ -1,4 +1,4 @@
-// The verbs that write files: everything that a spec is good for, or the files that are named.
+// The verbs that write files: all files that a spec allows, or the files that are named.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Says on stderr what is being made, but only when it takes more than a second.
+// Reports on stderr the file in progress, but only if it takes more than a second.
 class SlowProgress {
  public:
   void operator()(std::string_view what) {
@@ -44,7 +44,7 @@ FileOptions file_options(const Options& o) {
   return options;
 }
 
-// The words between commas; none where one of them is no part of a run.
+// The words between commas; none if one of them is no part of a run.
 std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -57,7 +57,7 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   return parts;
 }
 
-// The first output that would overwrite another one, or the spec; empty when there is none.
+// The first output that would overwrite another one, or the spec; empty if there is none.
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
   for (const std::string* name :
@@ -106,7 +106,7 @@ int run_verb(const Options& o) {
   });
   if (!made) return door.fail(made.error());
   if (o.json) {
-    // As in result.json, with all the files.
+    // The same JSON as in result.json, with all the files.
     Json j = parse_json(made->result);
     j["files"] = files_json(made->files);
     print_json(j);

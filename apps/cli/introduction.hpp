@@ -1,4 +1,4 @@
-// What `gearwright --help` says first.
+// The introduction of `gearwright --help`.
 #pragma once
 
 namespace gearwright::apps {

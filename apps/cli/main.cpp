@@ -1,8 +1,8 @@
 // gearwright: the program. Parses the command line, calls the job room, prints.
 //
 // Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is
-// wrong; 3 the outside world failed; 4 with --strict: the verdict is not green; 5 a mistake in
-// Gearwright itself.
+// wrong; 3 the system failed, such as a full disk; 4 with --strict: the verdict is not green; 5 a
+// defect of Gearwright itself.
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -12,7 +12,7 @@
 #include "gearwright/base/output_file.hpp"
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a full disk: write() says so
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit acts like a full disk: write() reports it
   try {
     return gearwright::apps::CommandLine().run(argc, argv);
   } catch (const gearwright::IoError& e) {

@@ -10,7 +10,7 @@ namespace gearwright::apps {
 
 namespace {
 
-// Text as troff takes it: a hyphen that may be typed, nothing that begins a request.
+// Text for troff: hyphens that can be typed, and no line that begins a request.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;

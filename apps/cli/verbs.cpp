@@ -35,7 +35,8 @@ std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
-  constexpr std::size_t kMaxBytes = 1 << 26;  // of a file of cases; a device may have no end
+  constexpr std::size_t kMaxBytes = 1 << 26;  // limit for a file of cases, because a device may
+                                              // have no end
   std::string text;
   std::array<char, 1 << 16> part{};
   while (file.read(part.data(), part.size()), file.gcount() > 0) {

@@ -1,4 +1,4 @@
-// What the verbs of the command line do: read a spec, call the job room, print, give the exit status.
+// The actions of the verbs: they read a spec, call the job room, print, and return the exit status.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace gearwright::apps {
 struct Options {
   std::string spec;
   bool json = false;
-  bool strict = false;  // a verdict that is not green ends in status 4
+  bool strict = false;  // a verdict that is not green gives status 4
   bool csv = false;
   std::optional<std::string> out;
   std::optional<std::string> only;  // of run: words of kRunParts
@@ -35,10 +35,10 @@ struct Options {
   int threads = 0;                     // of batch; 0: all
 };
 
-// All throw IoError when the outside world fails.
+// All throw IoError if the system fails.
 /// Any verb of the table: its answer as JSON, CSV or text, or a spec that it proposes.
 int answering_verb(const Verb& verb, const Options& o);
-/// `gear --as-rack`: the teeth as another rack describes them.
+/// `gear --as-rack`: prints the teeth in terms of another rack.
 int gear_as_rack(const Options& o);
 /// `measure --points`: nominal points of the flanks.
 int nominal_points(const Options& o);

@@ -53,14 +53,14 @@ namespace {
 
 std::atomic<bool> stop_wanted{false};
 
-// The first Ctrl-C ends the search at the next trial, the second the program.
+// The first Ctrl-C ends the search at the next trial. The second ends the program.
 extern "C" void on_interrupt(int signal) {
   stop_wanted = true;
   std::signal(signal, SIG_DFL);
 }
 
-// How far the search is, on stderr: one line that is written over in a terminal; elsewhere a line
-// after a second and a half, then every ten; nothing before.
+// The progress of the search on stderr. In a terminal it is one line that is overwritten. Elsewhere
+// a line appears after a second and a half and then every ten seconds.
 class ProgressLine {
  public:
   void operator()(const SearchProgress& p) {
@@ -199,7 +199,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // Of a pair's spec the region is no part, of the table for people the first rows are.
+  // If only a pair's spec is printed, the region is not needed. For the table, only the first rows
+  // are needed.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFirst = 2.0;                        // s until the first line
 constexpr double kTerminal = 0.5, kElsewhere = 10.0;  // s between lines
-constexpr timespec kNap{0, 100'000'000};              // between looks at the work and for a signal
+constexpr timespec kNap{0, 100'000'000};              // between checks of the work and of signals
 constexpr int kStopped = 3;
 
 sigset_t stops() {
@@ -28,7 +28,7 @@ sigset_t stops() {
 }  // namespace
 
 Watch::Watch(std::string verb) : verb_(std::move(verb)), terminal_(isatty(2) != 0) {
-  // Blocked in this thread and in all that it starts; the waiting one takes them.
+  // Blocked in this thread and in all threads that it starts. The waiting thread receives them.
   const sigset_t set = stops();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
   thread_ = std::thread([this] { wait(); });
@@ -72,7 +72,7 @@ void Watch::say(double seconds) {
   const char* stage = s.stage ? s.stage : "reading";
   std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s", terminal_ ? "\r" : "", verb_.c_str(),
                seconds, stage);
-  // Steps are an estimate of the work: what is past it is nearly done.
+  // Steps are an estimate of the work, so work beyond it is nearly done.
   if (s.of > 0)
     std::fprintf(stderr, " %.0f %%",
                  100 * std::min(0.99, static_cast<double>(s.done) / static_cast<double>(s.of)));

@@ -1,4 +1,4 @@
-// What the verbs of the program answer: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
+// Results of the verbs: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
 #include <fmt/format.h>
 
 #include "apps/python/arrays.hpp"
@@ -21,7 +21,8 @@ namespace gearwright::python {
 
 namespace {
 
-// find(job, progress) as a Self, with record(job, answer) and judged(job, answer); Ctrl-C stops it.
+// Runs find(job, progress) and makes a Self with record(job, answer) and judged(job, answer).
+// Ctrl-C stops it.
 template <class Self, class Find, class Record, class Judge>
 Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
   const auto model = std::make_shared<Model>(*asked);
@@ -63,7 +64,7 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
       [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
 }
 
-// A quantity of a record; nothing where it has none of this key.
+// A quantity of a record; nothing if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key) {
   static const Value kNothing;
   for (const Member& member : record)
@@ -75,7 +76,7 @@ py::array positions_of(const ContactValue& c) {
   return table_array(position_quantities().table(), *quantity(c.record(), "positions").list());
 }
 
-// A row for each torque, in it the positions.
+// A row for each torque, which contains the positions.
 py::object load_positions_of(const LoadedValue& loaded) {
   const ValueList& torques = *quantity(loaded.record(), "torques").list();
   if (torques.empty()) return py::none();
@@ -113,7 +114,7 @@ std::string repr_of(const LoadedValue& l) {
   return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
 }
 
-// A kind of answer, with every quantity of the table. Out of a pickle comes what of(pair) is again.
+// A type of result, with every quantity of the table. Unpickling computes it again by of(pair).
 template <class Self>
 void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
   bind_made(type, [of](Json spec, const std::filesystem::path& folder) {
@@ -128,7 +129,7 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// The spec of a dict, or of what has one: a Pair, a Gear.
+// The spec of a dict, or of an object with a spec: a Pair or a Gear.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();

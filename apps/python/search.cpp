@@ -152,7 +152,7 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
-// What a pickle keeps of a run, which may have taken hours, as it is; designs and changes are packed.
+// A pickle contains the finished run, which may have taken hours. Designs and changes are packed.
 template <class Run>
 auto plain_members(Run& run) {
   auto& answer = run.answer;
