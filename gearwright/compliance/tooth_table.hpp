@@ -4,8 +4,7 @@
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
 //   The first two terms are the table, by cubic interpolation in s and s′; the third is computed
 //   along the contact line. E = 1, lengths in normal modules: C is E·u·m_n/F, forces and
-//   displacements
-//   are those of a whole slice.                  theory: docs/theory/12-loaded-contact.md
+//   displacements are those of a whole slice.    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
 #include <memory>

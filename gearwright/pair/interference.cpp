@@ -11,14 +11,14 @@ namespace gearwright::detail {
 
 namespace {
 
-// A gear cut by its mating gear touches it with no clearance at all: rounding is no interference.
+// A gear touches the mating gear that cut it without clearance, and rounding errors are not
+// interference.
 constexpr double kNoise = 1e-11;  // of the base pitch
 double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 
-// Past the flank that an undercut took nothing strikes: contact is lost. Elsewhere it is
-// interference.
+// Beyond the flank that undercut removed, contact is lost. Elsewhere this is interference.
 void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
@@ -41,8 +41,8 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
 
 }  // namespace
 
-// Where the mating gear's tip touches each gear deepest, and how far that is from the usable
-// flank's start. [T2.25]
+// The diameter at which the mating gear's tip touches each gear deepest, and its distance from the
+// start of the usable flank. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
@@ -103,7 +103,7 @@ void find_internal_margins(InvolutePair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  // Where the internal gear's flank really ends: a rounded tip gives way.
+  // The actual end of the internal gear's flank, without a rounded tip.
   const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
@@ -117,7 +117,7 @@ void find_internal_margins(InvolutePair& p) {
     p.involute_margin = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
   }
   const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
-  // Where the tip circles do not meet no tip passes another.
+  // If the tip circles do not meet, no tip passes another.
   if (r_a2 < a + r_a1) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;
@@ -142,7 +142,7 @@ void find_internal_margins(InvolutePair& p) {
          "gear."});
   }
   if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
-    // Of assembly only: once in place nothing strikes.
+    // This concerns assembly only. Mounted gears do not collide.
     p.warnings.push_back(
         {WarningCode::trimming,
          "Trimming interference: the pinion cannot be mounted radially with a tooth space on the "

@@ -69,7 +69,7 @@ void warn_about_contact(InvolutePair& p) {
 }
 
 void warn_about_mesh(InvolutePair& p) {
-  // Rounding of a backlash-free distance is not a backlash.
+  // Rounding errors of a backlash-free distance are not backlash.
   constexpr double kOfPitch = 1e-12;
   constexpr double kOfDistance = 4e-15;
   const double noise =
@@ -95,7 +95,8 @@ void warn_about_mesh(InvolutePair& p) {
   for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
-// Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
+// Backlash-free pairs have a centre distance above the sum of their base radii. Half of that sum is
+// implausible.
 constexpr double kMinCrossedDistance = 0.5;
 
 std::optional<Error> check_place(const InvolutePair& p) {

@@ -15,31 +15,32 @@
 
 namespace gearwright {
 
-/// Why parts of the pair get in each other's way.
+/// The reason why parts of the pair collide.
 struct Interference {
-  WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` for
-                     ///< what has no name of its own (past an undercut nothing strikes: a warning
-                     ///< `contact_lost_to_undercut` instead)
-  int gear;          ///< the gear whose root or tip suffers
-  std::variant<double, Angle> amount;  ///< mm, or of trochoid an angle; < 0: by so much
+  WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
+                     ///< unnamed (beyond an undercut nothing collides, which is the warning
+                     ///< `contact_lost_to_undercut`)
+  int gear;          ///< the gear whose root or tip is affected
+  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; < 0: depth of the
+                                       ///< interference
   std::string message;                 ///< one sentence
 };
 
-/// A place that a crossed pair could take, free of backlash.
+/// A backlash-free position of a crossed pair.
 struct CrossedPlace {
   double center_distance;       ///< mm
   Angle shaft_angle;            ///< Σ
   Angle normal_pressure_angle;  ///< α_wn
 };
 
-/// The places from lo to hi, by growing α_wn.
+/// The positions from lo to hi, by growing α_wn.
 struct CrossedPlaces {
   CrossedPlace lo, hi;
-  bool limit;  ///< hi is where a helix angle reaches 90°, no longer a gear
+  bool limit;  ///< true if hi is a limit at which a helix angle reaches 90° and there is no gear
 };
 
 struct InvolutePair : MountedGears {
-  InvolutePair() = default;  ///< empty, and no aggregate: mount_involutes() makes it
+  InvolutePair() = default;  ///< empty, and not an aggregate; mount_involutes() makes it
   MeshInput<double> input;
   Mesh<double> mesh;
   std::optional<double>
@@ -58,14 +59,15 @@ struct InvolutePair : MountedGears {
   std::optional<FaceWidths<double>> face_widths;     ///< crossed axes
   std::optional<CrossedPlace> min_distance;          ///< crossed axes, teeth as cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
-  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
+  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact is
+                                         ///< continuous
   std::vector<Interference>
-      interference;  ///< what explains the overlap; all that has a name, where
-                     ///< none was looked for
+      interference;  ///< the findings that explain the overlap; all findings, if no overlap was
+                     ///< computed
 
   bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
   double path_length() const;  ///< g_α, crossed AE  mm; 0: no contact
-  /// ε_α, tip form circle to tip form circle; 0: no contact. None on crossed axes.
+  /// ε_α, tip form circle to tip form circle; 0 without contact, none on crossed axes.
   std::optional<double> transverse_contact_ratio() const;
   double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
   double contact_ratio_true() const;  ///< the same with the clipped path
@@ -76,26 +78,27 @@ struct InvolutePair : MountedGears {
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
-/// The two gears as mesh_of takes them, at the place.
+/// The input of mesh_of for the two gears at this position.
 MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairPlace& place);
 
-/// The place at the transverse angle α of the limiting gear, free of backlash. [T4.14]
+/// The backlash-free position at the transverse angle α of the limiting gear. [T4.14]
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
-/// The places at which a crossed pair's contact ratio is at least 1; none: nowhere. [T4.23]
+/// The positions at which a crossed pair's contact ratio is at least 1; none if there are none.
+/// [T4.23]
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
 
-/// Mounts two involute gears. Gears that do not exist (severed, through the axis) make no pair;
-/// everything else that is wrong with a mesh is data.
+/// Mounts two involute gears. Gears that do not exist (severed, through the axis) make no pair. All
+/// other faults of a mesh are data.
 ///
 /// Domain    both are involute gears (contract)
-/// Errors    as check_partners and complete_place, and `pair.center_distance` where there is
-///           no working angle
+/// Errors    as check_partners and complete_place, and `pair.center_distance` if there is no
+///           working angle
 Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec);
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm, < 0: so deep the corner cuts into the fillet. The flanks of that side touch
-/// meanwhile.
+/// `which` (1, 2), mm; < 0 is the depth by which the corner cuts into the fillet. The flanks of
+/// that side are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
 /// Domain    none for the fillet of an internal gear; parallel axes (contract)

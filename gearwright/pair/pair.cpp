@@ -16,7 +16,7 @@ Result<Pair> either(Result<Kind> made, const PairSpec& spec) {
 
 }  // namespace
 
-// Inlined, g++ 12 takes the other kind's members for uninitialised.
+// If inlined, g++ 12 warns that members of the other kind are uninitialised.
 [[gnu::noinline]] Pair::Pair(InvolutePair pair) : of_(std::move(pair)) {}
 [[gnu::noinline]] Pair::Pair(ArcPair pair) : of_(std::move(pair)) {}
 

@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// What both kinds of pair have it tells; what one kind has is asked of that.
+/// Data common to both kinds of pair are members here. Data of one kind are members of that kind.
 class Pair {
  public:
   Pair(InvolutePair pair);
@@ -21,7 +21,7 @@ class Pair {
 
   const InvolutePair* involute() const { return std::get_if<InvolutePair>(&of_); }
   const ArcPair* arcs() const { return std::get_if<ArcPair>(&of_); }
-  /// `f` called with the InvolutePair or the ArcPair.
+  /// Calls `f` with the InvolutePair or the ArcPair.
   template <class F>
   decltype(auto) visit(F&& f) const {
     return std::visit(std::forward<F>(f), of_);
@@ -47,8 +47,8 @@ class Pair {
 
 /// Mounts any two gears.
 ///
-/// Errors    as mount_involutes and mount_arcs; `gearN.rack` where one gear has involute teeth and
-///           the other circular arcs, `pair.shaft_angle` of crossed axes with arcs
+/// Errors    as mount_involutes and mount_arcs; `gearN.rack` if one gear has involute teeth and the
+///           other circular arcs, `pair.shaft_angle` for crossed axes with arcs
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
 
 }  // namespace gearwright
