@@ -60,7 +60,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     return m * leaf::flank_start(std::abs(g.r), g.sin_transverse, g.edge_depth,
                                  shifts[static_cast<int>(i)]);
   };
-  // Clipped to the usable flanks; crossed: not to the faces, which a search does not choose.
+  // The path is clipped to the usable flanks. On crossed axes it is not clipped to the faces, which
+  // a search does not choose.
   const double from = leaf::usable_begin(mesh.rho1_A, flank_start(0));
   const double end = leaf::rho_1_where(mesh.base_tangent_distance, 1.0,
                                        std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio);
@@ -86,7 +87,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     if (g.teeth < 0) continue;
     const double start =
         m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, shifts[static_cast<int>(i)]);
-    // Along the line of action, which on crossed axes rises by the base helix.
+    // The weight along the line of action, which on crossed axes rises by the base helix.
     const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
     row.form_clearance[i] = weight * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
@@ -173,7 +174,7 @@ namespace {
 // Costs that differ by less are equal: the same design in another module rounds differently.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
-  constexpr double kTooLarge = 1e4;  // from there on a step of kSame is less than rounding
+  constexpr double kTooLarge = 1e4;  // from this value on, a step of kSame is less than rounding
   return std::abs(cost) < kTooLarge ? std::round(cost / kSame) * kSame : cost;
 }
 

@@ -54,11 +54,11 @@ struct DesignRow {
 /// omits the values of the region, which cost a hundred times as much as the rest.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
-/// The same of a region that is known.
+/// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// There is one: a region, and where designs that interfere are excluded a point of it for a design
-/// whose tips keep clear of the fillets.
+/// True if there is a design: a region and, if interference is excluded, a point of it at which the
+/// tips keep clear of the fillets.
 bool has_design(const ShiftGraph& graph);
 
 /// The numbers at any point of the graph.   Domain: a working angle exists there (contract)
@@ -79,11 +79,12 @@ struct RankKey {
 };
 RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row);
 
-/// A comes before B in that order.
+/// True if a comes before b in that order.
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 
-/// A is at least as good in every objective and better in one. Rows without a cost never dominate.
+/// True if a is at least as good in every objective and better in one. Rows without a cost never
+/// dominate.
 bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b);
 
 /// The rows that no other row dominates, kept as rows arrive in any order.

@@ -1,11 +1,11 @@
 // The input of a design search: the numbers to try, the limits, and the objectives.
 //
-//   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved for: every trial has
-//                    its exact region of them (design/shift_graph.hpp)
+//   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved: every trial has its
+//                    exact region of them (design/shift_graph.hpp)
 //   Σ                x1 + x2, ISO 21771 signs (internal gear: z2 < 0)
 //                                              theory: docs/theory/09-design-search.md
 //
-// Lengths mm; what limits a tooth is in normal modules.
+// Lengths in mm; limits of a tooth in normal modules.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,10 @@ enum class Limit {
   sliding,
   tip_clearance,
   interference,
-  safety_flank,  ///< of the design's own shifts, and so the next
+  safety_flank,  ///< of the design at its own shifts, like the next one
   safety_root
 };
-inline constexpr int kRegionLimits = 7;  ///< those of a region of shifts come first
+inline constexpr int kRegionLimits = 7;  ///< limits of a region of shifts come first
 inline constexpr int kLimits = 9;
 /// "shift_limits", "center_distance", …
 std::string_view name(Limit limit);
@@ -54,7 +54,7 @@ inline constexpr std::array<std::string_view, 9> kObjectiveNames{
     "contact_ratio",         "ratio", "size",  "shift", "area", "sliding",
     "formula_contact_ratio", "mass",  "safety"};
 
-/// The racks of both gears, and how deep their straight edges reach below the datum line.
+/// The racks of both gears, and the depth of their straight edges below the datum line.
 struct SearchRacks {
   std::array<StraightRack, 2> rack;
   std::array<double, 2> undercut_depth{1.0, 1.0};  ///< modules, for the undercut limit
@@ -62,7 +62,7 @@ struct SearchRacks {
 };
 
 struct SearchLimits {
-  std::optional<double> min_shift, max_shift;  ///< floor and ceiling of x1 and x2
+  std::optional<double> min_shift, max_shift;  ///< lower and upper limit of x1 and x2
   double undercut_margin = 0.0;                ///< x ≥ the undercut limit + this
   double tip_thickness = 0.2;                  ///< s_an ≥ this, modules
   double contact_ratio =
@@ -82,8 +82,9 @@ class RingCuts;
 struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm: a rim on a web
-  std::optional<double> power_kW;       ///< P, where it was given in place of the torque
+  std::optional<double> power_kW;       ///< P, if it was given instead of the torque
   std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; none: every internal gear is cut
+                                        ///< separately
 };
 
 inline constexpr double kFaceModules = 10.0;      ///< b/m_n, unless it is given
@@ -112,7 +113,7 @@ struct SearchProblem {
   double lambda = 0.625;      ///< λ of the line of Eq. 11
   double target_ratio = 0.0;  ///< of the objective `ratio`
   std::vector<Objective> objectives{Objective::contact_ratio};
-  std::optional<double> shift_step;  ///< of a grid whose feasible points are all wanted too
+  std::optional<double> shift_step;  ///< of a grid whose feasible points are requested too
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
   std::optional<SearchRating> rating;                           ///< none: designs are not rated
 
@@ -121,14 +122,14 @@ struct SearchProblem {
   double face_width_of(double module) const { return face_width.value_or(face_modules * module); }
   /// The number of limits that can reject a design.
   int limit_count() const { return rating ? kLimits : kRegionLimits; }
-  /// Masses are asked for.
+  /// True if masses are required.
   bool weighs() const { return rating || ranks_by(Objective::mass); }
   bool ranks_by(Objective objective) const {
     return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
   }
 };
 
-/// One choice of everything but the shifts.
+/// One combination of all numbers except the shifts.
 struct Trial {
   std::int64_t index = 0;  ///< place in the order in which trials are counted
   double module = 0.0;     ///< m_n  mm

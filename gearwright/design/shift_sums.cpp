@@ -65,7 +65,7 @@ bool ShiftGraph::has_feasible_sums(int limits) const {
   if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough())
     return false;
   const Sums range = sums(limits);
-  constexpr double kInside = 1e-9;  // so that no rounding is the whole of it
+  constexpr double kInside = 1e-9;  // so that rounding is not the whole interval
   for (const double share : {0.5, 0.25, 0.75, 0.1}) {
     const double sum = range.lo + share * (range.hi - range.lo);
     if (!(range.lo < sum && sum < range.hi)) break;

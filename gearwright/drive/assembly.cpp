@@ -14,14 +14,14 @@ namespace gearwright {
 
 namespace {
 
-/// Degrees: an angle of a drawing with two decimals means the place that is so near.
+/// Degrees: an angle of a drawing with two decimals means the nearest place within this.
 constexpr double kSamePlace = 0.01;
-/// Teeth more or less that are tried when others are proposed.
+/// Number of teeth more or less that are tried for proposals.
 constexpr int kMostTeethChanged = 12;
 
 using Row = std::vector<long long>;  // A | b of a mesh
 
-// Of a mesh: z of each rider on χ, −z of the central gear on u.
+// Conditions of a mesh: z of each rider on χ, −z of the central gear on u.
 std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<Row> rows;
   for (const std::size_t m : group.meshes) {
@@ -105,7 +105,7 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
   std::vector<Rational> turns;
   for (const double given : degrees) {
     const double u = (given - degrees.front()) / 360.0;
-    // Where any place will do, an angle is exact to a millionth of a degree.
+    // If any place is possible, angles are exact to a millionth of a degree.
     const long long grid = places > 0 ? places : 360'000'000;
     const double n = std::round(u * static_cast<double>(grid));
     const double off = std::abs(u - n / static_cast<double>(grid)) * 360.0;
@@ -147,7 +147,8 @@ std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const Pla
   const Rational step = Rational::of(1, std::lcm(z1, z2));
   std::vector<Rational> list;
   for (const Rational& u : turns) {
-    // −u (z_s/z_p1 − z_r/z_p2), z_r < 0: whichever of the central gears are rings. [T13.14]
+    // −u (z_s/z_p1 − z_r/z_p2), with z_r < 0 for a ring; either central gear may be a ring.
+    // [T13.14]
     const Rational angle =
         u * (Rational::of(central[1]->factor(), z2) - Rational::of(central[0]->factor(), z1));
     list.push_back((angle / step).frac() * step);

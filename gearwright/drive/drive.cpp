@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Ring or rack second, as pairs have them: the law of a mesh does not depend on the order.
+// A ring or rack is put second, as in pairs. The law of a mesh does not depend on the order.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
     if (graph.gear(mesh, 0).factor() < 0) std::swap(mesh.gears[0], mesh.gears[1]);
@@ -96,7 +96,7 @@ std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
     return std::nullopt;
   const DriveMesh& mesh = drive.graph.meshes[sun.mesh];
   const int which = &drive.graph.gear(mesh, 0) == sun.rider ? 1 : 2;
-  // Without a flow the sun is taken to drive, unless it is the output.
+  // Without a flow the sun is assumed to drive, unless it is the output.
   bool sun_drives = drive.graph.output != sun.central->body;
   if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[sun.mesh] >= 0)
     sun_drives = drive.flow->driver[sun.mesh] == 2 - which;

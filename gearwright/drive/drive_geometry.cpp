@@ -17,7 +17,7 @@ namespace {
 
 using Fault = GeometryFault;
 
-// Whether both gears of a mesh have teeth, not only numbers of them.
+// True if both gears of a mesh have teeth, not only tooth numbers.
 bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
@@ -85,7 +85,7 @@ class Completion {
   }
 
  private:
-  // A mesh with both shifts unknown comes last: others may give one of them.
+  // A mesh with both shifts unknown comes last, because others may determine one of them.
   int unknowns(std::size_t m) const {
     int count = 0;
     for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;
@@ -195,7 +195,8 @@ double tip_gap(const Rider& a, const Rider& b, double turned) {
   return between - (a.tip_diameter + b.tip_diameter) / 2;
 }
 
-// Over all copies; of copies that stand alone only riders that do not mesh, which have none here.
+// The least gap over all copies. If a copy is not at equal pitch, only riders that do not mesh
+// count.
 double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
   double least = kInfinity;
   for (std::size_t i = 0; i < turned.size(); ++i)
@@ -243,11 +244,11 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   std::vector<double> turned;
   for (const Rational& u : assembly.turns) turned.push_back(2 * std::numbers::pi * u.value());
   found.clearance = least_gap_of(*riders, turned);
-  constexpr int kMost = 1000;  // more planets than any gear has teeth for
+  constexpr int kMost = 1000;  // more planets than any gear has teeth
   for (int n = 2; n <= kMost; ++n) {
     turned.clear();
     for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch copy 0 sees every distance that there is.
+    // At equal pitch, copy 0 has every distance that occurs.
     double gap = kInfinity;
     for (int i = 1; i < n; ++i)
       for (const Rider& a : *riders)

@@ -4,8 +4,9 @@
 //   c      least distance of the tips of neighbouring planets, mm [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// A drive may lack what teeth need: then it has speeds, torques and places, and no geometry. What
-// cannot be built is a finding, not an error: the rest of the drive still has its numbers.
+// If a drive lacks the data of its teeth, it has speeds, torques and places, but no geometry.
+// Geometry that cannot be built is a finding, not an error, and the other numbers are still
+// computed.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@
 
 namespace gearwright {
 
-/// Why a part of the teeth cannot be as the drive asks.
+/// The reason why a part of the teeth is impossible.
 struct GeometryFault {
   enum class Kind { not_coaxial, no_gear, no_pair } kind;
   std::string message;
@@ -38,11 +39,12 @@ struct DriveGeometry {
 DriveGeometry drive_geometry(const DriveGraph& graph);
 
 struct Neighbours {
-  double clearance;  ///< c  mm, < 0: planets cut each other
+  double clearance;  ///< c  mm, < 0: planets overlap
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
-/// None: a distance or a gear is missing, or an idler finds no place (`fault` then has why).
+/// None if a distance or a gear is missing, or if an idler has no place (`fault` then has the
+/// reason).
 ///
 /// Formula   c = min 2 a sin(Δ/2) − d_a over neighbours, of riders at several distances tip to tip
 ///           from their polar coordinates; N_max = floor(π/asin(d_a/2a)); [T13.15b]

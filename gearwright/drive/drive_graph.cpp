@@ -96,7 +96,7 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
 }
 
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
-  // Riders are joined where they mesh: each carries the least index of those it is joined with.
+  // Riders are joined where they mesh. Each gets the least index of those joined with it.
   std::vector<std::size_t> group(graph.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) group[i] = i;
   for (const DriveMesh& mesh : graph.meshes) {

@@ -35,7 +35,7 @@ std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
   return list;
 }
 
-// The hand of each member against the sun's: it turns over in every external mesh.
+// The hand of each member relative to that of the sun. It is reversed in every external mesh.
 double hand_of(const PlanetarySpec& spec, M member) {
   const double planet = spec.z(M::idler) ? 1.0 : -1.0;
   switch (member) {
@@ -92,7 +92,7 @@ std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std:
   return std::nullopt;
 }
 
-// What is held, drives and is driven where the set does not say it.
+// Default fixed body, inputs and output of a set.
 std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   std::vector<std::string> inputs = spec.inputs;
@@ -202,7 +202,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
   if (auto error = check_set(spec)) return *error;
   DriveGraph graph;
   std::array<std::size_t, kSetMembers> gear_of{};
-  // Bodies: central gears, the carrier, then what rides on it; a stepped planet is one body.
+  // Bodies: the central gears, the carrier, then the riders; a stepped planet is one body.
   for (const M m : {M::sun, M::sun2, M::ring, M::ring2})
     if (spec.z(m)) graph.bodies.push_back({to_string(m), std::nullopt, 1, {}});
   const std::size_t carrier = graph.bodies.size();

@@ -1,9 +1,9 @@
-// A figure as a value: what is drawn in the units of its axes, without a pixel and without a colour.
+// A figure as a value: marks in the units of its axes, without pixels and colours.
 //
 // It is made once, from a result of the engine, and written by several writers: SVG for the report and
-// the page (figure_svg.hpp), JSON and CSV for anybody's own plots (figure_data.hpp). A mark's style is
-// a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into colours for
-// light, dark and paper.
+// the page (figure_svg.hpp), JSON and CSV for the user's own plots (figure_data.hpp). A mark's
+// style is a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into
+// colours for light, dark and paper.
 //
 //   Places are data coordinates. ±∞ is the edge of the plot, NaN begins a new piece of a line or
 //   of an area.
@@ -24,8 +24,8 @@ inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_
 struct FigureAxis {
   std::string words;          ///< "rotation of gear 1"; plain text
   std::string unit;           ///< "°"; empty: a pure number
-  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis runs the other way
-  bool whole = false;         ///< values between whole numbers do not exist
+  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis is reversed
+  bool whole = false;         ///< only whole numbers are possible
   std::string symbol = {};    ///< "ε_α", after the words
   bool log = false;           ///< of powers; 0 < lo < hi
 };
@@ -46,7 +46,7 @@ struct FigureMark {
   Anchor anchor = Anchor::start;
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
-  int frame = -1;              ///< seen while a slider stands there; −1: always
+  int frame = -1;              ///< shown only at this position of a slider; −1: always
 };
 
 /// A row of blocks below the plot, over its x axis: "tooth pair", "tip edge of gear 1".
@@ -63,10 +63,10 @@ struct FigureLane {
 struct FigureShades {
   std::vector<double> levels;  ///< between the steps
   std::string most;            ///< at the upper end
-  std::string nothing;         ///< words of places without a value; empty: there are none
+  std::string nothing;         ///< words for places without a value; empty if there are none
 };
 
-/// What a line or a colour means.
+/// The meaning of a line or a colour.
 struct FigureKey {
   std::string style, words;
 };
@@ -74,12 +74,12 @@ struct FigureKey {
 struct Figure {
   std::string id;           ///< unique in a page
   std::string title;        ///< plain text: the head of the caption
-  std::string description;  ///< what is seen, for those who do not see it
+  std::string description;  ///< the content in words, for users who cannot see it
   std::string caption;      ///< HTML, after the title
   FigureAxis x, y;
-  std::string note = {};  ///< at the upper right: the value that decides; plain text
+  std::string note = {};  ///< at the upper right: the decisive value; plain text
   double tall = 0.45;     ///< height of the plot over its width
-  double pitch = 0.0;     ///< one pitch of gear 1 along x; 0: x is no rotation
+  double pitch = 0.0;     ///< one pitch of gear 1 along x; 0 if x is not a rotation
   bool bare = false;      ///< a small picture without axes
   int frames = 0;         ///< of the slider; 0: none
   std::vector<FigureMark> marks = {};
@@ -99,8 +99,8 @@ struct Figure {
 /// Loops as the points of one area.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Widens the axes to hold every finite point of the curves that are named, with `share` of their
-/// length as room above and below; `from_zero`: y begins at 0. False: they have no range.
+/// Widens the axes to contain every finite point of the named curves, with `share` of their length
+/// as room above and below. If `from_zero`, y begins at 0. Returns false if they have no range.
 bool fit_axes(Figure& figure, double share = 0.06, bool from_zero = false);
 
 }  // namespace gearwright

@@ -17,14 +17,14 @@ namespace {
 using Kind = FigureMark::Kind;
 
 constexpr double kLetter = 7.6;  // px, of a number of 12 to 14 px
-constexpr double kEdge = 12.0;   // px of air around everything
+constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot: the words of the y axis
 constexpr double kFoot = 44.0;   // px below it: numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kShade = 19.0;               // px, a box of the key
 constexpr double kAcross = 58.0, kUp = 26.0;  // px between ticks, at least
 
-// Letters of markup: tags and the further bytes of a character count nothing.
+// Number of visible characters of markup, without tags and continuation bytes.
 double letters(std::string_view markup) {
   double count = 0.0;
   bool tag = false;
@@ -43,7 +43,7 @@ struct Scale {
   double operator()(double v) const {
     if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
     const double share = log ? std::log(v / lo) / std::log(hi / lo) : (v - lo) / (hi - lo);
-    // Curves may leave their plot, but no further than it is long.
+    // Curves may leave their plot, but by no more than its length.
     const double length = std::abs(to - from);
     return std::clamp(from + share * (to - from), std::min(from, to) - length,
                       std::max(from, to) + length);
@@ -80,9 +80,10 @@ std::string words_of(const FigureAxis& axis) {
 
 struct Layout {
   double left, right, top, bottom;  // px, of the plot
-  double foot, height;              // px, the line of the x axis' numbers; the whole
+  double foot, height;              // px, the line of the numbers of the x axis; the total height
   double note = 20.0;               // px, the line of the note
-  double lane_words = 0.0;          // px, their line above each lane; 0: they stand before it
+  double lane_words = 0.0;          // px, the line of the words above each lane; 0 if they are in
+                                    // front of it
   Ticks across, up;
 
   Layout(const Figure& f, double width) {
@@ -93,7 +94,7 @@ struct Layout {
       height = bottom + kEdge;
       return;
     }
-    // What stands beside the plot at its right, and before it at its left.
+    // Widths of the words to the right and to the left of the plot.
     double beside = 0.0, before = 0.0;
     for (const FigureMark& m : f.marks) {
       if (m.kind != Kind::text || m.anchor != Anchor::start) continue;
@@ -113,7 +114,7 @@ struct Layout {
       before = std::max(before, kLetter * letters(tick_words(v, up.decimals)));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
-    // The note stands in a line of its own where it does not fit beside the words.
+    // The note is in a separate line if it does not fit next to the words.
     note = kLetter * (letters(words_of(f.y)) + letters(f.note)) > width - 4 * kEdge ? 38.0 : 20.0;
     top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));

@@ -112,7 +112,8 @@ void Svg::path(std::string_view d, std::string_view style, std::string_view attr
 
 void Svg::use(std::string_view shape, const Vec2& center, double scale, double degrees,
               std::string_view style, std::string_view attributes) {
-  // Units of a shape are tiny and gears have up to 10^6 of them: the scale needs digits of its own.
+  // Units of a shape are tiny, and gears have up to 10^6 of them, so the scale has its own number
+  // of digits.
   body_ += fmt::format(
       "<use class=\"{}\" href=\"#{}\" transform=\"translate({}) scale({:.9g}) rotate({})\"{}{}/>\n",
       style, shape, point(center), scale, fixed(-degrees, 6), attributes.empty() ? "" : " ",

@@ -7,7 +7,7 @@ namespace gearwright {
 
 struct Ticks {
   std::vector<double> values;
-  int decimals;  ///< by which they differ; −1: each has its own
+  int decimals;  ///< decimals that distinguish the values; −1: each value has its own number
 };
 
 /// Round values within [lo, hi]: multiples of 1, 2 or 5 times a power of ten.
@@ -25,7 +25,7 @@ Ticks log_ticks(double lo, double hi, double apart);
 /// Those of round_ticks that lie between lo and hi.
 std::vector<double> levels_between(double lo, double hi, int most);
 
-/// lo … hi widened by `share` of its length on both sides; a single value gets room of its own.
+/// lo … hi widened by `share` of its length on both sides. A single value gets some range.
 std::vector<double> widened(double lo, double hi, double share);
 
 }  // namespace gearwright

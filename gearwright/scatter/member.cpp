@@ -15,9 +15,10 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTouching = 1e-12;                // rad: teeth without backlash do not jam
-constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a peak to peak below is the rounding of 0
+constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
+                                                   // of 0
 
-// The setup of the member: the drawing's, unless its modifications differ.
+// The setup of the member, which is that of the drawing unless its modifications differ.
 class MemberSetup {
  public:
   MemberSetup(const ContactSetup& setup, const Deviation& deviation) : drawn_(setup) {

@@ -1,7 +1,7 @@
 // One member of the family: its contact over a pitch in a few numbers.
 //
-//   ΔE_sn   change of the tooth thickness      s   what it takes from the play, as an angle of gear 2
-//                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
+//   ΔE_sn   change of the tooth thickness      s   its reduction of the backlash, as an angle of
+//                                    gear 2 theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
 // The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
 // continuous curve.
@@ -28,8 +28,8 @@ enum class ScatterQuantity {
 constexpr std::size_t kScatterQuantities = 9;
 
 struct FamilyMember {
-  std::array<double, kScatterQuantities> value{};  ///< NaN: there is no such number
-  bool lost = false;                               ///< at some position nothing touches
+  std::array<double, kScatterQuantities> value{};  ///< NaN if there is no such number
+  bool lost = false;                               ///< true if nothing touches at some position
 
   double operator[](ScatterQuantity q) const { return value[static_cast<std::size_t>(q)]; }
   bool edge() const { return (*this)[ScatterQuantity::edge_share] > 0.0; }
@@ -42,7 +42,7 @@ struct MemberRequest {
   ProfileTarget profile{};
 };
 
-/// The play that thicker teeth take, as an angle of gear 2, rad.
+/// The reduction of the backlash by thicker teeth, as an angle of gear 2, rad.
 ///
 /// Formula   [T14.13], exact for involutes
 /// Domain    involute teeth, or no change (contract)
@@ -55,7 +55,7 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve alone, rad; NaN where contact is lost.
+/// Peak to peak of the continuous curve alone, rad; NaN if contact is lost.
 double continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
                                const MemberRequest& request);
 

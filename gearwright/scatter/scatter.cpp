@@ -15,7 +15,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kBlock = 64;  // samples that a thread takes at once
-// Below these standard deviations a quantity varies by rounding only.
+// A quantity with a smaller standard deviation varies by rounding only.
 constexpr double kRoundingAngle = 1e-12;  // rad
 constexpr double kRoundingShare = 1e-9;
 
@@ -55,7 +55,7 @@ class Sampler {
     return member_at(setup_, deviation_at(setup_, task_.tolerances, x), task_.member);
   }
 
-  // Members of all samples, by a function of replicate and n that gives x.
+  // Members of all samples, where a function of replicate and n gives x.
   template <class F>
   std::vector<ScatterSample> all(const F& x_at) const {
     const auto n = static_cast<std::size_t>(task_.samples);
@@ -94,8 +94,8 @@ std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
   return a;
 }
 
-// The values of one quantity, of replicate r or (r < 0) of all, of the samples that keep contact, with
-// their places.
+// The values of one quantity and their indices, for replicate r or (r < 0) all of them, of the
+// samples that keep contact.
 struct Values {
   std::vector<double> value;
   std::vector<std::size_t> sample;
@@ -176,7 +176,7 @@ Probability probability_of(const std::vector<ScatterSample>& samples, double con
           probability_interval(count, of, confidence)};
 }
 
-// One quantity of one replicate; a sample that loses contact has none.
+// One quantity of one replicate. A sample that loses contact has no value.
 std::vector<double> column(const std::vector<ScatterSample>& samples, std::size_t quantity,
                            std::size_t from, std::size_t count) {
   std::vector<double> v;

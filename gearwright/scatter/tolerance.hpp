@@ -1,7 +1,7 @@
-// What varies from pair to pair: one toleranced number each, or a bore in its circle.
+// Variations from pair to pair: one toleranced number each, or the place of a bore in a circle.
 //
-//   x   coordinates of a member of the family, one for each number and two for each bore; all 0 is the
-//       pair as drawn, because every x is added to what it has
+//   x   coordinates of a member of the family, one for each number and two for each bore; 0 is the
+//       pair as drawn, because every x is added to the value of the drawing
 //                                    theory: docs/theory/14-scatter.md, [T14.12]
 #pragma once
 
@@ -48,37 +48,37 @@ struct VaryingBore {
 };
 
 struct ScatterTolerance {
-  std::string name;   ///< as the user calls it, "errors.crossing_deg"
-  double unit = 1.0;  ///< rad or mm of one of the user's units, in which the distribution is
-  Distribution distribution;  ///< of a bore that of both coordinates' ends, −R to R
+  std::string name;   ///< name for the user, "errors.crossing_deg"
+  double unit = 1.0;  ///< one unit of the user in rad or mm; the distribution uses the user's unit
+  Distribution distribution;  ///< for a bore that of both coordinates, −R to R
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore> of;
 
-  /// Coordinates of x: 2 of a bore, else 1.
+  /// Coordinates of x: 2 for a bore, otherwise 1.
   int coordinates() const { return std::holds_alternative<VaryingBore>(of) ? 2 : 1; }
   /// Its coordinates from as many numbers in (0, 1), in the user's units.
   std::array<double, 2> at(std::span<const double> u) const;
 };
 
-/// A member of the family: what is added to the pair as drawn, in mm and rad.
+/// A member of the family: its difference from the pair as drawn, in mm and rad.
 struct Deviation {
-  ContactErrors errors;               ///< of the member, those of the drawing included
+  ContactErrors errors;               ///< of the member, including those of the drawing
   PairModifications modifications;    ///< likewise
-  bool modified = false;              ///< they are not the drawing's
+  bool modified = false;              ///< true if they differ from those of the drawing
   std::array<double, 2> thickness{};  ///< ΔE_sn  mm
 };
 
-/// The member at x, whose coordinates follow each other as the tolerances do.
+/// The member at x, whose coordinates are in the order of the tolerances.
 ///
 /// Domain    as many coordinates as the tolerances have (contract)
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 
-/// Coordinates of all together.
+/// The number of coordinates of all tolerances.
 int coordinates_of(std::span<const ScatterTolerance> tolerances);
 
-/// The teeth and their modifications exist at both ends of each tolerance.
+/// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, of the first tolerance that leads there; its name is the field
+/// Errors    as ContactSetup::of, for the first tolerance that causes it; its name is the field
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 

@@ -19,7 +19,7 @@ constexpr std::size_t kStartSamples = 16;  // and the worst samples
 constexpr int kDirections = 8;             // places of a bore on its circle that count as corners
 constexpr double kFirstStep = 0.25;        // of a range
 constexpr double kLastStep = 1e-4;         // of a range
-constexpr double kAtEnd = 1e-9;            // of a range: this near, a place is at its end
+constexpr double kAtEnd = 1e-9;            // relative to a range: this near, a place is at its end
 
 class Box {
  public:
@@ -35,7 +35,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // How bad: a peak to peak, or a play with its sign turned. Minus infinity where there is none.
+  // The badness of a member: its peak to peak, or its negative play; minus infinity if there is
+  // none.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
@@ -48,7 +49,7 @@ class Box {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
 
-  // The nearest place of the box; a bore stays in its circle.
+  // The nearest place inside the box. A bore stays in its circle.
   std::vector<double> inside(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -138,7 +139,7 @@ struct Place {
   double badness = -std::numeric_limits<double>::infinity();
 };
 
-// Hooke and Jeeves: steps along each coordinate, and on along what they gained together.
+// Hooke and Jeeves: steps along each coordinate, then along their common gain.
 Place climb(const Box& box, Place place) {
   for (double step = kFirstStep; step >= kLastStep;) {
     Place best = place;
