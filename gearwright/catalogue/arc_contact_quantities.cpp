@@ -1,4 +1,4 @@
-// What a contact of circular-arc teeth says of itself: `arc_contacts` of a pair.
+// The quantities of a contact of circular-arc teeth: `arc_contacts` of a pair.
 #include <cmath>
 
 #include "gearwright/catalogue/pair_parts.hpp"
@@ -7,9 +7,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMarking = 0.00635;  // mm: the ellipse is what a layer of marking compound shows
+constexpr double kMarking = 0.00635;  // mm: thickness of the marking compound that shows the
+                                      // ellipse
 
-// The semi-axis that a gap curvature leaves under the marking; none where the gap closes.
+// The semi-axis for a gap curvature under the marking; none if the gap closes.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -18,7 +19,7 @@ Value tensor(const Mat2& k) {
 
 bool convex_first(const ArcContactView& c) { return c.contact->convex_gear == 1; }
 
-// Of gear 1 and gear 2 what is of the convex and the concave flank.
+// Reorders values of the convex and the concave flank as gear 1 and gear 2.
 template <class T>
 std::array<T, 2> by_gear(const ArcContactView& c, const T& convex, const T& concave) {
   return convex_first(c) ? std::array{convex, concave} : std::array{concave, convex};

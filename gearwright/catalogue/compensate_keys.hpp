@@ -1,4 +1,4 @@
-// The keys of [compensate] and [compensate.range]: which corrections may be made, and against which
+// The keys of [compensate] and [compensate.range]: the permitted corrections, and the range of
 // errors.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// A correction, as specs and results name it.
+/// A correction, with its name in specs and results.
 struct CorrectionEntry {
   std::string_view key;  ///< as in the result, "gear1.lead_crowning_um"
   WorkshopCorrection correction;
@@ -51,16 +51,17 @@ inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{{
 /// The entry of a correction.
 const CorrectionEntry& entry_of(const WorkshopCorrection& correction);
 
-/// What corrections are to make least.
+/// The quantity that corrections minimise.
 enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
 constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::transmission_error; }
 
 struct CompensateInput {
-  bool given = false;  ///< the spec has [compensate]
+  bool given = false;  ///< true if the spec has [compensate]
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<std::size_t> corrections;    ///< places in kCorrections; empty: the pair's own
-  std::optional<double> centering_arcsec;       ///< what a pattern at the end of the face may cost
-  /// [compensate.range]: the least and the greatest value of an error, by its place in
+  std::vector<std::size_t> corrections;    ///< indices in kCorrections; empty: the usual ones of
+                                           ///< the pair
+  std::optional<double> centering_arcsec;  ///< cost of a pattern at the end of the face
+  /// [compensate.range]: the least and the greatest value of an error, by its index in
   /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};
 };

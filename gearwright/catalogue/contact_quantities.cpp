@@ -16,7 +16,7 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const P& p) { return p.kind != TouchKind::none; }
 
-// What only a position with contact has.
+// Quantities that exist only at a position with contact.
 template <class F>
 auto touching(F get) {
   return [get](const P& p) { return touches(p) ? Value(get(p)) : Value(); };
@@ -149,7 +149,7 @@ const Quantities<ContactResult>& non_working_quantities() {
 }
 const QuantityTable& non_working_table() { return non_working_quantities().table(); }
 
-// How transmission error and contact point move with one unit, over the positions.
+// The change of transmission error and contact point per unit, over the positions.
 Value sensitivities(const V& v) {
   ValueMap all;
   for (std::size_t i = 0; i < v.slopes.size(); ++i) {
@@ -159,7 +159,7 @@ Value sensitivities(const V& v) {
       const TouchKind kind = v.working->positions[k].kind;
       te.push_back(kind == TouchKind::none ? Value()
                                            : Value(s.te * v.slopes[i].unit * kArcsecPerRad));
-      // Along a line of contact no point is the contact point.
+      // On a contact line, no point is the contact point.
       const bool point = kind != TouchKind::none && kind != TouchKind::line;
       points.push_back(point ? Value(Vec3(s.point * v.slopes[i].unit)) : Value());
     }

@@ -13,13 +13,13 @@
 
 namespace gearwright {
 
-/// A change whose effect was asked for, by the name that results give it.
+/// A change whose effect was requested, with its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
   double unit = 1.0;  ///< rad or mm per unit of the name
 };
 
-/// An analysis with what was asked besides.
+/// An analysis with additional requests.
 struct ContactView {
   const ContactResult* working;      ///< the flanks that the driver pushes
   const ContactResult* non_working;  ///< the others, at the same positions

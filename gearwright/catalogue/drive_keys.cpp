@@ -12,7 +12,7 @@ constexpr std::string_view kBodies = "a body or a list of bodies";
 constexpr std::string_view kMembers = "a number, or a table of numbers by member";
 constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
 
-// A key whose value has several forms; the reader has code for it.
+// A key whose value has several forms, which the reader handles.
 Key formed(std::string_view key, std::string_view symbol, std::string_view form,
            std::string_view fallback, std::string_view meaning) {
   const bool required = fallback == kRequired;

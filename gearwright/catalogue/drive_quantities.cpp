@@ -24,7 +24,7 @@ Value degrees_of(const Rational& turns) { return Value(360 * turns.value()); }
 
 bool flows(const Drive& d) { return d.flow && !d.flow->self_locking(); }
 
-// The same of each by its name.
+// The same for each, by its name.
 template <class View, class List>
 Value by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
   ValueMap map;
@@ -41,7 +41,7 @@ Value shifts_of(const Drive& d) {
   return map;
 }
 
-// Of the first mesh of the first set; none without a set or its geometry.
+// The centre distance of the first mesh of the first set; none without a set or its geometry.
 std::optional<double> set_distance(const Drive& d) {
   if (d.sets.empty() || d.sets.front().group.meshes.empty()) return std::nullopt;
   return d.geometry.distance[d.sets.front().group.meshes.front()];
@@ -112,7 +112,7 @@ Value each(const std::vector<Rational>& list, Show show) {
   return values;
 }
 
-// Self-locking of a flow; nothing without one.
+// True for a self-locking flow; null without a flow.
 Value locks(const std::optional<PowerFlow>& flow) {
   return flow ? Value(flow->self_locking()) : Value();
 }

@@ -10,7 +10,7 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Where contact with the mating gear ends, at the root or at the tip.
+// The end of contact with the mating gear, at the root or at the tip.
 void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;

@@ -17,7 +17,7 @@ namespace {
 
 using Range = KeyRange;
 
-// The limits of gear/gear.cpp that do not depend on other keys; a test holds them together.
+// The limits of gear/gear.cpp that do not depend on other keys. A test checks that they agree.
 constexpr double kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3, kMaxModule = 1e3;                  // mm
 constexpr double kMinPressure = 1, kMaxPressure = 60, kMaxHelix = 89;  // degrees

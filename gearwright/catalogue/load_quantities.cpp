@@ -30,7 +30,7 @@ const Quantities<S>& stiffness_quantities() {
   return kAll;
 }
 const QuantityTable& stiffness_table() { return stiffness_quantities().table(); }
-// Of teeth that touch at points.
+// For point contact.
 const Quantities<S>& point_stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_um, "load.torques point stiffness");
   return kAll;

@@ -67,7 +67,7 @@ const Quantities<Span>& span_quantities() {
 }
 const QuantityTable& span_table() { return span_quantities().table(); }
 
-// Where a ball or pin lies, after what is read over it.
+// The position of a ball or pin, after the reading over it.
 template <class V, class Seat>
 void say_seat(Quantities<V>& q, const Seat& seat) {
   q.mm("", "center_diameter_mm", "diameter of their centres", "d_K", "[T10.6]", [seat](const V& v) {

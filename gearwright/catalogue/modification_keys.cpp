@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// The words of keys that are put together here live as long as the program.
+// Stores words of keys that are composed here for the lifetime of the program.
 std::string_view kept(std::string text) {
   static std::deque<std::string> texts;
   return texts.emplace_back(std::move(text));

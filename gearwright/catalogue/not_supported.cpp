@@ -8,10 +8,10 @@ namespace gearwright {
 
 namespace {
 
-// `#` in a path is any number; a path that begins with "*." is a key of any table.
+// `#` in a path is any number. A path that begins with "*." is a key of any table.
 struct Row {
   std::string_view path;
-  std::string_view value;  // of a known key; of an unknown one empty
+  std::string_view value;  // of a known key; empty for an unknown one
   std::string_view sentence;
 };
 

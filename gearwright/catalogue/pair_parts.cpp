@@ -50,7 +50,7 @@ const Quantities<PathPoint>& path_point_quantities() {
 
 const QuantityTable& path_point_table() { return path_point_quantities().table(); }
 
-// Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
+// Sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
 Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, double along)) {
   ValueList speeds;
   for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
@@ -140,7 +140,7 @@ std::optional<LineView> line_of(const Pair& v) {
                     {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
                     {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
   }
-  // The way of the first contact over the common face, and its mirror image on the non-working
+  // The path of the first contact over the common face, and its mirror image on the non-working
   // flanks.
   const ArcPair& p = *v.arcs();
   if (p.contacts.empty()) return std::nullopt;

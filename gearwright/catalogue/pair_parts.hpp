@@ -53,7 +53,7 @@ std::vector<InterferenceView> interference_of(const Pair& pair);
 /// An entry of `overlap` or of `beyond_flank`.
 const Quantities<Collision>& collision_quantities();
 
-/// A contact of circular arcs and the pair it belongs to.
+/// A contact of circular arcs and its pair.
 struct ArcContactView {
   const ArcPair* pair;
   const ArcPairContact* contact;

@@ -21,8 +21,7 @@ bool is_arcs(const V& v) { return v.arcs() != nullptr; }
 bool is_parallel(const V& v) { return v.involute() && !v.crossed(); }
 bool is_crossed(const V& v) { return v.crossed(); }
 
-// Getters of what an involute pair has, of what one has on crossed or on
-// parallel axes: null for the others.
+// Getters for data of an involute pair, on crossed or on parallel axes only: null for other pairs.
 template <class F>
 auto involute(F get) {
   return [get](const V& v) { return v.involute() ? Value(get(*v.involute())) : Value(); };
@@ -36,7 +35,7 @@ auto parallel(F get) {
   return [get](const V& v) { return is_parallel(v) ? Value(get(*v.involute())) : Value(); };
 }
 
-// The table of a sub-catalogue, and its record of something that may not be there.
+// The table of a sub-catalogue, and its record of optional data.
 template <const auto& (*quantities)()>
 const QuantityTable& table_of() {
   return quantities().table();
@@ -54,7 +53,7 @@ Value kind(const V& v) {
   return v.kind() == PairKind::parallel_external ? "parallel_external" : "parallel_internal";
 }
 
-// The helix angle on the working pitch cylinder: tan β grows with the radius.
+// The helix angle on the working pitch cylinder, because tan β grows with the radius.
 double working_helix(const ArcPair& p, std::size_t i) {
   const Gear& g = p.gears[i];
   return std::atan(std::tan(g.spec.helix_angle.rad()) * p.working_pitch_diameter()[i] /
@@ -194,7 +193,8 @@ void say_contact(Quantities<V>& q) {
          [](const V& v) { return Value(v.contact_ratio()); })
       .always()
       .shown([](const V& v) { return !v.crossed(); });
-  // Crossed axes have one contact ratio: there is no transverse one to add an overlap to.
+  // Crossed axes have a single contact ratio, because there is no transverse one to which an
+  // overlap is added.
   q.pure(kContact, "contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn",
          crossed([](const InvolutePair& p) { return p.contact_ratio(); }))
       .doors(kPeople);

@@ -118,7 +118,7 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
     return fmt::format("{}", *whole);
   if (const auto* word = std::get_if<std::string>(&value.variant())) {
     std::string text = *word;
-    // One of some identifiers: "beyond_tip" reads as two words.
+    // One of some identifiers: "beyond_tip" is printed as two words.
     if (!info.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
@@ -131,14 +131,14 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
 
 namespace {
 
-// One quantity of the records side by side; null where a record lacks it.
+// One quantity of records side by side; null if a record lacks it.
 struct Across {
   const QuantityInfo* info;
   std::vector<const Member*> members;
 };
 
-// The quantities of all records in their common order: every record follows one table, so one that
-// a record lacks stands where the others have it.
+// The quantities of all records in their common order. Every record follows one table, so a
+// quantity that a record lacks has the place that it has in the others.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -182,7 +182,7 @@ class Groups {
   std::vector<TextGroup> take() { return std::move(groups_); }
 
  private:
-  // A record's own quantities, under its group; a list of records one after the other.
+  // A record's own quantities, under its group. The records of a list follow each other.
   void nest(const Across& a, const std::string& title) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

@@ -1,8 +1,8 @@
-// The catalogue of results: what is said of each quantity, once, and how it is got.
+// The catalogue of results: the only description of each quantity, with its getter.
 //
 //   QuantityInfo            key, words (the standard's term), symbol, unit, digits, one sentence
-//   Quantity<S>     the same with the way to get it from a subject S: a gear, a pair, a contact
-//   Quantities<S>   all quantities of a subject; of(subject) is the record that every door takes
+//   Quantity<S>     the same with the getter from a subject S: a gear, a pair, a contact
+//   Quantities<S>   all quantities of a subject; of(subject) is the record for all interfaces
 //
 // JSON, the terminal's listing, the page's tables, CSV, the schema of results and the tables of
 // docs/spec.md are made from it. A new quantity is one entry of one of the *_quantities.cpp files.
@@ -41,15 +41,15 @@ enum class Unit {
   celsius,
   kg,
   kg_per_mm,
-  modules,          ///< normal modules; no unit for people
+  modules,          ///< normal modules; users see no unit
   modules_squared,  ///< of a region of two shifts
-  percent           ///< a share of 1; people read 100 times it
+  percent           ///< a fraction of 1; users see 100 times it
 };
 
 enum class Type {
   number,
   whole,
-  index,  ///< a whole number that may pass 2³¹
+  index,  ///< a whole number that may exceed 2³¹
   flag,
   word,
   text,
@@ -57,16 +57,16 @@ enum class Type {
   map
 };
 
-/// Where a quantity is given.
+/// The interfaces at which a quantity is given.
 enum Doors : unsigned {
-  kJson = 1,     ///< JSON, and what reads it
+  kJson = 1,     ///< JSON, and readers of JSON
   kListing = 2,  ///< the tables of the terminal
   kPage = 4,     ///< the tables of the report
   kPeople = kListing | kPage,
   kAllDoors = kJson | kPeople
 };
 
-/// What two values of a list are.
+/// The meaning of two values of a list.
 enum class Two {
   values,  ///< two of a list
   gears,   ///< gear 1, gear 2: a column each
@@ -75,33 +75,35 @@ enum class Two {
 
 struct QuantityTable;
 
-/// What is said of a quantity.
+/// The description of a quantity.
 struct QuantityInfo {
   std::string key;     ///< in JSON, with its unit: "tip_diameter_mm"
   std::string words;   ///< the term of ISO 21771 or ISO 1122-1 where there is one
   std::string symbol;  ///< "d_a", indices after the underscore
   Unit unit = Unit::none;
-  std::string group{};    ///< heading for people
-  std::string meaning{};  ///< one sentence, and when it exists; without the full stop
+  std::string group{};    ///< heading for users
+  std::string meaning{};  ///< one sentence, and the condition of its existence; without the full
+                          ///< stop
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0: any; empty: one value
   Two two = Two::values;              ///< of a list of two
   bool always = false;                ///< never null
   std::vector<std::string> one_of{};  ///< of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for people; absent: those of the unit
-  std::string nothing{};                   ///< what people read where there is no value
-  const QuantityTable& (*of)() = nullptr;  ///< of a record: what it holds
+  std::optional<int> digits{};             ///< decimals for users; absent: those of the unit
+  std::string nothing{};                   ///< text for users if there is no value
+  const QuantityTable& (*of)() = nullptr;  ///< for a record: its contents
   std::string column{};                    ///< in CSV and Parquet; "#" is the gear's number
-  bool greater_first = false;              ///< the better are the greater
-  bool optional_key = false;               ///< absent, not null, where it does not exist
+  bool greater_first = false;              ///< greater values are better
+  bool optional_key = false;               ///< the key is absent, rather than null, if the quantity
+                                           ///< does not exist
 };
 
-/// What may stand in a record, in order.
+/// The possible members of a record, in order.
 struct QuantityTable {
   std::string name;  ///< "gear", "pair", "pair.backlash"
   std::vector<const QuantityInfo*> list;
-  std::vector<std::string> groups;  ///< headings for people, in their order
+  std::vector<std::string> groups;  ///< headings for users, in their order
 
   const QuantityInfo* find(std::string_view key) const;
 };
@@ -110,11 +112,12 @@ template <class S>
 struct Quantity {
   QuantityInfo info;
   std::function<Value(const S&)> get;
-  std::function<bool(const S&)> exists{};  ///< else the key is absent; none: always there
-  std::function<bool(const S&)> worth{};   ///< else no row for people; none: always
-  std::function<bool(const S&)> asked{};   ///< people see a dash where it has no value
+  std::function<bool(const S&)> exists{};  ///< if false, the key is absent; by default always
+                                           ///< present
+  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default always
+  std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
 
-  // Refinements of an entry, in the order in which one says them.
+  // Refinements of an entry, in the usual order.
   Quantity& always() { return info.always = true, *this; }
   Quantity& digits(int n) { return info.digits = n, *this; }
   Quantity& doors(unsigned d) { return info.doors = d, *this; }
@@ -138,7 +141,7 @@ class Quantities {
  public:
   using Get = std::function<Value(const S&)>;
 
-  /// `fill` says the quantities, in the order of the keys.
+  /// `fill` adds the quantities, in the order of the keys.
   template <class Fill>
   Quantities(std::string name, const Fill& fill) {
     fill(*this);
@@ -148,10 +151,10 @@ class Quantities {
   Quantities(const Quantities&) = delete;  // the table points into the list
   Quantities& operator=(const Quantities&) = delete;
 
-  /// The headings in the order in which people meet them; others follow as they come.
+  /// The headings in the order for users; others are appended in the order of their first use.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
-  // One quantity each. `group` heads it for people, `symbol` may be empty.
+  // Adds one quantity. `group` is its heading for users, `symbol` may be empty.
   Quantity<S>& add(Type type, Unit unit, const char* group, const char* key, const char* words,
                    const char* symbol, const char* meaning, Get get) {
     list_.push_back({{key, words, symbol, unit, group, meaning, type}, std::move(get)});
@@ -184,7 +187,7 @@ class Quantities {
   Quantity<S>& text(const char* key, const char* meaning, Get get) {
     return add(Type::text, Unit::none, "", key, key, "", meaning, std::move(get)).doors(kJson);
   }
-  /// A record, or a list of them, of what `of` says.
+  /// Adds a record, or a list of records, with the quantities of `of`.
   Quantity<S>& record(const char* group, const char* key, const char* meaning,
                       const QuantityTable& (*of)(), Get get) {
     Quantity<S>& q = add(Type::record, Unit::none, group, key, key, "", meaning, std::move(get));
@@ -208,7 +211,7 @@ class Quantities {
     }
     return record;
   }
-  /// The records of many, in their order.
+  /// The records of several subjects, in their order.
   template <class Range>
   ValueList each(const Range& subjects) const {
     ValueList list;
@@ -217,24 +220,24 @@ class Quantities {
   }
 
  private:
-  std::deque<Quantity<S>> list_;  // entries stay where they are while more are added
+  std::deque<Quantity<S>> list_;  // the addresses of entries stay valid while more are added
   QuantityTable table_;
 };
 
 /// "mm", "°", "µm"; empty for pure numbers.
 std::string_view unit_text(Unit unit);
-/// How a key ends that has this unit: "_mm", "_deg"; empty for pure numbers.
+/// The end of a key with this unit: "_mm", "_deg"; empty for pure numbers.
 std::string_view unit_suffix(Unit unit);
 
-/// Decimals that people read: 4 of mm (0.1 µm, the last digit of a gear drawing), 5 of degrees
-/// (0.17 µm on a radius of 1 m) and of pure numbers.
+/// Decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), 5 for degrees (0.17 µm
+/// on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
-/// A value as people read it, without its unit; `none` where there is no value. Lists become
-/// "x, y, z", two ends "lo … hi".
+/// A value as text for users, without its unit; `none` if there is no value. Lists become "x, y,
+/// z", two ends "lo … hi".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–");
 
-/// A row for people: one quantity, a text for each column. A pair's common value has one text.
+/// A row for users: one quantity, a text for each column. A pair's common value has one text.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -246,9 +249,9 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// What people see of records side by side (two gears), or of one with values per gear (a pair):
-/// the quantities of that door which any of the records shows, under their headings.
-/// Records inside are rows too, under their own words. `table` is that of the records.
+/// The table for users of records side by side (two gears), or of one record with values per gear
+/// (a pair): the quantities of that interface that at least one record shows, under their headings.
+/// Inner records are rows too, under their own words. `table` is that of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    std::string_view none = "–");

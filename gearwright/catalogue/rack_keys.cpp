@@ -21,11 +21,10 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
   return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
 }
 
-// The cutter's own numbers come first; what stands beside them counts more.
+// The defaults of the cutter come first. Other keys take precedence.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
-// If the default rounding of the tip is the full radius, the last digits may not push it out of the
-// tip.
+// If the default tip rounding is the full radius, rounding errors must not move it beyond the tip.
 std::optional<KeyFault> complete_arc_rack(ArcRack& rack, const KeyGiven& given) {
   constexpr double kInside = 1.0 - 1e-12;
   const double greatest = full_radius(rack);

@@ -18,7 +18,7 @@ using R = RatingTable;
 
 constexpr double kMaxFactor = 100.0;
 
-// A factor that takes the place of its formula.
+// A factor that replaces its formula.
 Key factor(std::string_view key, std::string_view symbol, double RatingInput::*member,
            std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
@@ -31,7 +31,7 @@ Key factor(std::string_view key, std::string_view symbol,
                      meaning);
 }
 
-// A number of each gear; one alone holds for both.
+// A number of each gear; a single one applies to both.
 Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
@@ -46,13 +46,13 @@ std::string set_quality(RatingTable& rating, const std::array<double, 2>& grade)
   return "";
 }
 
-// Both gears have one rim in the stiffness of their bodies: the thinner one.
+// In the stiffness of the bodies, both gears have the rim of the thinner one.
 void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.input.rim = {rim[0], rim[1]};
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// A load that is given twice must agree; of a spectrum alone the heaviest step is the load.
+// A load that is given twice must agree. With a spectrum alone, the heaviest step is the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {

@@ -144,7 +144,7 @@ Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-// Null of a plastic whose strength stands by temperature.
+// Null for a plastic whose strength depends on temperature.
 Value strengths(const V& v, double Material::*member) {
   ValueList values;
   for (const Material& m : v.input.materials)
@@ -257,7 +257,7 @@ void say_spectrum(Quantities<V>& q) {
       .digits(2);
 }
 
-// A number of the loaded teeth over the standard's.
+// A number of the loaded teeth divided by that of the standard.
 Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
@@ -297,7 +297,7 @@ void say_contact(Quantities<V>& q) {
       .when(asked);
 }
 
-// Of plastics only: no such rows, and no keys, of a rating by ISO 6336.
+// For plastics only. A rating by ISO 6336 does not have these rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void say_temperatures(Quantities<V>& q) {
@@ -333,7 +333,7 @@ void say(Quantities<V>& q) {
   say_inputs(q);
   say_temperatures(q);
   for (const FactorEntry& e : entries()) {
-    // The section stands before what is made of it.
+    // The section is listed before the values computed from it.
     if (std::string_view(e.key) == "Y_F") say_section(q);
     say_factor(q, e);
   }

@@ -13,7 +13,7 @@ using S = ScatterInput;
 constexpr const char* kRange =
     "[least, greatest], uniform, or a table with `range` and `distribution`";
 
-// A toleranced number, which a list or a table describes; the reader has code for it.
+// A toleranced number in the form of a list or a table, which the reader handles.
 Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range,
                std::string_view meaning) {
   return {.key = key,

@@ -1,4 +1,5 @@
-// The keys of [scatter] and its tables: what varies from pair to pair, and what is computed of it.
+// The keys of [scatter] and its tables: the variations from pair to pair, and the requested
+// results.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ struct ScatterBearings {
 /// [scatter.gearN]. Distributions are in the units of their keys.
 struct ScatterGear {
   std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
-  /// By modification_entries(), of both flanks, µm.
+  /// By modification_entries(), for both flanks, µm.
   std::array<std::optional<DistributionSpec>, 7> modifications;
 };
 
@@ -41,7 +42,7 @@ struct ScatterInput {
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;
   std::array<ScatterGear, 2> gears;
-  /// [scatter.groups]: a name and the inputs that it holds, as the user wrote them.
+  /// [scatter.groups]: a name and its inputs, as the user wrote them.
   struct Group {
     std::string name;
     std::vector<std::string> inputs;

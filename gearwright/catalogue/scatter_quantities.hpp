@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// A quantity of a member, as results name it.
+/// A quantity of a member, with its name in results.
 struct ScatterEntry {
   ScatterQuantity quantity;
   const char* key;    ///< "peak_to_peak_arcsec"
@@ -32,7 +32,7 @@ struct SpreadView {
   const ScatterEntry* entry;
   const Spread* spread;
   ValueList
-      samples;  ///< by percentile: the sample next to it, as errors of a spec and what else it adds
+      samples;  ///< by percentile: the next sample, as errors of a spec, and its other changes
 };
 
 struct IndexView {
@@ -54,7 +54,7 @@ struct ScatterView {
 };
 
 const Quantities<ScatterView>& scatter_quantities();
-/// Of one quantity, of a probability.
+/// Quantities of one quantity, and of a probability.
 const Quantities<SpreadView>& spread_quantities();
 const Quantities<Probability>& probability_quantities();
 

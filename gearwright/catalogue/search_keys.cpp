@@ -27,7 +27,7 @@ std::vector<std::string_view> objective_words() {
   return {kObjectiveNames.begin(), kObjectiveNames.end()};
 }
 
-// What people call an objective.
+// Other names of an objective.
 struct Called {
   std::string_view word, objective;
 };
@@ -43,14 +43,14 @@ constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
                                           {"slip", "sliding"},
                                           {"specific_sliding", "sliding"}}};
 
-// The objective that a word means, "mass" of "weight"; empty: none.
+// The objective that a word means: "mass" for "weight"; empty if there is none.
 std::string_view objective_called(std::string_view word) {
   const auto row =
       std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
   return row == kCalled.end() ? std::string_view() : row->objective;
 }
 
-// A number among the limits: a least or a greatest one, or a margin.
+// A number among the limits: a least or a greatest value, or a margin.
 template <class V>
 Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLimits::*member,
           std::string_view fallback, std::string_view meaning) {

@@ -8,10 +8,10 @@
 
 namespace gearwright {
 
-/// The worst of the drive and of the pairs in its meshes.
+/// The worst verdict of the drive and of the pairs in its meshes.
 Verdict judge_drive(const Drive& drive);
 
-/// Tables for people: the whole, bodies, meshes, planets, phases; of a train its stages too.
+/// Tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a train.
 std::string drive_listing(const Drive& drive);
 
 /// Errors    a spec without a drive; as make_drive(), with the keys of the spec

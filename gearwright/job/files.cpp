@@ -95,8 +95,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// None where the spec has no [compensate], and where nothing touches: then the warning of the
-// contact analysis, or one of its own, says why.
+// None if the spec has no [compensate], and if nothing touches, with a warning of the contact
+// analysis or its own.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
@@ -118,7 +118,7 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   return std::optional<CompensateView>();
 }
 
-// None where the spec has no [rating].
+// None if the spec has no [rating].
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
   auto answer = answer_rating(job);
@@ -199,8 +199,8 @@ void write_files(const std::vector<JobFile>& files) {
 
 namespace {
 
-// The bodies for the page's own viewer, coarser than the files; none where there is no outline or
-// where they would make the page heavy.
+// The bodies for the viewer of the page, coarser than the files; none if there is no outline or if
+// they would make the page too large.
 void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<ToothedBody>& mounted,
                const FileOptions& options) {
   constexpr double kOfDiameter = 1.0 / 2000;  // half a pixel of a picture as wide as the gear

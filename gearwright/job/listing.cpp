@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-// Display width of UTF-8 text: bytes that do not continue a character.
+// Display width of UTF-8 text: the number of bytes that do not continue a character.
 std::size_t width(const std::string& s) {
   std::size_t n = 0;
   for (unsigned char c : s) n += (c & 0xC0) != 0x80;
@@ -32,7 +32,7 @@ std::string pad_left(const std::string& s, std::size_t n) {
   return std::string(width(s) < n ? n - width(s) : 0, ' ') + s;
 }
 
-constexpr std::size_t kWordsWidth = 38;  // a table of shorter words is no narrower
+constexpr std::size_t kWordsWidth = 38;  // minimum width, also if all words are shorter
 constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
 constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; two gears make a line of 80
 constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks, before a note
@@ -125,7 +125,7 @@ std::string pair_listing(const Pair& pair) {
 
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
-  // Two gears' values need two columns each: an end after the other.
+  // The values of two gears need two columns each, one for each end.
   const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
                               pair_quantities().of(*job.ends->upper.pair));
   return "\nWith the thinnest teeth and the most backlash\n" +

@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-// Every torque in a line: what changes with the load.
+// One line per torque, with the values that depend on the load.
 std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) {
   const bool lines = contact.regime == LoadRegime::line;
   std::string out =
@@ -67,7 +67,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
                        "approach", "pressure", "root 1", "root 2", "shares");
     out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",
                        "N/mm²", "N/mm²");
-    // A page of them; --json has all.
+    // Rows for one page; --json has all.
     const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
     for (std::size_t i = 0; i < t.positions.size(); i += step) {
       const LoadedPosition& p = t.positions[i];

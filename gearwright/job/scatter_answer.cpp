@@ -14,16 +14,15 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kPositions =
-    32;  // per pitch, where [contact] has none: the peak to peak needs no more
+constexpr int kPositions = 32;  // per pitch, if [contact] has none; the peak to peak needs no more
 
 Distribution distribution_of(const DistributionSpec& spec) {
-  auto made = Distribution::of(spec);  // the spec's reader has checked it
+  auto made = Distribution::of(spec);  // the reader of the spec has checked it
   GW_EXPECTS(made);
   return std::move(made).take();
 }
 
-// The bores are told apart by the end of the shaft that they are at.
+// The bores are distinguished by the end of the shaft.
 void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
   for (const bool far_end : {false, true}) {
     all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
@@ -84,7 +83,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   return all;
 }
 
-// The groups of the spec, and one for each input that is in none, in the order of their first inputs.
+// The groups of the spec, and one for each input in no group, in the order of their first inputs.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {
   std::vector<std::string> names;
@@ -117,7 +116,8 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
   return groups;
 }
 
-// Where the racks of circular arcs have their contact as drawn: what contact_along_profile is measured from.
+// The contact of the racks of circular arcs as drawn, which is the reference of
+// contact_along_profile.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
   if (!pair.arcs() || pair.arcs()->contacts.empty()) return {};

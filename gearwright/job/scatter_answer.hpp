@@ -1,4 +1,5 @@
-// What tolerances do to the pair of a spec: the verb `scatter`. Internal to job/ and the program.
+// The effect of tolerances on the pair of a spec: the verb `scatter`. Internal to job/ and the
+// program.
 #pragma once
 
 #include <string>
@@ -15,8 +16,8 @@ struct ScatterAnswer {
   Scatter scatter;
 };
 
-/// Errors    `scatter.…` of a range that the teeth cannot take, of a group with an unknown input; as
-///           scatter_of() and ContactSetup::of
+/// Errors    `scatter.…` for a range that the teeth do not permit, or for a group with an unknown
+///           input; as scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
 
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);

@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-// Every input with its value, of a bore its two coordinates.
+// Every input with its value; two coordinates for a bore.
 ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   ValueMap map;
   std::size_t at = 0;
@@ -32,7 +32,7 @@ ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   return map;
 }
 
-// What the spec of this sample has in [errors], and beside it what other inputs add.
+// The errors of the spec for this sample, and the additional changes of other inputs.
 ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
   std::array<double, kErrorCount> errors = job.spec.errors.value;
   ValueMap others;

@@ -18,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-// Regions of more designs than this are given without their boundary, whose curves have 25 points.
+// The boundaries of regions, whose curves have 25 points, are omitted for more designs than this.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
 Value edges_of(const Search& search, const DesignRow& row) {
@@ -35,7 +35,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// What a gear's table says: gear 2 without it has what gear 1 has.
+// A value of a gear's table; gear 2 takes an absent one from gear 1.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
@@ -56,7 +56,7 @@ std::string safest_line(const DesignRow& row) {
                      row.trial.z1, row.trial.z2);
 }
 
-// What the page says beside the counts.
+// Additional reasons on the page next to the counts.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
   std::vector<std::string> lines;
   if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
@@ -72,7 +72,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// The lesser safety of both gears, and the mass, where a search knows them.
+// The lesser safety of both gears, and the mass, if the search computes them.
 std::string strength_cells(const SearchProblem& problem, const DesignRow& row) {
   const auto lesser = [](const std::array<std::optional<double>, 2>& s) {
     return s[0] && s[1] ? fmt::format(" {:>6.3f}", std::min(*s[0], *s[1])) : "      -";
@@ -81,7 +81,7 @@ std::string strength_cells(const SearchProblem& problem, const DesignRow& row) {
          (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
 }
 
-// [rating] with the safeties that the search asked for.
+// [rating] with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
   if (limits.safety_flank) rating["safety_flank_min"] = *limits.safety_flank;
@@ -101,13 +101,15 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   const SearchAnswer& a = run.answer;
   Json head = to_json(search_quantities().of(
       {&search.problem(), &a, &run.changes, run.safest ? &*run.safest : nullptr}));
-  head.erase("designs");  // they come one by one
+  head.erase("designs");  // they are written one by one
 
   std::string text = "{\n  \"search\": " + json_text(head);
-  text.pop_back();  // the head's closing brace: the designs go in before it
+  text.pop_back();  // the closing brace of the head: the designs are inserted before it
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMaxBoundaries;
-  if (!edges) text.reserve(a.designs.size() * 1000);  // not twice the whole while it grows
+  if (!edges)
+    text.reserve(a.designs.size() * 1000);  // avoids two copies of the whole while it
+                                            // grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
     text += json_text(design_row_json(search, a.designs[i], edges));

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The program's names of some members, `a`, `b`.
+// The keys of some members, `a`, `b`.
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields)

@@ -13,9 +13,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kCsvDesigns = 1000;  // unless --top asks for more: people read this one
+constexpr std::size_t kCsvDesigns = 1000;  // unless --top requests more, because users read this
+                                           // file
 
-// Both tables in one pass over the finds; without a grid of shifts there is no second one.
+// Writes both tables in one pass over the designs. Without a grid of shifts there is no second
+// table.
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
                   const JobSpec& spec, const Search& search, const FindSource& source) {
   std::string limits;

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// One text for both ways: calls f on every number of the row.
+// One function for both directions: calls f on every number of the row.
 template <class Row, class F>
 void each_number(Row& row, const F& f) {
   f(row.trial.index);
@@ -71,7 +71,7 @@ void each_number_of_point(Point& p, const F& f) {
 constexpr std::size_t kNumbers = 18 + 2 * 10 + 3;
 constexpr std::size_t kPointNumbers = 14;
 
-// Numbers on their way through the compressor: the plain bytes of a million points never stand in
+// Passes numbers to the compressor, so that the uncompressed bytes of a million points are never in
 // memory at once.
 class Packer {
  public:
@@ -83,7 +83,7 @@ class Packer {
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
   ~Packer() { ZSTD_freeCCtx(context_); }
-  /// Written into the frame, for who unpacks it.
+  /// Written into the frame for the reader.
   void announce(std::size_t size) { ZSTD_CCtx_setPledgedSrcSize(context_, size); }
 
   void word(std::uint64_t w) {
@@ -171,7 +171,7 @@ std::string pack(const ChunkFinds& finds) {
     each_number(row, write);
   }
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
-  return packer.take();  // which would not end had `size` been another
+  return packer.take();  // which would not end if `size` had been different
 }
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {

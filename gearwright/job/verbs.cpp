@@ -29,8 +29,8 @@ namespace gearwright {
 
 namespace {
 
-// How a verb that solves a spec goes on with the gears and the pair: what it finds of them, how that is
-// judged, and its forms.
+// Continuation of a verb after the gears and the pair are solved: its result, the verdict, and the
+// output.
 template <class Found>
 struct Solving {
   Scope scope;
@@ -40,7 +40,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
-  bool halves = false;  // a pair of double-helical gears is one of its pairs
+  bool halves = false;  // true if it accepts a pair of double-helical gears
 };
 
 template <class Found>
@@ -66,7 +66,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   return answer;
 }
 
-// Of the gears and the pair themselves, nothing more is looked for.
+// For verbs that need only the gears and the pair.
 struct AsSolved {};
 
 Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
@@ -173,7 +173,7 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// A verb that looks for gears answers without any: its specs are the gears.
+// A verb that computes gears needs none as input. Its specs are the gears.
 template <class Found>
 Answer proposals(Found&& found, Json (*record)(const Found&),
                  std::string (*listing)(const Found&)) {
@@ -219,7 +219,8 @@ constexpr Verb kVerbs[] = {
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
     {"scatter",
-     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the worst "
+     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the "
+     "worst "
      "case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
      Take::none, "", run_scatter},
@@ -301,7 +302,7 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
     const auto answered = answer(*spec);
     return answered ? BatchLine{json_text(*answered)}
                     : failed(spelled(answered.error(), spec->given));
-  } catch (const IoError& e) {  // a file that the spec names
+  } catch (const IoError& e) {  // a file named in the spec
     return failed({"", "", e.what()});
   } catch (const ContractViolation& e) {
     return {failed({"", "", e.what()}).text, true};

@@ -32,7 +32,7 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   }
   add(missing, missing_for_rating(spec.rating, materials, tables));
   std::erase_if(missing, [&](const Error& e) {
-    // A material that was not read, because something else of its gear is missing.
+    // A material that was not read because other data of its gear are missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
     return of_material && spec.given.contains(e.field);
   });
@@ -49,7 +49,7 @@ bool any_tolerance(const ScatterInput& s) {
          std::any_of(s.gears.begin(), s.gears.end(), of_gear);
 }
 
-// Neither arcs nor crossed axes are: why, the rating says itself.
+// Arcs and crossed axes cannot be rated; the rating reports the reason.
 bool can_be_rated(const JobSpec& spec) {
   const bool crossed = spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0;
   return !crossed && std::none_of(spec.gears.begin(), spec.gears.end(), [](const auto& gear) {
@@ -86,7 +86,7 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
       missing.push_back(spelled(material.error()));
     }
   }
-  // What VDI 2736 asks for depends on the materials.
+  // The inputs of VDI 2736 depend on the materials.
   if (known || input.edition != RatingEdition::vdi_2736)
     for (const Error& error : missing_inputs(input)) missing.push_back(spelled(error));
   return missing;

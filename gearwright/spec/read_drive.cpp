@@ -30,7 +30,8 @@ double number_of(const TableReader& t, const std::string& key, const Json& value
   return value.get<double>();
 }
 
-// One number, or a table of numbers by names: `set(name, number)` is false for an unknown name.
+// One number, or a table of numbers by names. `set(name, number)` returns false for an unknown
+// name.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
                 const std::vector<std::string>& known,
                 const std::function<void(const std::string&, double)>& set) {
@@ -72,7 +73,7 @@ void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
   for (const auto& [name, eta] : meshes.each) check(eta);
 }
 
-// A name or a list of names; none: absent.
+// A name or a list of names; none if absent.
 std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key) {
   const Json* value = t.any(key);
   if (!value) return std::nullopt;
@@ -95,7 +96,7 @@ std::vector<double> read_list(TableReader& t, const std::string& key) {
   return numbers;
 }
 
-// Speeds and the torque of the inputs; of several torques the first one counts.
+// Speeds and the torque of the inputs; of several torques the first one is used.
 void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque) {
   speeds = read_list(t, "speed_rpm");
   const std::vector<double> torques = read_list(t, "torque_Nm");
@@ -123,7 +124,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   return set;
 }
 
-// Numbers of a stage that a set of its own leaves out.
+// Adds the numbers of a stage that its set omits.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
   for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",

@@ -10,13 +10,13 @@
 
 namespace gearwright {
 
-/// The spec has one of the three tables.
+/// True if the spec has one of the three tables.
 bool is_drive(const Json& tree);
 
-/// The graph that they expand to, with the stages of a train.
+/// The graph into which they expand, with the stages of a train.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// An error of a drive's graph with the key of the table that gave it: `drive.fixed` of a set is
+/// An error of a drive's graph with the key of its table: `drive.fixed` of a set is
 /// planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 

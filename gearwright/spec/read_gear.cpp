@@ -37,7 +37,7 @@ std::optional<double> read_helix(TableReader& t) {
   return value;
 }
 
-// What the tolerances repeat of the gear's own keys.
+// Checks tolerances that repeat the gear's own keys.
 void check_tolerance(TableReader& gear, const GearInput& g) {
   const Json* node = gear.table("tolerance");
   if (!node) return;
@@ -56,7 +56,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// The gear as itself takes the place of module, helix and shift, which follow for one rack.
+// The gear by its own dimensions replaces module, helix and shift, which follow for one rack.
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");

@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// The distribution, or why there is none; an error is one of the key, `path` if the table has it.
+// Checks the distribution. An error names the key, or `path` if the table has it.
 void check(const TableReader& t, const std::string& key, const DistributionSpec& d,
            const Json& value) {
   const auto made = Distribution::of(d);
