@@ -32,7 +32,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
                   at.z(), contact.convex_gear));
   const std::array<double, 2> angles = angles_at_contact(pair, contact);
   const std::array<Vec2, 2> axes{Vec2(0.0, 0.0), Vec2(pair.center_distance, 0.0)};
-  // Outlines after both bodies: where the teeth overlap, both are seen.
+  // Outlines are drawn after both bodies, so that both are visible where the teeth overlap.
   for (const char* style : {"body g", "outline g"}) {
     for (const std::size_t i : {1, 0}) {
       const Gear& gear = pair.gears[i];
@@ -49,7 +49,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
                         {"d_w" + n, d_w[i] / 2, " dashdot"},
                         {"d_f" + n, pair.gears[i].root_diameter / 2, " dash"}});
   }
-  // The normal's part in this section.
+  // The component of the normal in this section.
   const Vec2 n = Vec2(contact.at.normal.x(), contact.at.normal.y()).normalized() * 1.6 * m;
   const Vec2 p(at.x(), at.y());
   svg.line(view.px(p - n), view.px(p + n), "action-line");
@@ -71,7 +71,7 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
   const Eigen::Isometry3d pose = pair.pose_2().isometry();
   std::array<double, 2> angles{pair.gears[0].twist() * z,
                                std::atan2(pose(1, 0), pose(0, 0)) + pair.gears[1].twist() * z};
-  // The concave gear is turned against the convex one, so that the flanks touch.
+  // The concave gear is turned relative to the convex one, so that the flanks touch.
   angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset.rad();
   return angles;
 }

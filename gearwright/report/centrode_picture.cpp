@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kHeight = 400.0;
-constexpr double kMinShift = 0.02;  // m_n; less is not seen
+constexpr double kMinShift = 0.02;  // m_n; smaller shifts are not visible
 
 struct Centrodes {
   std::array<double, 2> reference, working;  // radii, mm
-  double side_1, side_2;                     // where the mesh is, seen from each axis: ±1
+  double side_1, side_2;                     // direction of the mesh from each axis: ±1
   double a_d, a;                             // mm
 };
 
@@ -41,8 +41,8 @@ Viewport window(const InvolutePair& pair, const Centrodes& c) {
   return {kWidth, kHeight, Vec2(c.side_1 * c.reference[0], 0.0), kHeight / (2 * half)};
 }
 
-// A dimension between two points on the centre line, below it; arrows inside or, where there is no
-// room, outside.
+// A dimension between two points on the centre line, below it. Its arrows are inside, or outside if
+// there is no room.
 void draw_dimension(Svg& svg, const Vec2& a, const Vec2& b, double below,
                     const std::string& markup) {
   const Vec2 lo = a.x() < b.x() ? a : b;
@@ -57,7 +57,7 @@ void draw_dimension(Svg& svg, const Vec2& a, const Vec2& b, double below,
     const double back = (inside ? -s : s) * 8.0;
     svg.polygon({{tip, y}, {tip + back, y - 3.2}, {tip + back, y + 3.2}}, "mark");
   }
-  // Beside it: between its ends run the pitch circles.
+  // The words are next to the dimension, because the pitch circles pass between its ends.
   svg.text({hi.x() + out, y}, markup, Anchor::start, "halo", {8.0, 4.5});
 }
 

@@ -98,7 +98,7 @@ std::string te_part(const ContactReport& report) {
 }
 
 std::string pattern_part(const ContactReport& report) {
-  // Conjugate flanks touch in all their tooth pairs at once.
+  // Conjugate flanks touch in all their tooth pairs at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
                             ? " Here all tooth pairs in mesh touch at once; the way is drawn over "
                               "the pitch in which a pair is nearest to the centre line."

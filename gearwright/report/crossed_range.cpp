@@ -16,18 +16,18 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteps = 240;
-constexpr double kMargin = 0.07;  // of the angles worth showing, on both sides
-// rad. Where a helix reaches 90° its pitch radius is without end; at this distance from there α_n
-// differs by less than 1e-6 rad from its limit.
+constexpr double kMargin = 0.07;  // of the shown angles, on both sides
+// rad. If a helix approaches 90°, its pitch radius has no limit. At this distance, α_n differs by
+// less than 1e-6 rad from its limit.
 constexpr double kBeforeLimit = 1e-3;
-// rad. At the limit itself, which a mounted pair may reach but for rounding, angles have no
-// involute; this near to it a differs by at most r_b times this.
+// rad. At the limit itself, which a mounted pair may reach within rounding, angles have no
+// involute. At this distance, a differs by at most r_b times this value.
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, α_wn = 0 is no rack
 
 double deg(double rad) { return kDegPerRad * rad; }
 
-// Transverse angle of the limiting gear; α_n itself is no parameter at the limit.
+// Transverse angle of the limiting gear, because α_n itself is no parameter at the limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
   const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));

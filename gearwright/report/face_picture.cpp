@@ -21,8 +21,8 @@ constexpr PlotArea kArea{640, 58, 18, 58, 230, 50};
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Up to what is needed or there; further only as far as the curves go within ε ≥ 1, but no more
-// than twice that: f′ grows beyond all bounds where the lines of action wander along the teeth.
+// The range extends up to the required and the actual width. It includes the curves within ε ≥ 1 up
+// to twice that, because f′ has no limit if the lines of action move along the teeth.
 double max_shown(const InvolutePair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
@@ -63,8 +63,8 @@ std::string widths_svg(const InvolutePair& pair) {
   }
   svg.end_group();
   labels.keep_off({{here.x(), kArea.top}, {here.x(), kArea.bottom()}});
-  // The faces as they are; equal ones share a line. Their names stand at its right end, else further
-  // left, beside the curves.
+  // The actual faces; equal ones share a line. Their names are at its right end, or further left
+  // next to the curves.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;
@@ -139,7 +139,7 @@ std::string faces_svg(const InvolutePair& pair) {
   return svg.str();
 }
 
-// What falls outside, in words.
+// The parts outside, in words.
 std::string beyond(const InvolutePair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {

@@ -12,7 +12,7 @@ constexpr double kLetter = 8.1;       // px, the mean width of a letter on a nar
 constexpr double kLineHeight = 19.0;  // px of a line of words there
 constexpr double kBaseline = 5.0;     // px from the middle of the letters down to their foot
 constexpr double kLeaderGap = 19.0;   // px from label to label of a column
-constexpr int kBoxWeight = 8;         // words on words are worse than words on a line
+constexpr int kBoxWeight = 8;         // text over text is worse than text over a line
 constexpr int kOutside = 1000;
 
 double width_of(std::string_view plain) {
@@ -31,7 +31,7 @@ PixelBox box_of(const LabelPlace& place, double width) {
   return {left, y - kLineHeight / 2, left + width, y + kLineHeight / 2};
 }
 
-// Does the segment touch the box: clipped by its four sides (Liang, Barsky).
+// True if the segment touches the box, by clipping at its four sides (Liang, Barsky).
 bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
   double from = 0.0;
   double to = 1.0;

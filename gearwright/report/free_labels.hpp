@@ -1,8 +1,8 @@
-// Labels that look for a free place in a picture.
+// Places labels in free places of a picture.
 //
-// Lines, dots and labels already drawn are remembered; a new label tries its places in their order
-// and takes the first that touches none of them. Sizes are those of the letters on a narrow screen,
-// the largest that the page's style has.
+// Lines, dots and labels already drawn are recorded. The first of a label's places that touches
+// none of them is used. Sizes are those of the letters on a narrow screen, the largest that the
+// page's style has.
 #pragma once
 
 #include <string>
@@ -25,22 +25,22 @@ struct LabelPlace {
   Anchor anchor;
 };
 
-/// What the words cover, on a narrow screen. `plain` is their text without markup.
+/// The area of the words on a narrow screen. `plain` is their text without markup.
 PixelBox label_box(const LabelPlace& place, std::string_view plain);
 bool meet(const PixelBox& a, const PixelBox& b);
 
 class FreeLabels {
  public:
-  /// `within`: no label leaves it.
+  /// `within` contains all labels.
   explicit FreeLabels(const PixelBox& within) : within_(within) {}
 
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
   void keep_off(const std::vector<Vec2>& polyline);
 
-  /// What a label may touch: nothing, one line, or whatever is there.
+  /// What a label may overlap: nothing, one line, or everything.
   enum class If { free, over_a_line, always };
-  /// Draws the label at the best of `places` if that may be. `plain` is the markup's text, for its
-  /// width. True: drawn.
+  /// Draws the label at the best permitted one of `places`. `plain` is the text of the markup, for
+  /// its width. Returns true if it is drawn.
   bool draw(Svg& svg, std::string_view plain, std::string_view markup, std::string_view style,
             const std::vector<LabelPlace>& places, If when);
 
@@ -57,11 +57,12 @@ struct Leader {
   std::string markup;  ///< SVG text content
 };
 
-/// Draws labels in a column beside a plot, at `x` and to its right, each with a line to what it names,
-/// one below the other in the order of that, between the top and `height`.
+/// Draws labels in a column beside a plot, at `x` and to its right, each with a line to its point,
+/// one below the other in the order of the points, between the top and `height`.
 void draw_leaders(Svg& svg, const std::vector<Leader>& leaders, double x, double height);
 
-/// Where a circle about `axis` leaves a plot at its right edge, or before when it is small; px.
+/// The point at which a circle about `axis` leaves a plot at its right edge, or ends before if it
+/// is small; px.
 Vec2 leaves_right(const Vec2& axis, double radius, double edge);
 
 /// The four sides of a dot and the corners between them, `distance` px away; those towards

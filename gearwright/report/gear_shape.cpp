@@ -41,7 +41,7 @@ bool about_the_axis(const Arc& arc) {
   return arc.name == ArcName::root_land || arc.name == ArcName::tip_land;
 }
 
-// Integer path commands; a point that rounds to the one before is left out.
+// Integer path commands. A point that rounds to the previous one is omitted.
 class Pen {
  public:
   explicit Pen(double unit_mm) : unit_(unit_mm) {}
@@ -104,11 +104,12 @@ double chord_tolerance(const Gear& gear) {
 
 Vec2 on_side(const Vec2& p, int side) { return {p.x(), side * p.y()}; }
 
-// Draws the arc from where the pen stands, root to tip or back.
+// Draws the arc from the current point, root to tip or back.
 void draw(Pen& pen, const Gear& gear, const Arc& arc, int side, bool to_tip) {
   const Vec2 target = on_side(to_tip ? arc.end_point : arc.begin_point, side);
   if (about_the_axis(arc)) {
-    // Towards the tip the polar angle falls on the generated side: clockwise there, y is up.
+    // Towards the tip the polar angle decreases on the generated side, which is clockwise there
+    // with y up.
     pen.arc(arc.begin_point.norm(), to_tip == (side > 0), target);
     return;
   }
@@ -132,8 +133,7 @@ std::string bore_path(const Bore& bore, double unit_mm) {
                      units(r + bore.keyway_depth), units(r));
 }
 
-// Whether the straight line between the ends of a tooth's outline reaches into the bore or its
-// keyway.
+// True if the straight line between the ends of a tooth's outline crosses the bore or its keyway.
 bool chord_crosses_bore(const Gear& gear) {
   if (!gear.bore || gear.tooth->outline.arcs.empty()) return false;
   const double reach = gear.bore->diameter / 2 + gear.bore->keyway_depth;
@@ -151,7 +151,8 @@ double outline_unit_mm(const Gear& gear) { return kOutlineUnit * gear.spec.norma
 std::vector<Vec2> chords(const Arc& arc, double tolerance) {
   GW_EXPECTS(tolerance > 0.0);
   std::vector<Vec2> points{arc.begin_point};
-  // Two halves at least: a curve that crosses its chord in the middle must not pass for straight.
+  // At least two halves are used, because a curve that crosses its chord in the middle would count
+  // as straight.
   const Vec2 middle = arc.point(0.5);
   halve(arc, 0.0, 0.5, arc.begin_point, middle, tolerance, 1, points);
   halve(arc, 0.5, 1.0, middle, arc.end_point, tolerance, 1, points);
@@ -199,9 +200,9 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const auto units = [&](double mm) { return std::lround(mm / outline_unit_mm(gear)); };
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
-  // The chord that closes a tooth's fill lies inside the root circle, which the disc fills; where it
-  // would cross a bore, the circle itself closes the fill. Colours come from where the shape is
-  // used; the effect must stand here, style sheets do not reach inside.
+  // The chord that closes a tooth's fill lies inside the root circle, which the disc fills. If it
+  // would cross a bore, the circle itself closes the fill. Colours come from the place of use. The
+  // effect must be set here, because style sheets do not apply inside.
   std::string text;
   if (!gear.internal()) {
     if (chord_crosses_bore(gear)) {
@@ -227,8 +228,8 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
       text += fmt::format("<circle stroke=\"none\" r=\"{}\"/>", r_f);
     }
   } else {
-    // An internal gear's tooth hangs on its rim: the fill is closed within that, the stroke stays
-    // open.
+    // An internal gear's tooth is attached to its rim: the fill is closed within the rim, and the
+    // stroke stays open.
     const long rim = units(drawn_radius(gear));
     const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
     const Vec2 end =

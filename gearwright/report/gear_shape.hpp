@@ -39,13 +39,13 @@ std::string tooth_path(const Gear& gear);
 /// gear a rim of kRim and its teeth). A gear that has no outline has none: empty.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
-/// Whether there is an outline to draw.
+/// True if there is an outline to draw.
 bool has_outline(const Gear& gear);
 
 /// mm per path unit.
 double outline_unit_mm(const Gear& gear);
 
-/// The largest radius of what is drawn, mm: the tip, of an internal gear the rim around its roots.
+/// The largest drawn radius, mm: the tip, or the rim around the roots of an internal gear.
 double drawn_radius(const Gear& gear);
 
 }  // namespace gearwright

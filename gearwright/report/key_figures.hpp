@@ -1,4 +1,4 @@
-// The few numbers that decide whether a pair will do, at the head of the report.
+// The most important numbers of a pair, at the head of the report.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace gearwright {
 
-/// A box for each key figure that the input has: ratio, centre distance, contact ratio, backlash (at
+/// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at
 /// both ends of tolerances), safeties, pressure, unevenness. Rows of the catalogue with their words,
 /// symbols and units; empty without any.
 std::string key_figures(const ReportInput& input);

@@ -29,7 +29,7 @@ Vec2 axis_of(const InvolutePair& pair, std::size_t i) {
   return {i == 0 ? 0.0 : pair.center_distance, 0.0};
 }
 
-// What the pair covers, mm.
+// The area of the pair, mm.
 struct Extent {
   double left, right, tall;
 };
@@ -41,7 +41,7 @@ Extent extent_of(const InvolutePair& pair) {
   return {std::min(-R1, a - R2), std::max(R1, a + R2), 2 * std::max(R1, R2)};
 }
 
-// Where the x axes of the gears point when drawn, degrees counter-clockwise.
+// Drawn directions of the x axes of the gears, degrees counter-clockwise.
 std::array<double, 2> drawn_angles(const InvolutePair& pair) {
   const std::array<double, 2> phi = rotation_to_pitch_point(pair);
   const auto angle = [](const Eigen::Isometry3d& x) { return std::atan2(x(1, 0), x(0, 0)); };
@@ -52,7 +52,7 @@ std::array<double, 2> drawn_angles(const InvolutePair& pair) {
 void draw_bodies(Svg& svg, const Viewport& view, const InvolutePair& pair,
                  const std::array<std::string, 2>& shapes) {
   const std::array<double, 2> angles = drawn_angles(pair);
-  // Outlines after both bodies: where the teeth overlap, both are seen.
+  // Outlines are drawn after both bodies, so that both are visible where the teeth overlap.
   for (const char* style : {"body ", "outline "}) {
     for (const std::size_t i : {1, 0}) {
       const Gear& gear = pair.gears[i];
@@ -79,8 +79,7 @@ std::vector<PixelBox> draw_circles(Svg& svg, const Viewport& view, const Involut
   return draw_named_circles(svg, view, axis_of(pair, i), side, i, circles_of(pair, i));
 }
 
-// The line of action with A … E; letters change sides where they would touch each other or a name
-// that stands there.
+// The line of action with A … E. Letters change sides if they would touch each other or a name.
 void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair,
                const std::vector<PixelBox>& taken) {
   const Mesh<double>& mesh = pair.mesh;
@@ -140,7 +139,7 @@ std::string mesh_svg(const InvolutePair& pair, const std::array<std::string, 2>&
           "Both gears near the pitch point C in the transverse section, with pitch, base and tip "
           "circles, the line of action and the points A to E of the path of contact on it.");
   draw_bodies(svg, view, pair, shapes);
-  // The centre line reaches over both gears, for readers who zoom out.
+  // The centre line extends over both gears, for users who zoom out.
   const Extent across = extent_of(pair);
   svg.line(view.px({across.left, 0}), view.px({across.right, 0}), "thin dashdot");
   std::vector<PixelBox> taken = draw_circles(svg, view, pair, 0);
@@ -169,7 +168,7 @@ std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>
   const bool external = pair.kind == PairKind::parallel_external;
   const auto [left, right, tall] = extent_of(pair);
   const double scale = 0.94 * std::min(kWholeWidth / (right - left), kWholeHeight / tall);
-  // No taller than the pair needs.
+  // The height is no more than the pair needs.
   const double height = std::max(120.0, std::min(kWholeHeight, scale * tall + 24.0));
   const Viewport view{kWholeWidth, height, Vec2((left + right) / 2, 0.0), scale};
 
@@ -199,12 +198,12 @@ std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>
     const Vec2 axis = view.px(axis_of(pair, i));
     const Gear& gear = pair.gears[i];
     const double r = 0.66 * scale * gear.root_diameter / 2;
-    const bool readable = r > 20.0 && !gear.internal();  // that arrow would lie on its pinion
+    const bool readable = r > 20.0 && !gear.internal();  // the arrow would lie on its pinion
     if (readable) draw_turn(svg, axis, r, i == 0, kInk[i]);
     svg.line(axis - Vec2(5, 0), axis + Vec2(5, 0), "cross");
     svg.line(axis - Vec2(0, 5), axis + Vec2(0, 5), "cross");
     if (external) {
-      // A gear too small for its number has it below, clear of the frame.
+      // The number of a small gear is below it, away from the frame.
       const double below = scale * drawn_radius(gear) > 26.0
                                ? 19.0
                                : 15.0 + std::max(scale * drawn_radius(gear), size.y() / 2);

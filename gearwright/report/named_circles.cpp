@@ -10,8 +10,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kEdge = 30.0;  // px from the edge where a circle's line to its symbol begins
-constexpr double kAway = 0.80;  // cosine of where the line to a whole circle's symbol begins
+constexpr double kEdge = 30.0;  // px from the edge at which a circle's line to its symbol begins
+constexpr double kAway = 0.80;  // cosine of the angle at which the line to a whole circle's symbol
+                                // begins
 
 struct Named {
   std::string symbol;

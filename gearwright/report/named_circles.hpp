@@ -21,9 +21,8 @@ struct NamedCircle {
 std::vector<NamedCircle> mesh_circles(const InvolutePair& pair, std::size_t i);
 
 /// Draws circles about `axis` (mm). `side` is where the mesh lies: +1 to the right of the axis;
-/// `gear` is 0 or 1. A circle that the window holds entirely is named beside it, on the other side.
-///
-/// Returns  the boxes that the names cover.
+/// `gear` is 0 or 1. A circle that lies entirely in the window is named next to it, on the other
+/// side. Returns  the boxes of the names.
 std::vector<PixelBox> draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis,
                                          double side, std::size_t gear,
                                          const std::vector<NamedCircle>& circles);

@@ -17,8 +17,8 @@
 namespace gearwright {
 
 /// Rotations of gear 1 and gear 2 out of the rest position of pair/pair.hpp at which the leading
-/// flanks touch at C, counter-clockwise seen from +z: each turns its flank's point on the working
-/// pitch circle onto the centre line.
+/// flanks touch at C, counter-clockwise seen from +z: each puts its flank's point on the working
+/// pitch circle on the centre line.
 ///
 /// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2);  ψ_i = s_bti/d_bi − inv α_wt the half angles of
 ///           the teeth on the working pitch circles, of an internal gear's s_bt2/d_b2 + inv α_wt
@@ -36,12 +36,13 @@ std::string path_figure(const InvolutePair& pair);
 /// Transverse, overlap and total contact ratio as bars.
 std::string ratio_figure(const InvolutePair& pair);
 
-/// Whether the centrodes show something: parallel axes, a shift of the centre distance of at least
-/// 0.02 m_n, and a reason in the gears for it (shifts, or a gear cut by a pinion cutter).
+/// True if the centrodes are worth a picture: parallel axes, a shift of the centre distance of at
+/// least 0.02 m_n, and a reason for it in the gears (shifts, or a gear cut by a pinion cutter).
 bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// The reference circles at the reference centre distance, where they roll on each other, and the
-/// working pitch circles that do it instead at the distance of the pair; empty where they show nothing.
+/// working pitch circles, which roll at the distance of the pair; empty if they show nothing of
+/// interest.
 std::string centrode_figures(const InvolutePair& pair);
 
 }  // namespace gearwright

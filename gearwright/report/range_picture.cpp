@@ -20,7 +20,7 @@ constexpr double kPanel = 124.0, kGap = 34.0;  // px, height of a panel and from
 constexpr PlotArea kArea{640, 66, 18, 58, 3 * kPanel + 2 * kGap, kGap + 20};
 constexpr double kNear = 12.0;  // px, a label's height
 
-// One of the three quantities: on the curve, and of the pair as mounted.
+// One of the three quantities: on the curve, and for the mounted pair.
 struct Quantity {
   std::string words;  // SVG markup
   std::function<double(const CrossedSample&)> value;
@@ -38,7 +38,7 @@ std::vector<Quantity> quantities(const InvolutePair& pair) {
        [](const CrossedSample& s) { return s.contact_ratio; }, pair.contact_ratio(), 3}};
 }
 
-// The range of a panel: the curve where ε ≥ 1, elsewhere only what lies in between, and the mounted
+// The range of a panel: the curve where ε ≥ 1, otherwise only the part in between, and the mounted
 // pair.
 std::array<double, 2> shown(const InvolutePair& pair, const std::vector<CrossedSample>& samples,
                             const Quantity& q) {
@@ -53,7 +53,7 @@ std::array<double, 2> shown(const InvolutePair& pair, const std::vector<CrossedS
   return {ends[0], ends[1]};
 }
 
-// Of the curve where the pair is mounted, px up per px to the right.
+// Slope of the curve at the mounted pair, px up per px to the right.
 double slope(const InvolutePair& pair, const Quantity& q, const Axis& x, const Axis& y) {
   const Angle at = Angle::radians(pair.mesh.rack.normal_pressure_angle);
   const Angle step = Angle::degrees(0.01 * (x.hi - x.lo));
@@ -85,7 +85,7 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
   const Vec2 here(x(mounted.deg()), y(q.mounted));
   svg.dot(here, 3.4, "mark action-dot");
   const bool left = here.x() > (x.from + x.to) / 2;
-  // Beside the curve, not on it: below where it rises away on the label's side.
+  // The label is next to the curve: below it if the curve rises away on the label's side.
   const double rise = slope(pair, q, x, y);
   const auto on_curve = crossed_sample(pair, mounted);
   const bool on = on_curve && std::abs(y(q.value(*on_curve)) - here.y()) < kNear;
@@ -112,7 +112,8 @@ std::string range_svg(const InvolutePair& pair) {
 
 constexpr PlotArea kZoom{640, 70, 18, 54, 150, 50};
 constexpr int kZoomSteps = 80;
-// µm. What the solutions differ by; centre distances carry 1e-11 µm of rounding.
+// µm. Smaller differences of the solutions are not shown; the rounding error of centre distances is
+// 1e-11 µm.
 constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
@@ -165,7 +166,7 @@ std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>&
 
 std::vector<std::string> table_row(const InvolutePair& pair, const std::string& name, Angle angle) {
   const auto s = crossed_sample(pair, angle);
-  GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
+  GW_EXPECTS(s.has_value());  // for approximations(), and for the exact one
   const double off = s->place.center_distance - pair.min_distance->center_distance;
   const double seconds = kArcsecPerDeg * (angle - pair.min_distance->normal_pressure_angle).deg();
   return {escaped(name),

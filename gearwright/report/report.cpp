@@ -53,7 +53,7 @@ std::string kind_of(const ReportInput& input) {
                      input.gears[0]->internal() ? "internal gear" : "gear");
 }
 
-// Worst first, as the verdict has them.
+// Worst first, as in the verdict.
 std::string finding_list(const ReportInput& input) {
   std::string text;
   for (const Finding& f : input.verdict.findings) {
@@ -90,7 +90,7 @@ std::string few_teeth_section(const ReportInput& input) {
   }
   const std::string table = few_teeth_table(input.gears);
   if (table.empty() && pictures == 0) return {};
-  // One picture has the table beside it, two stand side by side above it.
+  // One picture has the table next to it; two are side by side above it.
   const std::string first = pictures == 0 ? table
                             : pictures == 1 && !table.empty()
                                 ? in_columns(roots, table)
@@ -149,7 +149,7 @@ std::string file_section(const std::vector<ReportFile>& files) {
   return text + "</tbody></table></div>\n</section>\n";
 }
 
-// What a drawing's corner says, in the words of the spec.
+// The title block of a drawing, in the words of the spec.
 std::string title_block(const DrawingInput& drawing) {
   if (!drawing.given()) return {};
   std::string rows;
@@ -203,7 +203,7 @@ std::string report_html(const ReportInput& input) {
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
       key_figures(input), finding_list(input), picture_hint());
-  // What decides comes first; data sheets of the gears follow.
+  // The decisive parts come first; data sheets of the gears follow.
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(

@@ -21,7 +21,7 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
 }
 
-// Of an aim under load, at the torque that is worst before.
+// The result of an aim under load, at the torque that is worst before correction.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;
   const auto aimed = [&](const LoadedScore& s) {
@@ -44,7 +44,7 @@ std::string finding(const CompensateView& v) {
         "Nothing to correct: none of these within reach makes the pair better by {}.",
         least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
-  // The pattern's place is that along the face, else along the profile.
+  // The pattern's position along the face, or otherwise along the profile.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
   const auto place = [&](const ContactScore& s) {
     return percent(face ? s.along_face : s.along_profile);
@@ -71,7 +71,7 @@ const char* aim_words(CompensateAim aim) {
          "the middle of the flank.";
 }
 
-// "crossing_deg = -0.01, axial_1_mm = 2" in a reader's words; "as given" stays.
+// "crossing_deg = -0.01, axial_1_mm = 2" in words for the user; "as given" is unchanged.
 std::string in_words(std::string_view errors) {
   std::string text;
   while (!errors.empty()) {
@@ -126,7 +126,7 @@ std::string scores(const CompensateView& v) {
   return t.str();
 }
 
-// The answers in closed form that circular-arc teeth have besides.
+// The additional results in closed form for circular-arc teeth.
 std::string closed_forms(const CompensateView& v) {
   if (!v.setting && !v.lead) return {};
   TableBuilder t("In closed form, one by one", {"Value"});

@@ -21,16 +21,16 @@ std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDi
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
-// A factor as given: no digit more than the input had.
+// A factor as given, with no more digits than the input.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
-constexpr int kRackDigits = 6;  // of arcs, in modules or degrees
+constexpr int kRackDigits = 6;  // for arcs, in modules or degrees
 
 std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
-// Rows that no rack has a number for are left out. A gear that a pinion has cut has no rack.
+// Rows without a number for any rack are omitted. A gear that a pinion has cut has no rack.
 void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
@@ -110,7 +110,7 @@ std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears) {
   return text_groups(gear_quantities().table(), records, kPage);
 }
 
-// What was looked at, where nothing was found.
+// The checked parts, if no interference was found.
 std::string nothing_strikes(const InvolutePair& p) {
   if (p.overlap) {
     return fmt::format(
@@ -159,7 +159,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// Without the rows that the overlap already has.
+// The rows without those that the overlap already has.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;

@@ -68,7 +68,7 @@ ObjectiveWords words_of(Objective objective) {
 
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective) {
-  // A cost knows only designs that rank; as a place in a plot any point of a region will do.
+  // Only ranked designs have a cost. For a plot, any point of a region can be used.
   DesignRow any = row;
   any.balanced = true;
   const auto value = cost(problem, any, objective);

@@ -24,7 +24,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The shifts that the problem leaves, a piece for each run of tooth numbers with a shift at all.
+// The shifts within the limits of the problem, a piece for each run of tooth numbers with possible
+// shifts.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -97,7 +98,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   for (std::size_t i = 0; i < kChartTips.size(); ++i) {
     const auto meet = where_limits_meet(chart, i);
     if (!meet) continue;
-    // One above the other, where undercut leaves nothing else to draw.
+    // The labels are stacked where undercut leaves nothing else to draw.
     const double level = f.y.lo + (0.05 + 0.09 * static_cast<double>(i)) * (f.y.hi - f.y.lo);
     f.line({{meet->teeth, meet->shift}, {meet->teeth, level}}, "thin dash");
     f.dot({meet->teeth, meet->shift}, 4.0, "mark");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPadding = 0.17;      // of the rectangle around it
 constexpr double kZoomPadding = 0.42;  // of a region: room for its labels
-constexpr double kMinWindow = 1e-3;    // modules: a hundredth of what a cutter can be set to
+constexpr double kMinWindow = 1e-3;    // modules: a hundredth of the resolution of a cutter setting
 
 // The piece of Σ = const inside the window; empty: none.
 std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {

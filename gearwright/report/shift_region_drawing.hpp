@@ -1,5 +1,5 @@
-// What a picture of the s1–s2 graph shows of it, big or small: a window, and in it the rectangle of the
-// shift limits, the region with its edges, the lines of the centre distances.
+// The parts of a picture of the s1–s2 graph, large or small: a window with the rectangle of the
+// shift limits, the region with its edges, and the lines of the centre distances.
 //
 // Points are (x1, x2), normal modules.
 #pragma once
@@ -18,8 +18,8 @@ namespace gearwright {
 /// The rectangle of the shift limits of both gears.
 Bounds limits_box(const ShiftGraph& graph);
 
-/// What the picture shows, and whether that is a part only: the whole rectangle where the region is
-/// at least `fair_part` as long. In the given ratio of width to height; never without extent.
+/// The window of the picture, and whether it is only a part: the whole rectangle if the region is
+/// at least `fair_part` as long. It has the given ratio of width to height, and is never empty.
 struct RegionWindow {
   Bounds box;
   bool zoomed;
@@ -27,9 +27,7 @@ struct RegionWindow {
 RegionWindow region_window(const Bounds& limits, const Bounds& region, double aspect,
                            double fair_part);
 
-/// Σx at which the pair stands at the centre distance a; none within the window.
-///
-/// Units     a mm
+/// Σx at the centre distance a; none if outside the window.   Units     a mm
 std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const Bounds& window);
 
 /// The boundary of every piece of a region.
@@ -49,13 +47,13 @@ std::vector<Vec2> outline_of(const std::vector<RegionEdge>& loop);
 
 void draw_box(Svg& svg, const GraphFrame& g, const Bounds& box, std::string_view style);
 
-/// Filled, each edge in the colour of its kind; what only touches is a dot.
+/// Draws the region filled, each edge in the colour of its kind. A single point is a dot.
 void draw_region(Svg& svg, const GraphFrame& g, const Loops& loops, const ShiftRegion& region);
 
-/// One centre distance is wanted, not a band.
+/// True if one centre distance is requested instead of a range.
 bool exact_distance(const SearchProblem& problem);
 
-/// The centre distances asked, as thin lines through the whole window.
+/// The requested centre distances, as thin lines through the whole window.
 struct DistanceLine {
   double distance;  ///< a  mm
   std::vector<Vec2> px;

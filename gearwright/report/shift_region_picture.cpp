@@ -19,10 +19,12 @@ constexpr double kHeight = 540.0;
 constexpr PixelBox kPlot{72.0, 36.0, kWidth - 14.0, kHeight - 54.0};
 constexpr double kSmallWidth = 200.0;
 constexpr double kSmallHeight = 170.0;
-constexpr double kFairPart = 0.62;       // of the rectangle: a region as long is shown in it
-constexpr double kSmallFairPart = 0.12;  // the small ones lie side by side: rather in one scale
+constexpr double kFairPart = 0.62;  // of the rectangle: a region at least this long is shown in it
+constexpr double kSmallFairPart = 0.12;  // the small ones are side by side, so one scale is
+                                         // preferred
 constexpr double kMap = 104.0;           // px, the small map of the whole
-constexpr double kShortStretch = 14.0;   // px: a stretch as short is named only if no longer one is
+constexpr double kShortStretch = 14.0;   // px: a shorter stretch is named only if there is no
+                                         // longer one
 
 std::vector<Vec2> corners_of(const Bounds& box) {
   return {box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}, box.lo};
@@ -58,9 +60,9 @@ bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
   return is;
 }
 
-// Beside a stretch, first on the side away from the region: its right, as the boundary runs
-// counterclockwise. On the other side only within the region, lest a sliver's edge is named after
-// the one across.
+// Places next to a stretch, first on the side away from the region, which is its right because the
+// boundary runs counter-clockwise. Places on the other side must be within the region, so that the
+// edge of a narrow region is not confused with the opposite one.
 std::vector<LabelPlace> places_beside(const std::vector<Vec2>& px, const std::vector<Vec2>& loop) {
   std::vector<LabelPlace> places;
   for (const double distance : {11.0, 24.0, -12.0, 38.0, -26.0}) {
@@ -191,7 +193,7 @@ Drawn drawn_of(const ShiftGraph& graph, const DesignRow& row) {
   return d;
 }
 
-// The line of Eq. 11 through the window, thick where it is feasible; its dashes as px.
+// The line of Eq. 11 through the window, thick where it is feasible; returns its dashes in px.
 std::vector<Vec2> draw_balanced(Svg& svg, const Drawn& d, const GraphFrame& g) {
   const Trial& t = d.row.trial;
   const double lambda = d.graph.problem().lambda;

@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// What turns with gear 1, which turns clockwise by one: gear 2 about its own axis.
+// The rotation of gear 2 about its own axis when gear 1 turns clockwise by one.
 double turn_of_gear_2(const Pair& pair) {
   return static_cast<double>(pair.gear(1).spec.teeth) / pair.gear(2).spec.teeth;
 }

@@ -8,8 +8,8 @@
 
 namespace gearwright {
 
-/// The figure alone; empty without a solid. With a pair the gears turn, gear 1 clockwise seen
-/// from +z. Without WebGL one sentence stands in its place.
+/// The figure alone; empty without a solid. With a pair the gears turn, gear 1 clockwise seen from
+/// +z. Without WebGL a sentence replaces it.
 std::string solid_figure(const ReportInput& input);
 
 /// The same under its own heading.
@@ -18,7 +18,7 @@ std::string solid_section(const ReportInput& input);
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
-/// The script's part for it: report/page/solid_script.js.
+/// Its part of the script: report/page/solid_script.js.
 std::string_view solid_script();
 
 }  // namespace gearwright

@@ -1,7 +1,7 @@
 // The module's functions, one binding each: values in, values out, no exception and no formula.
 //
-// engine.js gives them the shape that engine.d.ts describes: default arguments, and a catch around
-// each call for what only JavaScript sees, a trap.
+// engine.js adapts them to engine.d.ts: default arguments, and a catch around each call for traps,
+// which only JavaScript detects.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -28,7 +28,7 @@ namespace {
 
 using emscripten::val;
 
-// A typed array of JavaScript's own: a copy, which no growth of our memory detaches.
+// A typed array of JavaScript itself: a copy that stays valid when the memory grows.
 template <class T>
 val array_of(const std::vector<std::uint8_t>& bytes) {
   const auto* data = reinterpret_cast<const T*>(bytes.data());
@@ -76,7 +76,7 @@ val failed(const Error& error, const SpecText* text = nullptr, const GivenKeys& 
   return js(refusal(error, text, given));
 }
 
-// What was thrown, inside of a handler.
+// The caught exception as an error, inside a handler.
 Error caught() {
   try {
     throw;
@@ -87,7 +87,7 @@ Error caught() {
   }
 }
 
-// What work gives, or a Failed.
+// Returns the result of the work, or a Failed.
 template <class Work>
 val guarded(const Work& work) {
   try {
@@ -108,7 +108,8 @@ std::string guarded_text(const Work& work) {
 const Session& session_of(const Session& session) { return session; }
 const Session& session_of(const Work& work) { return work.session(); }
 
-// A method of a session or of its work: what it gives, or its error with the line in the spec's text.
+// A method of a session or of its work: returns its result, or its error with the line in the
+// spec's text.
 template <auto method, class Of, class... Arguments>
 val call(Of& of, Arguments... arguments) {
   return guarded([&] {
@@ -162,7 +163,7 @@ val work_result(const Work& work) {
   return guarded([&] { return js(work.result()); });
 }
 
-// What a function of a text gives, or its error with the line in the text.
+// Returns the result of a function of a text, or its error with the line in the text.
 template <class T>
 val of_text(const Result<T>& result, const SpecText& text) {
   return result ? js(*result) : failed(result.error(), &text);

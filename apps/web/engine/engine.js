@@ -30,7 +30,8 @@ const kDefaults = {
   file: ["", 0, 0],
 };
 
-// The module, or an object of it: what a call throws, a trap or too deep a recursion, is a Failed.
+// Catches the exceptions of the module, or of an object of it (a trap or too deep a recursion), as
+// a Failed.
 function guarded(object, defaults) {
   const call = (name) => (...given) => {
     const all = [...given];
@@ -49,6 +50,6 @@ function guarded(object, defaults) {
 
 export default async function createEngine(options = {}) {
   const core = await createCore(options);
-  // Teeth under load keep their compliance from one session to the next.
+  // Teeth under load keep their compliance for the next session.
   return guarded(core, { ...kDefaults, load: ["", new core.ToothTables()] });
 }

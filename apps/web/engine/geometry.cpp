@@ -59,11 +59,11 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
     const Vec2& to = b.points[(i + 1) % b.points.size()];
     if (b.bulges[i] == 0.0) {
       append(out, to);
-    } else {  // every curved piece of a bore is one about the axis
+    } else {  // all curved pieces of a bore are circles about the axis
       append_circle(out, Vec2::Zero(), from, to, 4 * std::atan(b.bulges[i]), tolerance);
     }
   }
-  out.resize(out.size() - 2);  // the first point again
+  out.resize(out.size() - 2);  // removes the repeated first point
   return out;
 }
 
@@ -170,7 +170,7 @@ Result<Json> Session::lines() const {
   const Pair& pair = *job_.pair;
   Numbers line_of_action, trailing_line, path_of_contact;
   Json points = Json::array();
-  // Circular arcs touch in points that run along the teeth.
+  // Circular arcs touch in points that move along the teeth.
   if (const InvolutePair* p = pair.involute()) {
     const gearwright::Mesh<double>& m = p->mesh;
     for (const double rho : {0.0, m.sigma * m.base_tangent_distance}) {
@@ -210,7 +210,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   const Pair& pair = *job_.pair;
   const bool internal = pair.kind() == PairKind::parallel_internal;
   const Angle rotation1 = Angle::degrees(rotation1_deg);
-  // Gears that cannot touch stand without errors.
+  // Gears that cannot touch are shown without errors.
   const auto touching = nominal ? Result<const ContactPair*>(nullptr) : contact_pair();
   const ContactPair* contact = touching ? *touching : nullptr;
   Eigen::Isometry3d x = gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
@@ -220,7 +220,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // Turns are the same whichever way round the mirror into N is taken: D M D of each axis.
+        // The rotations do not depend on the direction of the mirror into N: D M D of each axis.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;

@@ -1,7 +1,7 @@
-// A spec that was read and solved: what a page shows of it while the user moves something.
+// A spec that was read and solved, with the results that a page shows while the user changes it.
 //
-// Everything is computed by the rooms of the core when it is wanted; what several questions share,
-// the solved pair and its contact, is kept.
+// Everything is computed by the core on request. Common data of several requests, the solved pair
+// and its contact, are kept.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@
 
 namespace gearwright::web {
 
-/// What a page wants to see of contact.
+/// The requested view of contact.
 struct ContactView {
   double width = 560.0;                 ///< px, of a figure
   int positions = 64;                   ///< per pitch
-  int index = 0;                        ///< of the position whose gap lies on the flanks
-  std::array<FlankRaster, 2> patterns;  ///< as `pattern` made them; empty: not yet
-  bool curves = true;                   ///< not the flanks alone
+  int index = 0;                        ///< of the position whose gap is shown on the flanks
+  std::array<FlankRaster, 2> patterns;  ///< from `pattern`; empty: not yet computed
+  bool curves = true;                   ///< false: only the flanks
 };
 
 class Session : public std::enable_shared_from_this<Session> {
@@ -48,9 +48,9 @@ class Session : public std::enable_shared_from_this<Session> {
   /// An object of contact.positions, JSON.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
-  /// The pair as contact takes it; it lives as long as the session.
+  /// The pair for contact analysis; it lives as long as the session.
   Result<const ContactPair*> contact_pair();
-  /// The same with two errors of other values, by their places in error_entries().
+  /// The same with other values of two errors, given by their indices in error_entries().
   Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
@@ -69,7 +69,7 @@ class Session : public std::enable_shared_from_this<Session> {
   SolvedJob job_;
   std::optional<Result<ContactSetup>> setup_;
   std::optional<ContactPair> pair_;
-  std::optional<ContactResult> found_;  ///< of the number of positions that was asked last
+  std::optional<ContactResult> found_;  ///< for the last requested number of positions
 };
 
 }  // namespace gearwright::web

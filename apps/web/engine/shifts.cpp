@@ -20,8 +20,8 @@ namespace gearwright::web {
 
 namespace {
 
-// A search of one trial: its limits are those of the spec's [search], else those that a search has
-// by itself. `swapped`: gear 2 has fewer teeth, and is the search's gear 1.
+// A search of one trial. Its limits are those of the spec's [search], or the defaults of a search.
+// `swapped`: gear 2 has fewer teeth and is gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
@@ -66,7 +66,7 @@ ShiftEdge swapped_edge(ShiftEdge edge) {
   }
 }
 
-// The border that stands nearest to a point, and how far away it is, modules.
+// The border nearest to a point, and its distance, modules.
 struct Nearest {
   std::string border;
   double distance = std::numeric_limits<double>::infinity();
@@ -102,13 +102,13 @@ Result<Json> Session::shift_region() const {
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  // The least room that any limit leaves, each in its own unit: its sign alone concerns the chart.
+  // The least margin over all limits, each in its own unit. The chart uses only its sign.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();
   const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
   const auto killed = graph.what_kills();
-  std::array<Json, 2> ends;  // floors and ceilings
+  std::array<Json, 2> ends;  // lower and upper limits
   for (const std::size_t i : {0, 1})
     ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
   Json chart{{"point", {point.x(), point.y()}},
@@ -142,7 +142,7 @@ Result<Json> Session::shift_region() const {
     chart["pieces"].push_back(std::move(piece));
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
-  constexpr double kAtWall = 1e-6;  // modules: nearer than any shift is made
+  constexpr double kAtWall = 1e-6;  // modules: less than the accuracy of any shift
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;
   chart["area"] = region->area;

@@ -1,7 +1,6 @@
 // Elements of the page, made without a framework.
 //
-// Every text goes in as a text node, never as markup: what a person writes in a spec stays text
-// wherever it is shown.
+// Every text is a text node, never markup, so the text of a spec is shown as text everywhere.
 
 export type Child = Node | string | number | null | undefined | false;
 type Handler = (event: never) => void;

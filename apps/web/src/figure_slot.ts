@@ -1,5 +1,5 @@
-// A figure of the engine on the page: it stands here as the engine has drawn it. The page adds gestures:
-// a line at the chosen position, a press or a drag that chooses another, and files to keep.
+// A figure of the engine on the page, shown as the engine has drawn it. The page adds interaction:
+// a line at the chosen position, a click or a drag that chooses another, and files to download.
 //
 //   t   position in pitches of gear 1, −½ … ½
 

@@ -1,4 +1,5 @@
-// A link is a design: the spec, compressed, behind the # of the address, so that no server sees it.
+// A link contains a design: the compressed spec after the # of the address, so no server receives
+// it.
 //
 //   #1.<raw DEFLATE (RFC 1951) of the UTF-8 text, as base64url (RFC 4648, no padding)>
 //

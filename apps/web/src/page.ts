@@ -1,5 +1,5 @@
 // The page: a bar with title and verdict, the spec on the left, the picture on the right, the
-// numbers below it. On a narrow screen one of the three is seen at a time.
+// numbers below it. A narrow screen shows one of the three at a time.
 
 import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./elements";
 import { Form } from "./form/form";

@@ -1,7 +1,6 @@
 // The first screen: a design starts from a few known numbers, or from an example with its picture.
 //
-// A start is a spec and nothing more: numbers that are to be found are left to the engine's search
-// and fit.
+// A start is only a spec. The engine's search and fit compute unknown numbers.
 
 import type { MeshLines, Section } from "../engine/engine";
 import { colour, fill, h } from "./elements";

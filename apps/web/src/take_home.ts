@@ -1,4 +1,4 @@
-// What one takes home: the same files that the program writes, made here by the same code.
+// Downloads: the same files that the program writes, made by the same code.
 
 import type { FileKind } from "../engine/engine";
 import { button, download, fill, foldOut, h, sentenceOf } from "./elements";

@@ -34,8 +34,8 @@
     function middle() { return {x: box.x + box.w / 2, y: box.y + box.h / 2}; }
 
     svg.classList.add('live');
-    // A page that is being scrolled past the pointer must not stop here: the wheel is the picture's
-    // once the pointer itself has moved on it.
+    // If the page is scrolled past the pointer, the picture must not take the wheel. It does so
+    // only after the pointer itself has moved on it.
     window.addEventListener('scroll', function () { armed = false; }, {passive: true});
     svg.addEventListener('pointerleave', function () { armed = false; });
     svg.addEventListener('wheel', function (event) {

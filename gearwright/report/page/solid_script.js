@@ -1,7 +1,7 @@
 (function () {
   'use strict';
-  // The pair in space, from the bytes of its GLB file: drag turns the view, the wheel comes closer,
-  // the slider turns the gears. Drawn only when something changes.
+  // The pair in space, from the bytes of its GLB file: a drag turns the view, the wheel zooms, the
+  // slider turns the gears. It is drawn only after changes.
   var vertexSource =
     'attribute vec3 p;attribute vec3 n;uniform mat4 view,model;uniform mat4 project;varying vec3 normal,place;' +
     'void main(){vec4 q=view*model*vec4(p,1.);place=q.xyz;normal=mat3(view)*mat3(model)*n;gl_Position=project*q;}';
@@ -35,7 +35,7 @@
   }
   function moved(x, y, z) { return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1]; }
   function perspective(aspect, near, far) {
-    var f = 3.2 * Math.min(1, aspect / 1.4);  // a narrow picture holds the whole pair too
+    var f = 3.2 * Math.min(1, aspect / 1.4);  // a narrow picture also contains the whole pair
     return [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0,
             2 * far * near / (near - far), 0];
   }
@@ -167,7 +167,7 @@
       canvas.addEventListener(name, function () { held = null; });
     });
     canvas.addEventListener('wheel', function (e) {
-      if (document.activeElement !== canvas) return;  // the page scrolls past
+      if (document.activeElement !== canvas) return;  // the user scrolls the page past the picture
       e.preventDefault();
       come(Math.exp(e.deltaY * 0.001));
     }, {passive: false});

@@ -1,7 +1,7 @@
 // The mesh in section, drawn on a canvas: both gears from +z, axis 1 left, the path of contact with
 // its letters, and where the flanks touch now.
 //
-// Every point comes from the engine; here they only find their place and colour.
+// The engine computes every point. This file only scales and colours them.
 
 import type { MeshLines, Section } from "../../engine/engine";
 import { colour, font, sheetOf } from "../elements";
@@ -30,7 +30,7 @@ export function shapeOf(section: Section): Shape {
     reach = Math.max(reach, Math.hypot(section.outline[i]!, section.outline[i + 1]!));
   if (section.bore.length) ring(body, section.bore);
   if (section.internal) {
-    // A ring without a rim of its own is shown with one: a tenth of its radius of material.
+    // A ring without its own rim is shown with one of a tenth of its radius.
     let rim = 0;
     for (let i = 0; i < section.bore.length; i += 2)
       rim = Math.max(rim, Math.hypot(section.bore[i]!, section.bore[i + 1]!));
@@ -185,7 +185,7 @@ function circleNames(
     const { x, y } = scene.places[i]!;
     const circles = [...shape.section.circles].sort((a, b) => a.radius - b.radius);
     for (const { symbol, radius } of circles) {
-      // From the side of the mesh upwards, in steps of 2°, the first place that is seen and free.
+      // The first visible and free place from the side of the mesh upwards, in steps of 2°.
       for (let step = 4; step < 90; ++step) {
         const angle = facing(i) + (facing(i) === 0 ? 1 : -1) * (step * Math.PI) / 90;
         const [px, py] = view.px(x + radius * Math.cos(angle), y + radius * Math.sin(angle));

@@ -87,7 +87,8 @@ export class MeshView implements Tab {
     if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
     this.sizeOf = size;
     this.repaint();
-    // Until the gears' places are there, those of the spec before it serve; the picture stays dimmed.
+    // Until the positions of the gears are computed, those of the previous spec are used, and the
+    // picture stays dimmed.
     const motion = await bench
       .about(bench.back, "motion", "motion", { text, n: 25 })
       .finally(() => (this.unplaced = false));
@@ -116,7 +117,7 @@ export class MeshView implements Tab {
     const x2 = places[1]!.x;
     let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
     if (!path.length) {
-      // No path in this section: where the gears overlap.
+      // There is no path in this section, so the overlap of the gears is shown.
       [x0, x1] = [Math.min(x2 - two.reach, one.reach), Math.max(x2 - two.reach, one.reach)];
       [y0, y1] = [x0 - x1, x1 - x0];
     }

@@ -1,6 +1,5 @@
-// The part of the plane that a picture shows, and the hands that move it: wheel or pinch comes
-// closer to what is under it, a drag moves, a double click restores; + − 0 and the arrows do the
-// same for the keyboard.
+// The part of the plane that a picture shows, and its controls: wheel or pinch zooms about the
+// pointer, a drag moves, a double click restores. The keys + − 0 and the arrows do the same.
 
 import { onKeys } from "../elements";
 

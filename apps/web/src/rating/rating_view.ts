@@ -1,5 +1,5 @@
 // The tab "rating": strength by ISO 6336. The safeties in the verdict's colours, and every factor
-// with its clause and the branch that was taken, as the report prints them.
+// with its clause and the branch that was used, as in the report.
 
 import type { Quantity } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
@@ -116,7 +116,8 @@ export class RatingView extends AnswerView<Rated> {
   async refresh(): Promise<void> {
     const solved = this.pair();
     if (!solved || solved.text === this.shown) return;
-    // Teeth in contact under the rated load take seconds: not where the next change of a key waits.
+    // Tooth contact under the rated load takes seconds, so it runs in another worker than the next
+    // change of a key.
     const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
     const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
     if (!answer || bench.good?.text !== solved.text) return;

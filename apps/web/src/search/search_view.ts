@@ -1,7 +1,7 @@
-// The tab "search": what a spec leaves to be found. A [search] runs through all candidates, with
-// progress and a way out; a spec whose gears are not complete is answered by the fit, branch by
-// branch. A click makes a design the one on screen; the list stays as long as the text on screen is the
-// one that was searched, or one of its designs.
+// The tab "search": results for a spec with unknown numbers. A [search] evaluates all candidates,
+// with progress and a button to stop it. For a spec with incomplete gears, fit computes the
+// branches. A click shows a design. The list stays while the text on screen is the searched one, or
+// one of its designs.
 
 import { quantity } from "../catalogue";
 import { button, download, fill, h, sentenceOf } from "../elements";
@@ -14,8 +14,8 @@ import { ParetoPicture, type Point } from "./pareto";
 import { around, gearOf, measured } from "./search_specs";
 import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design } from "./search_table";
 
-const kMostTrials = 1e7; // beyond it the program is the place
-const kAtOnce = 30_000; // so few need no button
+const kMostTrials = 1e7; // larger searches need the program
+const kAtOnce = 30_000; // smaller searches start without a button
 const kMostDesigns = 2000;
 /** Axes of the picture, the likeliest first; after them the catalogue's order. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
@@ -64,12 +64,12 @@ export class SearchView implements Tab {
     this.picture,
   );
   private searched = ""; // the text whose designs are listed
-  private readonly of = new Set<string>(); // it, and those of its designs that were taken
+  private readonly of = new Set<string>(); // it, and those of its designs that were chosen
   private designs: Design[] = [];
   private front: number[] = [];
   private taken = -1;
   private looked = "";
-  private running = ""; // the text that is being searched
+  private running = ""; // the text of the running search
   private columns: Column[] = [];
 
   constructor() {
@@ -190,7 +190,7 @@ export class SearchView implements Tab {
     this.front = front;
     this.taken = -1;
     this.table.show(designs, front);
-    // A number that all designs share is no axis.
+    // A number that all designs share is not used for an axis.
     const rank = (column: Column) => (kAxes.indexOf(column.info.key) + kAxes.length + 1) % (kAxes.length + 1);
     this.columns = columnsOf(designs)
       .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))

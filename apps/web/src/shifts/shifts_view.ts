@@ -1,6 +1,6 @@
-// The tab "shifts": all profile shifts that the limits leave to this pair of tooth numbers, with
-// their exact borders. The point is the design; it is dragged, or moved with the arrow keys, and
-// everything follows. Where it stops, the border is named.
+// The tab "shifts": all profile shifts within the limits for this pair of tooth numbers, with their
+// exact borders. The point is the design. The user drags it or moves it with the arrow keys, and
+// all views follow. If it stops at a border, the border is named.
 
 import type { ShiftRegion } from "../../engine/engine";
 import { gridLines, ticksOf } from "../axes";
