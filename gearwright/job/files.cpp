@@ -199,49 +199,22 @@ void write_files(const std::vector<JobFile>& files) {
 
 namespace {
 
-// The bodies for the page's own viewer, coarser than the files; none where there is no outline or
-// where they would make the page heavy.
-void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<ToothedBody>& mounted,
-               const FileOptions& options) {
-  constexpr double kOfDiameter = 1.0 / 2000;  // half a pixel of a picture as wide as the gear
-  constexpr std::size_t kMost = 3'000'000;    // bytes
-  FileOptions coarse = options;
-  coarse.on_file = nullptr;
-  for (const Gear& gear : job.gears)
-    coarse.mesh_tolerance_mm =
-        std::max(coarse.mesh_tolerance_mm, kOfDiameter * std::abs(gear.tip_diameter));
-  std::vector<ToothedBody> bodies = mounted;
-  if (!job.pair) {
-    const auto body = make_body(job, 1, false);
-    if (!body || job.gears.size() > 1) return;
-    bodies = {*body};
-  }
-  if (bodies.size() != job.gears.size()) return;
-  auto file = make_file(FileKind::glb, bodies, "pair.glb", coarse);
-  if (!file || file->bytes.size() > kMost) return;
-  report.solid = std::move(file->bytes);
-  report.solid_tolerance = coarse.mesh_tolerance_mm;
-}
-
 bool wanted(const FileOptions& options, std::string_view part) {
   return options.only.empty() ||
          std::find(options.only.begin(), options.only.end(), part) != options.only.end();
 }
 
-struct ShapeFiles {
-  std::vector<JobFile> files;
-  std::vector<ToothedBody> mounted;  ///< gears of the pair that have an outline, in the housing
-};
-
 // Solids, meshes, outlines and the drawing. A gear without an outline gets a warning instead.
-Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const FileOptions& options) {
-  ShapeFiles made;
+Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
+                                         const FileOptions& options) {
+  std::vector<JobFile> made;
+  std::vector<ToothedBody> mounted;  // gears of the pair that have an outline, in the housing
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
     if (!wanted(options, ending(kind).substr(1))) return std::nullopt;
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
     if (!file) return file.error();
-    made.files.push_back(std::move(file).take());
+    made.push_back(std::move(file).take());
     return std::nullopt;
   };
   std::vector<int> drawn;
@@ -256,16 +229,16 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
       if (auto error = make(kind, {*body}, gear_name(which))) return *std::move(error);
-    if (job.pair) made.mounted.push_back(make_body(job, which, true).value());
+    if (job.pair) mounted.push_back(make_body(job, which, true).value());
   }
-  if (made.mounted.size() == 2)
+  if (mounted.size() == 2)
     for (FileKind kind : {FileKind::step, FileKind::glb})
-      if (auto error = make(kind, made.mounted, "pair")) return *std::move(error);
+      if (auto error = make(kind, mounted, "pair")) return *std::move(error);
   if (!drawn.empty() && wanted(options, "drawing")) {
     auto file = make_workshop_drawing(job, drawn, SheetFormat::pdf, SheetSize::a4,
                                       folder / "drawing.pdf", options);
     if (!file) return file.error();
-    made.files.push_back(std::move(file).take());
+    made.push_back(std::move(file).take());
   }
   return made;
 }
@@ -287,8 +260,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const std::optional<RatingView> rating_view = rated ? std::optional(rated->view()) : std::nullopt;
   auto shapes = shape_files(job, folder, options);
   if (!shapes) return shapes.error();
-  std::vector<JobFile> files = std::move(shapes->files);
-  const std::vector<ToothedBody> mounted = std::move(shapes->mounted);
+  std::vector<JobFile> files = std::move(shapes).take();
 
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
@@ -307,7 +279,6 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
   if (rating_view) report.rating = &*rating_view;
-  if (wanted(options, "report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;

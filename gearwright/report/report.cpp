@@ -18,7 +18,6 @@
 #include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
-#include "gearwright/report/solid.hpp"
 #include "gearwright/report/turning.hpp"
 
 namespace gearwright {
@@ -105,7 +104,7 @@ std::string gear_section(const ReportInput& input) {
   }
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
-    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures + solid_figure(input)) +
+    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures) +
            "</section>\n";
   }
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + table + "</section>\n";
@@ -216,12 +215,11 @@ std::string report_html(const ReportInput& input) {
   if (input.rating) sections += rating_section(*input.rating);
   sections += gear_section(input) + few_teeth_section(input) +
               measure_section(input.measures, input.measure_ends, input.k_diagrams);
-  if (input.gears.size() > 1) sections += solid_section(input);
   sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
   page +=
-      fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(), page_script(),
-                  turn_script(), input.solid.empty() ? std::string_view() : solid_script());
+      fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", figure_script(), page_script(),
+                  turn_script());
   return page;
 }
 

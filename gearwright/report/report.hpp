@@ -42,8 +42,6 @@ struct ReportInput {
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
   const RatingView* rating = nullptr;          ///< null: the spec asks for no rating
   Verdict verdict;                             ///< over gears, pair and contact
-  std::string solid;                           ///< bytes of a GLB file of all gears; may be empty
-  double solid_tolerance = 0.0;                ///< mm, of its mesh
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; empty: left out
   std::string version;    ///< of the program

@@ -85,8 +85,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     std::vector<Vec2> points;
     for (const ShiftLimits& row : chart)
       points.push_back(std::isfinite(of(row)) ? Vec2(row.teeth, of(row)) : kNewPiece);
-    f.line(std::move(points), std::string("curve ") + style, name);
-    f.keys.push_back({std::string("line ") + style, name});
+    f.line(std::move(points), fmt::format("curve {}", style), name);
+    f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
   constexpr std::array kTipStyles{"limit-tip dot", "limit-tip", "limit-tip dash"};

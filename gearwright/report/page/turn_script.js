@@ -2,7 +2,7 @@
   'use strict';
   var secondsPerPitch = 3;
   function list(nodes) { return Array.prototype.slice.call(nodes); }
-  list(document.querySelectorAll('div.turn:not(.solid-turn)')).forEach(function (control) {
+  list(document.querySelectorAll('div.turn')).forEach(function (control) {
     var scope = control.parentNode;
     while (scope && !(scope.classList && scope.classList.contains('figures'))) scope = scope.parentNode;
     if (!scope) return;
