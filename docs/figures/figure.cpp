@@ -9,7 +9,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
-#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright::figures {

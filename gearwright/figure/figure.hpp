@@ -36,7 +36,10 @@ struct FigureMark {
     area,  ///< within closed pieces, even-odd
     bar,   ///< a rectangle between two opposite corners
     dot,
-    text
+    text,
+    circle,  ///< about a point, `radius` in the units of the axes
+    shape,   ///< a gear's section (gear_shape.hpp), `radius` mm per unit of its path
+    cross    ///< an axis
   };
   Kind kind = Kind::line;
   std::string style;
@@ -47,6 +50,25 @@ struct FigureMark {
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
   int frame = -1;              ///< seen while a slider stands there; −1: always
+  /// Of a line, a dot, a circle, a cross: its name, SVG markup, written where there is room. Of a dot
+  /// `offset` and its opposite come first.
+  std::string label = {};
+  std::string label_style = {};
+  /// Of a line: the border of an area, with its name at its right or within the area. Of a bar: no
+  /// label stands on it.
+  bool border = false;
+  double turned = 0.0;     ///< of a shape: degrees, counter-clockwise
+  double per_pitch = 0.0;  ///< of a shape: degrees clockwise while gear 1 turns by one pitch
+  int gear = -1;           ///< 0, 1: whose it is; of a circle also the side of its label
+  bool head = false;       ///< of a line: an arrow at its end
+};
+
+/// Dots of one style, a pitch apart, that slide along a line with the rotation of gear 1: at t
+/// pitches tooth k stands at `at` + (t + k) `step` and is seen while from ≤ t + k ≤ to.
+struct FigureSlide {
+  Vec2 at, step;
+  double from, to;
+  std::string style;
 };
 
 /// A row of blocks below the plot, over its x axis: "tooth pair", "tip edge of gear 1".
@@ -81,11 +103,14 @@ struct Figure {
   double tall = 0.45;     ///< height of the plot over its width
   double pitch = 0.0;     ///< one pitch of gear 1 along x; 0: x is no rotation
   bool bare = false;      ///< a small picture without axes
+  bool plane = false;     ///< a window on a plane: one scale for both axes, whose length is `tall`
   int frames = 0;         ///< of the slider; 0: none
   std::vector<FigureMark> marks = {};
   std::vector<FigureLane> lanes = {};
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
+  std::optional<FigureSlide> slide = {};
+  std::string definitions = {};  ///< SVG, of its shapes; empty: the page has them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
   void area(std::vector<Vec2> points, std::string style);
@@ -94,7 +119,17 @@ struct Figure {
            int frame = -1);
   void text(const Vec2& at, std::string markup, Anchor anchor = Anchor::start,
             std::string style = {}, const Vec2& offset = Vec2::Zero());
+  /// With a label that stands `offset` px from it or on the other side.
+  void point(const Vec2& at, double radius, std::string style, std::string label,
+             const Vec2& offset);
+  void circle(const Vec2& center, double radius, std::string style, int gear,
+              std::string label = {}, std::string words = {});
+  void cross(const Vec2& at, std::string label = {});
 };
+
+/// An empty figure of a plane, mm, that shows this window.
+Figure plane_figure(std::string id, std::string title, std::string description,
+                    const Bounds& window);
 
 /// Loops as the points of one area.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);

@@ -27,9 +27,10 @@ std::string figure_html(const Figure& figure, double width = kFigureWidth,
 /// The same of a figure that may not be; empty without one.
 std::string html_of(const std::optional<Figure>& figure);
 
-/// What the classes of marks look like, and what a pointer on a figure reads: figure_style.css and
-/// figure_script.js. The page takes the same files.
+/// What the classes of marks look like, what a pointer on a figure reads, and how a picture is zoomed
+/// and moved: figure_style.css, figure_script.js and zoom_script.js. The page takes the same files.
 std::string_view figure_style();
 std::string_view figure_script();
+std::string_view zoom_script();
 
 }  // namespace gearwright

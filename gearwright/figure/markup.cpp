@@ -101,6 +101,17 @@ std::string with_symbols(std::string_view text) {
   return result;
 }
 
+std::string without_tags(std::string_view markup) {
+  std::string text;
+  bool tag = false;
+  for (const char c : markup) {
+    if (c == '<') tag = true;
+    if (!tag) text += c;
+    if (c == '>') tag = false;
+  }
+  return text;
+}
+
 std::string captioned(std::string_view picture, std::string_view caption,
                       std::string_view attributes) {
   return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attributes, picture,

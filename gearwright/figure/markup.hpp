@@ -31,6 +31,9 @@ std::string symbol_svg(std::string_view symbol);
 /// a symbol has one letter before its "_".
 std::string with_symbols(std::string_view text);
 
+/// Markup without its tags.
+std::string without_tags(std::string_view markup);
+
 /// A picture with its controls, and its caption below; `attributes` of the whole.
 std::string captioned(std::string_view picture, std::string_view caption,
                       std::string_view attributes = "");

@@ -68,6 +68,10 @@ class Svg {
   void path(std::string_view d, std::string_view style, std::string_view attributes = "");
   /// A rectangle that attributes name as clip-path="url(#id)".
   void define_clip(std::string_view id, double x, double y, double width, double height);
+  /// Shapes for `use`, SVG markup.
+  void define(std::string_view shapes);
+  /// Upright and level lines, `half` px long on each side; they keep their size.
+  void cross(const Vec2& at, double half, std::string_view style);
   /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
   /// counter-clockwise by `degrees`. `attributes` are added as they are.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,

@@ -7,8 +7,8 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/arc_contact_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
-#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/plot_axis.hpp"

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/report/free_labels.hpp"
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 

@@ -17,9 +17,8 @@ std::string_view page_style();
 /// curves of its charts. The colours are those of the page, which turn with light, dark and paper.
 std::string_view search_style();
 
-/// Wheel zooms about the pointer, dragging moves, double click restores; keys + − 0 and arrows do
-/// the same for a picture that has the focus. Without a script the pictures stand still and are
-/// complete.
+/// Makes every picture zoomable (zoom_script.js), unfolds the tables before printing. Without a
+/// script the pictures stand still and are complete.
 std::string_view page_script();
 
 /// From the doctype to </head>, style included; title and version are plain text. `more_style` is

@@ -36,8 +36,8 @@ const std::set<std::string> kPlain{"green", "pair", "compensate", "front", "word
 void expect_known(const std::string& page, const std::string& what) {
   const std::string known = std::string(figure_style()) + std::string(page_style()) +
                             std::string(search_style()) + std::string(figure_script()) +
-                            std::string(page_script()) + std::string(turn_script()) +
-                            std::string(sort_script());
+                            std::string(zoom_script()) + std::string(page_script()) +
+                            std::string(turn_script()) + std::string(sort_script());
   for (const std::string& name : classes_of(page)) {
     if (kPlain.count(name) != 0) continue;
     EXPECT_NE(known.find("." + name), known.npos) << "class " << name << " of " << what;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/pair/contact_zones.hpp"
-#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/pair_figures.hpp"

@@ -9,9 +9,9 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
@@ -104,8 +104,7 @@ std::string gear_section(const ReportInput& input) {
   }
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
-    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures) +
-           "</section>\n";
+    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures) + "</section>\n";
   }
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + table + "</section>\n";
 }
@@ -217,9 +216,8 @@ std::string report_html(const ReportInput& input) {
               measure_section(input.measures, input.measure_ends, input.k_diagrams);
   sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
-  page +=
-      fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", figure_script(), page_script(),
-                  turn_script());
+  page += fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
+                      zoom_script(), page_script(), turn_script());
   return page;
 }
 

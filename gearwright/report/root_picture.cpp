@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/report/free_labels.hpp"
+#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {

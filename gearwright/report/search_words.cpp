@@ -12,25 +12,6 @@ namespace gearwright {
 
 namespace {
 
-struct EdgeLook {
-  std::string_view words, style;
-};
-
-// In the order of ShiftEdge.
-constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"gear 1 least shift", "edge-g1"},
-                                                    {"gear 1 greatest shift", "edge-g1 far"},
-                                                    {"gear 2 least shift", "edge-g2"},
-                                                    {"gear 2 greatest shift", "edge-g2 far"},
-                                                    {"least centre distance", "edge-c"},
-                                                    {"greatest centre distance", "edge-c far"},
-                                                    {"contact ratio", "edge-eps"},
-                                                    {"clipped contact ratio", "edge-true"},
-                                                    {"sliding", "edge-slide"},
-                                                    {"clearance", "edge-clear"},
-                                                    {"interference at gear 1", "edge-hit"},
-                                                    {"interference at gear 2", "edge-hit"},
-                                                    {"no working angle", "edge-mesh"}}};
-
 // In the order of Limit.
 constexpr std::array<std::string_view, kLimits> kLimitWords{
     "no profile shift between undercut and a thin tip",
@@ -44,10 +25,6 @@ constexpr std::array<std::string_view, kLimits> kLimitWords{
     "safety against root breakage too small"};
 
 }  // namespace
-
-std::string_view words_of(ShiftEdge edge) { return kEdges[static_cast<std::size_t>(edge)].words; }
-
-std::string_view style_of(ShiftEdge edge) { return kEdges[static_cast<std::size_t>(edge)].style; }
 
 std::string_view words_of(Limit limit) { return kLimitWords[static_cast<std::size_t>(limit)]; }
 

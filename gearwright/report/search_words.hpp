@@ -1,4 +1,4 @@
-// What a design search speaks of, in words: limits, edges of the s1–s2 graph, objectives, designs.
+// What a design search speaks of, in words: limits, objectives, designs.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,8 @@
 
 #include "gearwright/design/design_row.hpp"
 #include "gearwright/design/search_problem.hpp"
-#include "gearwright/design/shift_graph.hpp"
 
 namespace gearwright {
-
-/// "gear 1 least shift", "contact ratio", …
-std::string_view words_of(ShiftEdge edge);
-/// Class of the page's style that colours it, "edge-g1 far".
-std::string_view style_of(ShiftEdge edge);
 
 /// "centre distance out of reach", … : what a rejected trial died of.
 std::string_view words_of(Limit limit);

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/figure/svg.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
-#include "gearwright/report/named_circles.hpp"
 
 namespace gearwright {
 
@@ -94,7 +93,7 @@ void draw_cylinders(Svg& svg, const Viewport& view, const InvolutePair& pair, st
     if (const auto end = leaves_at(e, view, i == 0, side)) {
       ends.push_back(*end);
       wanted.push_back(end->y());
-      symbols.push_back(cut.symbol);
+      symbols.push_back(symbol_of(cut, i));
     }
   }
   svg.end_group();

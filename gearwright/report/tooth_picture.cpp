@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/figure/svg.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/named_circles.hpp"
 
 namespace gearwright {
 

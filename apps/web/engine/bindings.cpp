@@ -138,6 +138,30 @@ Result<Json> contact_figures(Session& session, const val& of) {
   }
   return session.contact_figures(view);
 }
+// [x0, x1, y0, y1]
+std::optional<Bounds> window_of(const val& list) {
+  if (list.isNull()) return std::nullopt;
+  const auto ends = emscripten::convertJSArrayToNumberVector<double>(list);
+  return Bounds{{ends[0], ends[2]}, {ends[1], ends[3]}};
+}
+Result<Json> mesh_figure(const Session& session, const val& of) {
+  MeshView view;
+  const std::string frame = of["frame"].as<std::string>();
+  view.frame = frame == "whole"   ? MeshFrame::whole
+               : frame == "flank" ? MeshFrame::flank
+                                  : MeshFrame::mesh;
+  view.width = of["width"].as<double>();
+  view.height = of["height"].as<double>();
+  view.bodies = of["bodies"].as<bool>();
+  view.name = of["name"].as<std::string>();
+  view.window = window_of(of["window"]);
+  return session.mesh_figure(view);
+}
+Result<Json> shift_region(const Session& session, const val& of) {
+  if (of.isNull()) return session.shift_region(std::nullopt);
+  return session.shift_region(
+      ShiftView{of["width"].as<double>(), of["aspect"].as<double>(), window_of(of["window"])});
+}
 MadeWork pattern(Session& session, int positions, int rows, int columns) {
   return pattern_work(session.shared_from_this(), positions, {rows, columns});
 }
@@ -267,6 +291,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("section", &call<&Session::section, Session, int, double>)
       .function("mesh", &call<&Session::mesh, Session, int, double>)
       .function("lines", &call<&Session::lines, Session>)
+      .function("meshFigure", &call<&mesh_figure, const Session, val>)
       .function("pose", &call<&Session::pose, Session, int, double, bool>)
       .function("contactCurve", &call<&Session::contact_curve, Session, int>)
       .function("contactPoint", &call<&Session::contact_point, Session, double>)
@@ -275,7 +300,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("pattern", &call<&pattern, Session, int, int, int>)
       .function("errorMap", &call<&error_map, Session, val, val, int>)
       .function("load", &call<&load, Session, std::string, std::shared_ptr<ToothTables>>)
-      .function("shiftRegion", &call<&Session::shift_region, Session>)
+      .function("shiftRegion", &call<&shift_region, const Session, val>)
       .function("file", &call<&Session::file, Session, std::string, int, double>);
   class_<Work>("Work")
       .smart_ptr<std::shared_ptr<Work>>("WorkHandle")

@@ -183,6 +183,7 @@ export interface ShiftRegion {
   window: [number, number, number, number]; // x1 lo, x1 hi, x2 lo, x2 hi: floors and ceilings
   chosen: [number, number] | null; // what the search would take
   whatKills: string; // the first limit that leaves nothing; "" when there is a region
+  figure: Figure | null; // if a view was given and some shifts are left
 }
 
 // ---------------------------------------------------------------------------------- long work
@@ -216,7 +217,8 @@ export interface LoadResult {
 
 // ---------------------------------------------------------------------------------- figures
 
-/** A figure as the report has it: its picture and caption, and what its curves are made of. The group
+/** A figure as the report has it: its picture and caption (of gears in section without a caption), and
+ *  what its curves are made of. The group
  *  of class "plot" has the scale in `data-x` and `data-y`, "lo hi from to": values and their px. */
 export interface Figure {
   id: string; // "te", "spectrum", "bearing1", "pressure2"
@@ -227,6 +229,8 @@ export interface Figure {
     x: { words: string; unit: string };
     y: { words: string; unit: string };
     curves: { name: string; points: [number | null, number | null][] }[];
+    circles?: { gear: 0 | 1; name: string; center: [number, number]; radius: number }[];
+    points?: { name: string; at: [number, number] }[]; // letters of a mesh
   };
 }
 /** What is seen of contact. */
@@ -236,6 +240,23 @@ export interface ContactView {
   index: number; // of the position whose gap lies on the flanks
   patterns: [FlankRaster, FlankRaster] | null; // as `pattern` made them
   curves: boolean; // false: the flanks alone
+}
+
+/** What is seen of the gears in section. */
+export interface MeshView {
+  frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, the path of contact
+  width: number; // px
+  height: number;
+  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm, in place of the frame's
+  bodies: boolean; // the bodies alone
+  name: string; // of the picture and its shapes, unique in the page
+}
+
+/** What is seen of the chart of profile shifts. */
+export interface ShiftView {
+  width: number; // px
+  aspect: number; // of the plot, width over height
+  window: [number, number, number, number] | null; // x1 lo, x1 hi, x2 lo, x2 hi, in place of the region's
 }
 
 /** Designs as dots, in their order, over two of their numbers, which are finite. */
@@ -260,6 +281,8 @@ export interface Session {
   /** Solid of gear 1 or 2 (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   lines(): MeshLines | Failed;
+  /** The gears in section, mm. A gear's shapes are `use` elements with `data-gear`, about their place. */
+  meshFigure(view: MeshView): Figure | Failed;
   /** Gear frame → housing, column-major 4×4 as three.js takes it, at a rotation of gear 1, with the
    *  errors of the spec. Gear 2 stands where its working flanks touch; without contact (or when
    *  `nominal`) where the ratio puts it, in the middle of the play at rest. */
@@ -280,7 +303,7 @@ export interface Session {
   /** Teeth under the torques of [load]; `accuracy` in place of the spec's. The teeth's compliance is
    *  kept: the next torque, error or modification takes a fraction of the time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
-  shiftRegion(): ShiftRegion | Failed;
+  shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
   /** A file's bytes: of gear 1 or 2, or (0) of the pair as it is mounted. report, json: gear 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
   delete(): void;

@@ -23,6 +23,7 @@ const kDefaults = {
   section: [1, 0.001],
   mesh: [1, 0.02],
   pose: [1, 0, false],
+  shiftRegion: [null],
   contactCurve: [64],
   gapMap: [0, 0, 33, 65],
   pattern: [64, 33, 65],

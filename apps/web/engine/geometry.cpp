@@ -12,7 +12,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/curve/arc_name.hpp"
-#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 
 namespace gearwright::web {
 
@@ -68,17 +68,16 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
 }
 
 // The diameters of a record, as circles about the axis of a gear.
-void append_circles(Json& circles, const ValueRecord& record, std::size_t gear) {
+void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
+                    std::size_t gear) {
   for (const Member& m : record) {
     const QuantityInfo& info = *m.info;
     if (!info.key.ends_with("_diameter_mm")) continue;
     const ValueList* each = info.two == Two::gears ? m.value.list() : nullptr;
     const auto d = each ? (*each)[gear].number() : m.value.number();
     if (!d) continue;
-    circles.push_back({{"key", info.key},
-                       {"symbol", info.symbol},
-                       {"words", info.words},
-                       {"radius", std::abs(*d) / 2}});
+    circles.push_back({std::string(info.symbol), std::abs(*d) / 2, style_of_circle(info.symbol),
+                       std::string(info.words), std::string(info.key)});
   }
 }
 
@@ -115,7 +114,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
   std::vector<std::vector<Vec2>> arcs;
   for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
   Numbers out;
-  Json pieces = Json::array(), circles = Json::array();
+  Json pieces = Json::array(), named = Json::array();
   append(out, contour->pieces.front().begin);
   for (const ContourPiece& piece : contour->pieces) {
     const int from = static_cast<int>(out.size() / 2) - 1;
@@ -132,13 +131,46 @@ Result<Json> Session::section(int gear, double tolerance) const {
                       {"to", static_cast<int>(out.size() / 2) - 1}});
   }
   out.resize(out.size() - 2);  // closed: the last point is the first
-  const auto which = static_cast<std::size_t>(gear - 1);
-  append_circles(circles, gear_quantities().of(g), which);
-  if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
+  for (const NamedCircle& c : circles(gear)) {
+    named.push_back(
+        {{"key", c.key}, {"symbol", c.symbol}, {"words", c.words}, {"radius", c.radius}});
+  }
   return Json{{"teeth", contour->teeth}, {"internal", g.internal()},
               {"outline", row(out)},     {"pieces", std::move(pieces)},
-              {"bore", row(*bore)},      {"circles", std::move(circles)},
+              {"bore", row(*bore)},      {"circles", std::move(named)},
               {"toleranceMm", tolerance}};
+}
+
+std::vector<NamedCircle> Session::circles(int gear) const {
+  std::vector<NamedCircle> circles;
+  const auto which = static_cast<std::size_t>(gear - 1);
+  append_circles(circles, gear_quantities().of(job_.gears[which]), which);
+  if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
+  return circles;
+}
+
+Result<Json> Session::mesh_figure(const MeshView& view) const {
+  constexpr double kCoarse = 0.1;  // mm: here the section only shows that there is one
+  MeshScene scene;
+  for (int gear = 1; gear <= gears(); ++gear) {
+    if (const auto made = section(gear, kCoarse); !made) return made.error();
+    const auto i = static_cast<std::size_t>(gear - 1);
+    scene.gears.push_back(&job_.gears[i]);
+    scene.shapes[i] = view.name + "-gear" + std::to_string(gear);
+    scene.circles[i] = circles(gear);
+  }
+  if (job_.pair) {
+    scene.pair = &job_.pair->mounted();
+    scene.involute = job_.pair->involute();
+  }
+  const Bounds window =
+      view.window ? *view.window : mesh_window(scene, view.frame, view.width / view.height);
+  Figure figure =
+      view.bodies ? bodies_figure(scene, window) : gearwright::mesh_figure(scene, window);
+  for (std::size_t i = 0; i < scene.gears.size(); ++i)
+    figure.definitions += gear_definition(*scene.gears[i], scene.shapes[i]);
+  figure.id = view.name;
+  return shape(figure, view.width);
 }
 
 Result<Json> Session::mesh(int gear, double tolerance) const {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "apps/web/engine/shapes.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -23,6 +24,22 @@ struct ContactView {
   int index = 0;                        ///< of the position whose gap lies on the flanks
   std::array<FlankRaster, 2> patterns;  ///< as `pattern` made them; empty: not yet
   bool curves = true;                   ///< not the flanks alone
+};
+
+/// What a page wants to see of the gears in section.
+struct MeshView {
+  MeshFrame frame = MeshFrame::mesh;
+  double width = 560.0, height = 420.0;  ///< px
+  std::optional<Bounds> window;          ///< mm, in place of the frame's
+  bool bodies = false;                   ///< the bodies alone
+  std::string name = "mesh";             ///< of the shapes, unique in the page
+};
+
+/// What a page wants to see of the profile shifts.
+struct ShiftView {
+  double width = 560.0;          ///< px
+  double aspect = 1.25;          ///< of the plot, width over height
+  std::optional<Bounds> window;  ///< (x1, x2), in place of the region's
 };
 
 class Session : public std::enable_shared_from_this<Session> {
@@ -39,6 +56,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> section(int gear, double tolerance) const;
   Result<Json> mesh(int gear, double tolerance) const;
   Result<Json> lines() const;
+  /// The gears in section, with all circles that the catalogue names.
+  Result<Json> mesh_figure(const MeshView& view) const;
   /// Column-major, as three.js takes it.
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
@@ -55,7 +74,8 @@ class Session : public std::enable_shared_from_this<Session> {
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
-  Result<Json> shift_region() const;
+  /// With a figure if a view is given and some shifts are left.
+  Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 
  private:
@@ -64,6 +84,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<ContactPoint> touch(double rotation1_deg);
   Result<const ContactResult*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
+  std::vector<NamedCircle> circles(int gear) const;
 
   SpecText text_;
   SolvedJob job_;

@@ -43,7 +43,7 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
-/// A figure with its caption, HTML, and its data, for a room so many px wide.
+/// A figure with its caption (a plane without), HTML, and its data, for a room so many px wide.
 Json shape(const Figure& figure, double width);
 
 }  // namespace gearwright::web

@@ -11,6 +11,8 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/design/shift_region.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/shift_region.hpp"
 #include "gearwright/report/search_words.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
@@ -82,9 +84,29 @@ struct Nearest {
   }
 };
 
+// The figure, without the design, which a user moves.
+Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
+                    const ShiftView& view) {
+  constexpr double kFairPart = 0.62;  // of the rectangle: a region as long is shown in it
+  const ShiftChart chart = shift_chart(graph, design);
+  const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
+  RegionWindow window = region_window(limits_box(graph), chart.around, aspect, kFairPart);
+  if (view.window) {
+    const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
+    window.box = {turned(view.window->lo), turned(view.window->hi)};
+  }
+  Figure f = shift_region_figure(chart, window);
+  f.point(chosen_point(graph, chart.region), 5.0, "mark hollow", "what a search would take",
+          {12.0, 12.0});
+  f.marks.back().label_style = "halo tick";
+  if (swapped) f = exchanged(std::move(f));
+  f.caption = ". Edges of the region:";
+  return f;
+}
+
 }  // namespace
 
-Result<Json> Session::shift_region() const {
+Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   if (!job_.pair) return absent_input("gear2", ": the chart is of two profile shifts");
   if (!job_.pair->involute())
     return Error{"gear1.rack.kind", "",
@@ -120,6 +142,7 @@ Result<Json> Session::shift_region() const {
              {"borders", Json::object()},
              {"window", {ends[0][0], ends[0][1], ends[1][0], ends[1][1]}},
              {"chosen", nullptr},
+             {"figure", nullptr},
              {"whatKills", killed ? words_of(*killed) : ""}};
   const auto region = gearwright::shift_region(graph);
   if (!region) return chart;
@@ -142,6 +165,7 @@ Result<Json> Session::shift_region() const {
     chart["pieces"].push_back(std::move(piece));
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
+  if (view) chart["figure"] = shape(chart_figure(graph, asked, swapped, *view), view->width);
   constexpr double kAtWall = 1e-6;  // modules: nearer than any shift is made
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;

@@ -160,11 +160,7 @@ const questions = {
     }
     return solve(text);
   },
-  sections(q: { text: string; tolerance: number }) {
-    const s = session(q.text);
-    const gears = eachGear(s, (gear) => s.section(gear, q.tolerance));
-    return { gears, lines: s.hasPair ? good(s.lines()) : null };
-  },
+  meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
   /** Where the gears stand, and where they touch, over a pitch of gear 1 from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
@@ -210,7 +206,7 @@ const questions = {
       throw reason;
     }
   },
-  shifts: (q: { text: string }) => good(session(q.text).shiftRegion()),
+  shifts: (q: { text: string; view: E.ShiftView }) => good(session(q.text).shiftRegion(q.view)),
   /** Any verb, its JSON read. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },

@@ -3,11 +3,8 @@
 // A start is a spec and nothing more: numbers that are to be found are left to the engine's search
 // and fit.
 
-import type { MeshLines, Section } from "../engine/engine";
-import { colour, fill, h } from "./elements";
+import { fill, h } from "./elements";
 import { numberIn } from "./form/field";
-import { drawBodies, extentOf, placesOf, shapeOf } from "./mesh/mesh_drawing";
-import type { Motion } from "./motion";
 import { bench } from "./workbench";
 
 const examples = import.meta.glob("../../../examples/*.toml", {
@@ -38,6 +35,8 @@ function exampleOf([path, text]: [string, string]): Example {
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
 export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
+/** The small picture of a card: the gears in section, whole, without letters. */
+const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
   "helical_pair",
   "spur_pair",
@@ -182,7 +181,7 @@ shaft_angle_deg = ${v["s"]}
 export class Starts {
   readonly element = h("main", { class: "starts", id: "starts" });
   private painted = false;
-  private readonly canvases = new Map<string, HTMLCanvasElement>();
+  private readonly pictures = new Map<string, HTMLElement>();
 
   constructor(private readonly begin: (text: string, tab: string) => void) {
     const cards = kExamples.map((one) => this.card(one));
@@ -255,8 +254,8 @@ export class Starts {
   }
 
   private card(example: Example): HTMLElement {
-    const canvas = h("canvas", { width: 320, height: 200, "aria-hidden": "true" });
-    this.canvases.set(example.name, canvas);
+    const picture = h("div", { class: "card-picture", "aria-hidden": "true" });
+    this.pictures.set(example.name, picture);
     const tab =
       /^\[(search|fit)\]/m.test(example.text) || example.name.endsWith("_fit")
         ? "search"
@@ -271,7 +270,7 @@ export class Starts {
         "data-example": example.name,
         click: () => this.begin(example.text, tab),
       },
-      canvas,
+      picture,
       h("span", { class: "card-title" }, example.title),
       h("span", { class: "card-sentence" }, example.sentence),
     );
@@ -282,7 +281,7 @@ export class Starts {
     if (this.painted) return;
     this.painted = true;
     for (const example of kExamples) {
-      const canvas = this.canvases.get(example.name)!;
+      const picture = this.pictures.get(example.name)!;
       if (this.element.hidden) {
         this.painted = false;
         return;
@@ -291,42 +290,11 @@ export class Starts {
       try {
         if (searching) throw new Error("a search has no picture yet");
         const { text } = example;
-        const { gears, lines } = await bench.back.call("sections", { text, tolerance: 0.02 });
-        drawSmall(canvas, gears, lines, lines && (await bench.back.call("motion", { text, n: 2 })));
+        const view = { ...kCard, name: example.name };
+        picture.innerHTML = (await bench.back.call("meshFigure", { text, view })).html;
       } catch {
-        writeWord(canvas, searching ? "search" : "fit");
+        picture.textContent = (searching ? "search" : "fit") + " …"; // the gears are to be found
       }
     }
   }
-}
-
-/** The small picture of a card: the gears in section, whole, without letters. */
-function drawSmall(
-  canvas: HTMLCanvasElement,
-  sections: Section[],
-  lines: MeshLines | null,
-  motion: Motion | null,
-): void {
-  const { width, height } = canvas;
-  const shapes = sections.map(shapeOf);
-  const places = placesOf(shapes, lines, motion, 0);
-  const [left, right, tall] = extentOf(shapes, places);
-  const scale = 0.9 * Math.min(width / (right - left), height / (2 * tall));
-  const px = (x: number, y: number): [number, number] => [
-    width / 2 + (x - (left + right) / 2) * scale,
-    height / 2 - y * scale,
-  ];
-  const c = canvas.getContext("2d")!;
-  c.clearRect(0, 0, width, height);
-  drawBodies(c, { px, now: { scale } }, { shapes, places });
-}
-
-/** A card of a spec that leaves gears to be found: the word alone. */
-function writeWord(canvas: HTMLCanvasElement, word: string): void {
-  const c = canvas.getContext("2d")!;
-  c.fillStyle = colour("grey-ink");
-  c.font = "italic 34px 'STIX Two Text', 'Times New Roman', serif";
-  c.textAlign = "center";
-  c.textBaseline = "middle";
-  c.fillText(word + " …", canvas.width / 2, canvas.height / 2);
 }

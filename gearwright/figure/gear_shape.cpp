@@ -1,4 +1,4 @@
-#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gearwright/report/html_text.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 

@@ -1,4 +1,4 @@
-#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gearwright/report/free_labels.hpp"
+#include "gearwright/figure/free_labels.hpp"
 
 #include <algorithm>
 #include <cmath>

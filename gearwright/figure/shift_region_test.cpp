@@ -1,4 +1,4 @@
-#include "gearwright/report/shift_region_drawing.hpp"
+#include "gearwright/figure/shift_region.hpp"
 
 #include <gtest/gtest.h>
 
