@@ -64,14 +64,6 @@ Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
   return ticks;
 }
 
-std::string tick_words(double value, int decimals) {
-  if (decimals < 0)
-    return value < 1000 ? fmt::format("{:g}", value)
-                        : counted(static_cast<std::int64_t>(std::llround(value)));
-  const std::string text = fixed(value, decimals);
-  return text.front() == '-' ? "−" + text.substr(1) : text;
-}
-
 std::string words_of(const FigureAxis& axis) {
   return escaped(axis.words) + (axis.symbol.empty() ? "" : " " + symbol_svg(axis.symbol)) +
          escaped(axis.unit.empty() ? "" : ", " + axis.unit);
@@ -115,7 +107,7 @@ struct Layout {
     const double tall = f.tall * (width - beside - 100);
     up = ticks_on(f.y, std::max(120.0, tall), kUp);
     for (const double v : up.values)
-      before = std::max(before, kLetter * letters(tick_words(v, up.decimals)));
+      before = std::max(before, kLetter * letters(tick_text(v, up.decimals)));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
     // The note stands in a line of its own where it does not fit beside the words.
@@ -181,11 +173,11 @@ class Writer {
   void grid() {
     for (const double v : at_.up.values) {
       svg_.line({at_.left, y_(v)}, {at_.right, y_(v)}, v == 0.0 ? "axis" : "grid");
-      svg_.text({at_.left - 7, y_(v) + 4}, tick_words(v, at_.up.decimals), Anchor::end, "tick");
+      svg_.text({at_.left - 7, y_(v) + 4}, tick_text(v, at_.up.decimals), Anchor::end, "tick");
     }
     for (const double v : at_.across.values) {
       svg_.line({x_(v), at_.top}, {x_(v), at_.foot + 4}, "grid");
-      svg_.text({x_(v), at_.foot + 17}, tick_words(v, at_.across.decimals), Anchor::middle, "tick");
+      svg_.text({x_(v), at_.foot + 17}, tick_text(v, at_.across.decimals), Anchor::middle, "tick");
     }
     svg_.line({at_.left, at_.foot}, {at_.right, at_.foot}, "axis");
   }

@@ -1,6 +1,7 @@
 // Round values for the ticks of an axis, and for the levels of a map.
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace gearwright {
@@ -21,6 +22,10 @@ Ticks round_ticks(double lo, double hi, int most);
 ///
 /// Domain    0 < lo < hi (contract)
 Ticks log_ticks(double lo, double hi, double apart);
+
+/// The value of a tick: with so many decimals and a true minus; of an axis of powers (−1) as it is,
+/// great ones in groups of three digits.
+std::string tick_text(double value, int decimals);
 
 /// Those of round_ticks that lie between lo and hi.
 std::vector<double> levels_between(double lo, double hi, int most);

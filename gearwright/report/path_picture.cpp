@@ -136,7 +136,7 @@ std::string path_svg(const InvolutePair& pair) {
   const double step = y.hi - y.lo > 3.0 ? 1.0 : 0.5;
   for (double v = std::ceil(y.lo / step) * step; v <= 1.0; v += step) {
     svg.line({kArea.left, y(v)}, {kArea.width - kArea.right, y(v)}, v == 0.0 ? "axis" : "grid");
-    svg.text({kArea.left - 6, y(v) + 4}, fixed(v, 1), Anchor::end, "tick");
+    svg.text({kArea.left - 6, y(v) + 4}, tick_text(v, 1), Anchor::end, "tick");
   }
   draw_strip(svg, pair, x);
   svg.begin_clip(kArea.left, kArea.top, kArea.width - kArea.right - kArea.left, kArea.tall);
@@ -166,7 +166,7 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double by = std::ceil(most / 6);  // numbers have room beside each other
   for (double v = 0.0; v <= most; v += by) {
     svg.line({x(v), kTop - 6}, {x(v), height - 8}, "grid");
-    svg.text({x(v), kTop - 11}, fixed(v, 0), Anchor::middle, "tick");
+    svg.text({x(v), kTop - 11}, tick_text(v, 0), Anchor::middle, "tick");
   }
   svg.line({x(1.0), kTop - 6}, {x(1.0), height - 8}, "one");
   struct Bar {
