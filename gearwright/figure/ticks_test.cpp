@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "gearwright/figure/markup.hpp"
-
 #include <cmath>
+
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 namespace {
