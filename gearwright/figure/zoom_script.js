@@ -63,7 +63,8 @@
            place(svg, event.clientX, event.clientY));
     }, {passive: false});
     holder.addEventListener('pointerdown', function (event) {
-      if (!picture() || event.button !== 0 || (event.pointerType === 'touch' && !on.touch)) return;
+      if (!picture() || event.button !== 0 || event.target.closest('button')) return;
+      if (event.pointerType === 'touch' && !on.touch) return;
       held[event.pointerId] = {x: event.clientX, y: event.clientY};
       holder.setPointerCapture(event.pointerId);
       holder.classList.add('held');

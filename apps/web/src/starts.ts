@@ -292,6 +292,7 @@ export class Starts {
         const { text } = example;
         const view = { ...kCard, name: example.name };
         picture.innerHTML = (await bench.back.call("meshFigure", { text, view })).html;
+        picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
       } catch {
         picture.textContent = (searching ? "search" : "fit") + " …"; // the gears are to be found
       }

@@ -54,6 +54,8 @@ export class MeshView implements Tab {
   private figure: Figure | undefined;
   private motion: Motion | null = null;
   private design = -1;
+  private drawn = ""; // the spec's text that the figure was made for
+  private placed = ""; // and the poses
   shown = "";
 
   constructor() {
@@ -75,7 +77,7 @@ export class MeshView implements Tab {
     if (!solved) {
       this.show(undefined);
       this.motion = null;
-      this.shown = "";
+      this.shown = this.drawn = this.placed = "";
       this.readout.textContent = bench.nothing;
       return;
     }
@@ -83,43 +85,59 @@ export class MeshView implements Tab {
     this.readout.textContent = "";
     if (this.design !== bench.design) this.window = null;
     this.design = bench.design;
-    if (!(await this.draw())) return;
+    if (!this.picture.clientWidth) return;
     // Until the gears' places are there, those of the spec before it serve; the picture stays dimmed.
     const { text } = solved;
-    const motion = await bench.about(bench.back, "motion", "motion", { text, n: 25 });
-    if (!motion) return;
-    this.motion = motion;
-    this.shown = text;
+    const motion = bench.about(bench.back, "motion", "motion", { text, n: 25 });
+    await Promise.all([motion, this.draw()]);
+    this.motion = (await motion) ?? this.motion;
+    if (await motion) this.placed = text;
+    this.settle();
+  }
+
+  /** What is shown is what was drawn and placed last. */
+  private settle(): void {
+    this.shown = this.drawn === this.placed ? this.drawn : "";
     this.repaint();
   }
 
-  /** Draws the figure for the room and the window of now; false when something newer is under way. */
-  private async draw(): Promise<boolean> {
+  /** Draws the figure for the room and the window of now. */
+  private async draw(): Promise<void> {
     const { clientWidth: width, clientHeight: height } = this.picture;
-    if (!bench.good || !width || !height) return false;
+    if (!bench.good || !width || !height) return;
     const { text } = bench.good;
+    const before = this.viewBox;
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
       const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
-      if (!figure) return false;
+      // A view that has moved on meanwhile is drawn when it stands still.
+      if (!figure || (view.window && this.viewBox !== before)) return;
       this.show(figure);
+      this.drawn = text;
     } catch (reason) {
       this.show(undefined);
       throw reason;
     }
-    return true;
+    this.settle();
+  }
+  private get viewBox(): string | null | undefined {
+    return this.slot.element.querySelector("svg")?.getAttribute("viewBox");
   }
 
   private show(figure: Figure | undefined): void {
+    const focused = this.slot.element.contains(document.activeElement);
     this.figure = figure;
     this.slot.show(figure);
-    this.slot.plot?.append(
-      svg(
-        "g",
-        { class: "touches", visibility: "hidden" },
-        svg("g", { class: "lb", transform: "translate(0 0)" }, svg("circle", { class: "touch", r: 6 })),
-      ),
-    );
+    const { plot } = this.slot;
+    if (plot && !plot.querySelector(".touches"))
+      plot.append(
+        svg(
+          "g",
+          { class: "touches", visibility: "hidden" },
+          svg("g", { class: "lb", transform: "translate(0 0)" }, svg("circle", { class: "touch", r: 6 })),
+        ),
+      );
+    if (focused) plot?.closest("svg")?.focus();
     this.paint();
   }
 
