@@ -97,7 +97,7 @@ export class MeshView implements Tab {
 
   /** What is shown is what was drawn and placed last. */
   private settle(): void {
-    this.shown = this.drawn === this.placed ? this.drawn : "";
+    if (this.drawn === this.placed) this.shown = this.drawn;
     this.repaint();
   }
 
