@@ -92,6 +92,8 @@ export class MeshView implements Tab {
     await Promise.all([motion, this.draw()]);
     this.motion = (await motion) ?? this.motion;
     if (await motion) this.placed = text;
+    // A change of the room may have taken the figure's place in the queue.
+    if (this.drawn !== text && bench.good?.text === text) await this.draw();
     this.settle();
   }
 
