@@ -118,7 +118,7 @@ class Labels {
     };
     Places places;
     if (m.kind == Kind::dot) places = {beside(m.offset), beside(-m.offset)};
-    for (const double away : {14.0, 24.0})
+    for (const double away : {14.0, 24.0, 36.0})
       for (const LabelPlace& one : places_around(p, away, {0.0, 1.0})) places.push_back(one);
     return places;
   }
