@@ -17,23 +17,6 @@ Value degrees(const std::optional<Angle>& angle) { return angle ? Value(angle->d
 
 const QuantityTable& score_table() { return score_quantities().table(); }
 
-const Quantities<FoundCorrection>& correction_quantities() {
-  using C = FoundCorrection;
-  static const Quantities<C> kAll("compensate.corrections", [](Quantities<C>& q) {
-    q.text("key", "as in the spec", [](const C& c) { return Value(c.key); }).always();
-    q.pure("", "value", "value", "", "in its unit", [](const C& c) {
-       return Value(c.value);
-     }).always();
-    q.text("unit", "as keys end", [](const C& c) { return Value(c.unit); }).always();
-    q.text("spec_key", "that contains it in the corrected spec", [](const C& c) {
-       return Value(c.spec_key);
-     }).always();
-    q.flag("", "at_bound", "at the end of the searched range", "more might be better still",
-           [](const C& c) { return Value(c.at_bound); })
-        .always();
-  });
-  return kAll;
-}
 const QuantityTable& correction_table() { return correction_quantities().table(); }
 
 const Quantities<Scenario>& scenario_quantities() {
@@ -200,6 +183,24 @@ const char* least_gain(CompensateAim aim) {
 
 const Quantities<CompensateView>& compensate_quantities() {
   static const Quantities<CompensateView> kAll("compensate", say);
+  return kAll;
+}
+
+const Quantities<FoundCorrection>& correction_quantities() {
+  using C = FoundCorrection;
+  static const Quantities<C> kAll("compensate.corrections", [](Quantities<C>& q) {
+    q.text("key", "as in the spec", [](const C& c) { return Value(c.key); }).always();
+    q.pure("", "value", "value", "", "in its unit", [](const C& c) {
+       return Value(c.value);
+     }).always();
+    q.text("unit", "as keys end", [](const C& c) { return Value(c.unit); }).always();
+    q.text("spec_key", "that contains it in the corrected spec", [](const C& c) {
+       return Value(c.spec_key);
+     }).always();
+    q.flag("", "at_bound", "at the end of the searched range", "more might be better still",
+           [](const C& c) { return Value(c.at_bound); })
+        .always();
+  });
   return kAll;
 }
 

@@ -43,6 +43,7 @@ struct CompensateView {
 const char* least_gain(CompensateAim aim);
 
 const Quantities<CompensateView>& compensate_quantities();
+const Quantities<FoundCorrection>& correction_quantities();
 const Quantities<LoadedScore>& loaded_score_quantities();
 /// Of one scenario, or of the worst of all.
 const Quantities<ContactScore>& score_quantities();

@@ -264,6 +264,11 @@ void say(Quantities<V>& q) {
         "transmission error, peak to peak", "", "over the positions with contact",
         [](const V& v) { return Value(v.working->peak_to_peak.arcsec()); })
       .always();
+  q.add(Type::number, Unit::arcsec, kContact, "continuous_peak_to_peak_arcsec",
+        "transmission error, peak to peak of the continuous curve", "",
+        "between its extremes [T14.11], whatever the positions; null where contact is lost",
+        [](const V& v) { return v.continuous_span ? Value(v.continuous_span->arcsec()) : Value(); })
+      .doors(kJson);
   q.pure(kContact, "mean_slope", "mean slope of the transmission error", "",
          "over the rotation of gear 1, by least squares, rad per rad",
          [](const V& v) { return Value(v.working->mean_slope); })

@@ -28,7 +28,8 @@ struct ContactView {
   std::vector<NamedSlope> slopes{};  ///< one for each of the sensitivities
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
-  std::array<std::string, 2> map_axes{};  ///< names of x and y
+  std::array<std::string, 2> map_axes{};   ///< names of x and y
+  std::optional<Angle> continuous_span{};  ///< of TE, from extreme to extreme of the curve
 };
 
 const Quantities<ContactView>& contact_quantities();

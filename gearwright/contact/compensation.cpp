@@ -151,22 +151,6 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimis
   return minimise(how, search, std::move(v));
 }
 
-// Values as a workshop would write them: whole numbers of a part of a step, each the nearest double
-// to its decimal, and 0 without a sign.
-std::vector<double> rounded(const CompensationTask& task, const std::vector<double>& v,
-                            double parts) {
-  std::vector<double> r = v;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    const Correction& c = task.corrections[k];
-    const double per_unit = parts / c.step;
-    double n = std::round(v[k] * per_unit);
-    if (n / per_unit > c.hi) --n;
-    if (n / per_unit < c.lo) ++n;
-    r[k] = n == 0.0 ? 0.0 : n / per_unit;
-  }
-  return r;
-}
-
 // The best so far, and what it is worth.
 struct Best {
   Judge& judge;
@@ -225,12 +209,12 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
     // The nearest values, or the next ones where those are on the wrong side of a crease.
-    Best drawn(fine, rounded(task, best.v, parts));
+    Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
         std::vector<double> next = drawn.v;
         next[k] += away * task.corrections[k].step / parts;
-        drawn.take(rounded(task, next, parts));
+        drawn.take(as_written(task.corrections, next, parts));
       }
     }
     if (drawn.least <= best.least + loss && drawn.least < none - same) return drawn.v;
@@ -248,6 +232,20 @@ Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
   return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;  // of NaN the least
+}
+
+std::vector<double> as_written(const std::vector<Correction>& corrections,
+                               std::vector<double> values, double parts) {
+  GW_EXPECTS(values.size() == corrections.size() && parts > 0.0);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Correction& c = corrections[k];
+    const double per_unit = parts / c.step;
+    double n = std::round(values[k] * per_unit);
+    if (n / per_unit > c.hi) --n;
+    if (n / per_unit < c.lo) ++n;
+    values[k] = n == 0.0 ? 0.0 : n / per_unit;
+  }
+  return values;
 }
 
 Compensation compensate(const CompensationTask& task) {

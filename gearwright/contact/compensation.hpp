@@ -95,6 +95,13 @@ constexpr Angle kQuiet = Angle::arcseconds(0.01);
 /// What then counts most is TE; yet of two quiet pairs the one with the central pattern is better.
 Angle default_centering(Angle peak_to_peak);
 
+/// Values as a workshop writes them: whole numbers of a part of a step within the bounds, each the
+/// nearest double to its decimal, and 0 without a sign.
+///
+/// Domain    as many values as corrections, parts > 0 (contract)
+std::vector<double> as_written(const std::vector<Correction>& corrections,
+                               std::vector<double> values, double parts);
+
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
 /// Accuracy  a local least of f, the best that a deterministic search of the whole box (DIRECT) and

@@ -108,15 +108,16 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
   for (int i = 0; i < 2; ++i) {
     setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
     const SetupChange::Flank& f = change.flank[i];
-    if (f.lead_slope == 0.0 && f.lead_crowning == 0.0 && f.profile_slope == 0.0 &&
-        f.profile_crowning == 0.0)
-      continue;
+    if (f == SetupChange::Flank{}) continue;
     // The flanks that touch: right ones of external gears when gear 1 drives.
     const bool left = change.left != (i == 1 && gears_[1]->internal());
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
       m.lead_crowning += f.lead_crowning;
       m.profile_crowning += f.profile_crowning;
+      m.tip_relief.amount += f.tip_relief;
+      m.root_relief.amount += f.root_relief;
+      m.end_relief.amount += f.end_relief;
       if (left == (side == 1)) {
         m.lead_slope += f.lead_slope;
         m.profile_slope += f.profile_slope;
@@ -166,6 +167,7 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
 
 std::optional<Error> ContactSetup::make_fields(std::array<bool, 2> wanted) {
   for (int i = 0; i < 2; ++i) {
+    wanted[i] = wanted[i] || removal_[i][0];
     removal_[i] = {};
     if (!wanted[i] && !any_modification(modifications_[i])) continue;
     for (int side = 0; side < 2; ++side) {
@@ -182,6 +184,13 @@ Result<ContactSetup> ContactSetup::with_modifications(
   ContactSetup setup = *this;
   setup.modifications_ = modifications;
   if (auto error = setup.make_fields({})) return *error;
+  return setup;
+}
+
+ContactSetup ContactSetup::with_fields(std::array<bool, 2> wanted) const {
+  ContactSetup setup = *this;
+  const auto error = setup.make_fields(wanted);
+  GW_EXPECTS(!error);
   return setup;
 }
 

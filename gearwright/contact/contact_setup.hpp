@@ -26,6 +26,9 @@ struct SetupChange {
   struct Flank {
     double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; the slope on the driven flanks
     double profile_slope = 0.0, profile_crowning = 0.0;  ///< only, right if gear 1 drives
+    double tip_relief = 0.0, root_relief = 0.0, end_relief = 0.0;  ///< of reliefs that are placed
+
+    bool operator==(const Flank&) const = default;
   };
   std::array<Flank, 2> flank;
   bool left = false;  ///< the slopes are meant for the left flanks of gear 1 (gear 2 drives)
@@ -59,6 +62,8 @@ class ContactSetup {
   const PairModifications& modifications() const { return modifications_; }
   /// The same with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
+  /// The same with removed material on these gears, even if it is none; its derivatives need it.
+  ContactSetup with_fields(std::array<bool, 2> wanted) const;
   /// The gear that a rack F cuts, 1 or 2; none: the teeth are no such pair.
   std::optional<int> convex_gear() const;
 

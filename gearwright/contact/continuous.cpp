@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/contact/sensitivity.hpp"
+#include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
 
@@ -33,10 +33,10 @@ class Branches {
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The branch of `touch`, `steps` away; NaN where it touches no more.
-  double branch(const PairTouch& touch, double steps) const {
-    const PairTouch there = moved(touch, steps);
-    return there.found() ? there.te() : std::numeric_limits<double>::quiet_NaN();
+  // The branch of `touch`, `steps` away; not found where it touches no more.
+  PairTouch moved(const PairTouch& touch, double steps) const {
+    if (!touch.found() || steps == 0.0) return touch;
+    return transmission_.follow(touch, touch.phi + steps * step_);
   }
 
   // Whether position i + 1 is led by the branch that leads at i.
@@ -62,42 +62,50 @@ class Branches {
     return lo;
   }
 
-  // TE where the lead goes from the branch of i to that of i + 1; none: nothing to be found there.
-  std::optional<double> handover(long i) const {
+  // Where the lead goes from the branch of i to that of i + 1; none: nothing to be found there.
+  std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const PairTouch& a = at(i);
     const PairTouch& b = at(i + 1);
     // Branch b begins at lo, or goes on before i; branch a ends at hi, or goes on after i + 1.
     double lo = 1.0 - reach(b, -1.0);
     double hi = reach(a, 1.0);
     if (lo >= hi) return std::nullopt;
-    double at_lo = branch(a, lo) - branch(b, lo - 1.0);
-    double at_hi = branch(a, hi) - branch(b, hi - 1.0);
+    const auto at_both = [&](double t) { return std::array{moved(a, t), moved(b, t - 1.0)}; };
+    const auto begin = at_both(lo);
+    const auto end = at_both(hi);
+    double at_lo = ahead_in(begin);
+    double at_hi = ahead_in(end);
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
     // A branch that begins ahead of the other, or ends so, makes TE jump: its limit on the low side.
-    if (at_lo <= kSame) return branch(a, lo);
-    if (at_hi >= -kSame) return branch(b, hi - 1.0);
+    if (at_lo <= kSame) return std::array{begin[0], PairTouch()};
+    if (at_hi >= -kSame) return std::array{end[1], PairTouch()};
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
-      const double of_a = branch(a, t);
-      const double of_b = branch(b, t - 1.0);
-      const double ahead = of_a - of_b;
+      const auto both = at_both(t);
+      const double ahead = ahead_in(both);
       if (std::isnan(ahead)) return std::nullopt;
       if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) {
         // A third branch that leads at a neighbour may lead here, too.
-        double te = std::max(of_a, of_b);
-        if (!same(i - 1)) te = not_below(te, branch(at(i - 1), 1.0 + t));
-        if (!same(i + 1)) te = not_below(te, branch(at(i + 2), t - 2.0));
-        return te;
+        std::array<PairTouch, 2> lead = both;
+        double te = std::max(both[0].te(), both[1].te());
+        for (const bool before : {true, false}) {
+          if (before ? same(i - 1) : same(i + 1)) continue;
+          const PairTouch third = before ? moved(at(i - 1), 1.0 + t) : moved(at(i + 2), t - 2.0);
+          if (!third.found() || !(third.te() > te)) continue;
+          lead = {third, PairTouch()};
+          te = third.te();
+        }
+        return lead;
       }
       narrow(ahead > 0.0, t, ahead, lo, at_lo, hi, at_hi, stays);
     }
     return std::nullopt;
   }
 
-  // The value where the branch that leads at i turns, within a step uphill (`up`) or downhill of it.
+  // Where the branch that leads at i turns, within a step uphill (`up`) or downhill of it.
   // Its slope is exact, continuous, and may bend sharply where the contact reaches an edge.
-  std::optional<double> turning_point(long i, bool up) const {
+  std::optional<PairTouch> turning_point(long i, bool up) const {
     const PairTouch& here = at(i);
     double lo = 0.0;
     double at_lo = slope(here);
@@ -108,15 +116,15 @@ class Branches {
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
       // Where a branch begins or ends it may be at its greatest.
-      return up && std::abs(hi) < 1.0 ? std::optional(end.te()) : std::nullopt;
+      return up && std::abs(hi) < 1.0 ? std::optional(end) : std::nullopt;
     }
-    double best = here.te();
+    PairTouch best = here;
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
       const PairTouch turn = moved(here, t);
       if (!turn.found()) return std::nullopt;
-      best = up ? std::max(best, turn.te()) : std::min(best, turn.te());
+      if (up ? turn.te() > best.te() : turn.te() < best.te()) best = turn;
       const double at_turn = slope(turn);
       const bool low = (at_turn > 0.0) == (at_lo > 0.0);
       // No more than this is left between here and the other end of the bracket.
@@ -127,15 +135,15 @@ class Branches {
   }
 
  private:
-  PairTouch moved(const PairTouch& touch, double steps) const {
-    if (!touch.found() || steps == 0.0) return touch;
-    return transmission_.follow(touch, touch.phi + steps * step_);
+  // How far the first is ahead of the second; NaN where one touches no more.
+  static double ahead_in(const std::array<PairTouch, 2>& both) {
+    return both[0].found() && both[1].found() ? both[0].te() - both[1].te()
+                                              : std::numeric_limits<double>::quiet_NaN();
   }
   // Of T, rad per step.
   double slope(const PairTouch& touch) const {
     return step_ * rotation_slope(transmission_, touch);
   }
-  static double not_below(double te, double other) { return other > te ? other : te; }
   // The bracket of a root after a look at t; an end that stays twice gets half its value (Illinois).
   static void narrow(bool low, double t, double value, double& lo, double& at_lo, double& hi,
                      double& at_hi, int& stays) {
@@ -156,12 +164,21 @@ class Branches {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches) {
   const Branches curve(transmission, touches);
-  CurveExtremes e{std::numeric_limits<double>::infinity(),
-                  -std::numeric_limits<double>::infinity()};
+  CurveExtremes e{
+      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, {}};
+  const auto take_top = [&](const PairTouch& t) {
+    if (t.te() > e.greatest) e.greatest = (e.top = t).te();
+  };
+  const auto take_bottom = [&](const PairTouch& a, const PairTouch& b) {
+    const double te = b.found() ? std::max(a.te(), b.te()) : a.te();
+    if (!(te < e.least)) return;
+    e.least = te;
+    e.bottom = {a, b};
+  };
   for (const PairTouch& t : touches) {
     if (!t.found()) continue;
-    e.least = std::min(e.least, t.te());
-    e.greatest = std::max(e.greatest, t.te());
+    take_bottom(t, {});
+    take_top(t);
   }
   GW_EXPECTS(e.least <= e.greatest);
   if (e.greatest - e.least < kSame) return e;
@@ -172,7 +189,7 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     const PairTouch& after = curve.at(i + 1);
     if (!here.found() || !after.found()) continue;
     if (!curve.same(i)) {
-      if (const auto te = curve.handover(i)) e.least = std::min(e.least, *te);
+      if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
     // Where a line through two positions reaches beyond the extreme so far, the curve may turn.
@@ -180,13 +197,38 @@ CurveExtremes continuous_extremes(Transmission& transmission,
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
     // A branch nowhere exceeds TE, but it may lie below it beyond a handover.
     if (here.te() + reach > e.greatest) {
-      if (const auto te = curve.turning_point(i, true)) e.greatest = std::max(e.greatest, *te);
+      if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }
     if (here.te() - reach < e.least && curve.same(i - 1) && curve.same(i)) {
-      if (const auto te = curve.turning_point(i, false)) e.least = std::min(e.least, *te);
+      if (const auto turn = curve.turning_point(i, false)) take_bottom(*turn, {});
     }
   }
   return e;
+}
+
+std::optional<Angle> continuous_span(const ContactPair& pair, int positions) {
+  Transmission transmission(pair);
+  const auto touches = one_pitch(transmission, -0.5 * pair.pitch(), positions);
+  for (const PairTouch& t : touches)
+    if (!t.found()) return std::nullopt;
+  return Angle::radians(continuous_extremes(transmission, touches).span());
+}
+
+double span_slope(Transmission& transmission, const CurveExtremes& extremes,
+                  const Influence& influence) {
+  const double turned = transmission.pair().turned();
+  const auto slope = [&](const PairTouch& t) {
+    return turned * sensitivity(transmission, t, influence).te;
+  };
+  const auto& [a, b] = extremes.bottom;
+  double bottom = slope(a);
+  if (b.found()) {
+    const double of_a = rotation_slope(transmission, a);
+    const double of_b = rotation_slope(transmission, b);
+    // Two branches that rise alike do not cross anywhere else either.
+    if (of_a != of_b) bottom = (of_a * slope(b) - of_b * bottom) / (of_a - of_b);
+  }
+  return slope(extremes.top) - bottom;
 }
 
 }  // namespace gearwright

@@ -9,15 +9,20 @@
 // part that is missed wanders with the phase of the handovers.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
-#include "gearwright/contact/transmission.hpp"
+#include "gearwright/base/angle.hpp"
+#include "gearwright/contact/sensitivity.hpp"
 
 namespace gearwright {
 
 /// rad, in N.
 struct CurveExtremes {
   double least, greatest;
+  PairTouch top;                    ///< the touch that has the greatest
+  std::array<PairTouch, 2> bottom;  ///< that of the least; at a handover both of its branches
   double span() const { return greatest - least; }
 };
 
@@ -28,8 +33,24 @@ struct CurveExtremes {
 /// Domain    at least one touch that is found (contract)
 /// Accuracy  1e-12 rad at the extremes that it finds, at a jump 1.5e-5 of what TE changes in a step; a
 ///           branch that leads for less than a step may be overlooked
-/// Laws      (1) least is at most, and greatest at least, that of the touches
+/// Laws      (1) least is at most, and greatest at least, that of the touches   (2) the positions do
+///           not matter
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);
+
+/// Peak to peak of the continuous curve over a pitch; none: contact is lost at some position.
+///
+/// Domain    positions ≥ 2 (contract)
+std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
+
+/// ∂span/∂e, rad per unit of e. `transmission` is that of the extremes.
+///
+/// Formula   of a branch [T8.10], of a handover [T14.16]
+/// Domain    as sensitivity() (contract)
+/// Accuracy  rounding, where the extremes are unique; at a jump that of the branch, without the motion
+///           of its end
+/// Laws      (3) it is the limit of differences of span()
+double span_slope(Transmission& transmission, const CurveExtremes& extremes,
+                  const Influence& influence);
 
 }  // namespace gearwright

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/compensate_load.hpp"
 #include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -27,18 +26,6 @@ constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
   return (under_load(spec.compensate.aim) ? spec.load.driver : spec.contact.driver) == 2;
-}
-
-std::optional<Error> check_corrections(const ContactSetup& setup, const CompensateInput& input) {
-  for (const std::size_t place : input.corrections) {
-    const WorkshopCorrection& c = kCorrections[place].correction;
-    if (can_take(setup, c)) continue;
-    return Error{"compensate.corrections", std::string(entry_of(c).key),
-                 c.what == CorrectionOf::tool_setting
-                     ? "is the setting of a rack F (one of circular arcs), which cuts neither gear"
-                     : "needs a helical gear cut by a rack"};
-  }
-  return std::nullopt;
 }
 
 struct NamedErrors {
@@ -65,26 +52,6 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// Where the corrected spec holds a correction: the slope of the flank that works, a crowning of both.
-std::string spec_key(const SolvedJob& job, const ContactSetup& setup, const WorkshopCorrection& c) {
-  if (c.what == CorrectionOf::tool_setting)
-    return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
-  if (c.what == CorrectionOf::cutter_lead) return fmt::format("errors.{}", entry_of(c).key);
-  const bool left = gear2_drives(job.spec) != (c.gear == 2 && setup.gear(2).internal());
-  return fmt::format("gear{}.modifications.{}{}", c.gear,
-                     !c.slope() ? ""
-                     : left     ? "left_"
-                                : "right_",
-                     entry_of(c).own_key());
-}
-
-// A correction that stands at the end of what is looked for may want to go further; a crowning of 0
-// does not.
-bool at_bound(const Correction& range, double value) {
-  const double reach = 0.02 * range.step;
-  return value != 0.0 && (value - range.lo < reach || range.hi - value < reach);
-}
-
 // The sentence about those that do; none: nothing to say.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
@@ -101,52 +68,6 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
                              "modification.",
                              list),
                  0};
-}
-
-// Corrections written into the spec, where its own keys hold them.
-Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
-                    const std::vector<WorkshopCorrection>& which, const std::vector<double>& v) {
-  Json tree = job.spec.tree->tables;
-  tree.erase("compensate");
-  const auto add = [](Json& table, const std::string& key, double value) {
-    // A sum of decimals has none of the digits that binary addition leaves.
-    constexpr double kDigits = 1e9;
-    const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
-    table[key] = std::round(sum * kDigits) / kDigits;
-  };
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    const WorkshopCorrection& c = which[k];
-    if (v[k] == 0.0) continue;
-    if (c.what == CorrectionOf::tool_setting) {
-      const int gear = *setup.convex_gear();
-      Json& rack = tree[gear_field(gear)]["rack"];
-      const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
-      rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
-      rack.erase("pressure_angle_deg");  // it was a check of the old setting
-    } else if (c.what == CorrectionOf::cutter_lead) {
-      add(tree["errors"], std::string(entry_of(c).key), v[k]);  // an error of the same name
-    } else {
-      const std::string name(entry_of(c).own_key());
-      const bool slope = c.slope();
-      Json& table = tree[gear_field(c.gear)]["modifications"];
-      const std::string path = spec_key(job, setup, c);
-      const std::string own = path.substr(path.rfind('.') + 1);
-      // What holds for both flanks so far is the amount to add to.
-      if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
-      add(table, own, v[k]);
-      // What is meant for both is added where a flank has its own, too.
-      for (const char* side : {"left_", "right_"})
-        if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
-      // With one of its own each, what was meant for both has no effect.
-      if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
-    }
-  }
-  // Tables after plain values, as a TOML file has them.
-  Json ordered = Json::object();
-  for (const bool tables : {false, true})
-    for (const auto& [key, value] : tree.items())
-      if (value.is_object() == tables) ordered[key] = value;
-  return ordered;
 }
 
 // The worst over the scenarios, at the positions told of.
@@ -206,11 +127,10 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
   const CompensateInput& input = job.spec.compensate;
-  if (auto error = check_corrections(setup, input)) return *error;
+  auto corrections = corrections_of(setup, input.corrections, "compensate.corrections");
+  if (!corrections) return corrections.error();
   CompensateAnswer answer;
-  for (const std::size_t place : input.corrections)
-    answer.corrections.push_back(kCorrections[place].correction);
-  if (input.corrections.empty()) answer.corrections = usual_corrections(setup);
+  answer.corrections = std::move(corrections).take();
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
   // Before a search: nothing that a workshop corrects makes teeth longer.
   if (std::isnan(
@@ -278,12 +198,14 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
                        format_number(l.torque / kMmPerM)),
            0});
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
-    answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));
+    answer.spec_keys.push_back(spec_key(setup, answer.corrections[k], gear2_drives));
     answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));
   }
   if (auto warning = bound_warning(answer)) job.warnings.push_back(std::move(*warning));
-  answer.corrected = std::make_shared<const SpecTree>(
-      SpecTree{corrected_spec(job, setup, answer.corrections, answer.result.value)});
+  Json corrected =
+      corrected_spec(job, setup, answer.corrections, answer.result.value, gear2_drives);
+  corrected.erase("compensate");
+  answer.corrected = std::make_shared<const SpecTree>(SpecTree{std::move(corrected)});
   auto verdict = judge_corrected(answer.corrected->tables, job, answer.loads);
   if (!verdict) return verdict.error();
   answer.verdict = std::move(verdict).take();

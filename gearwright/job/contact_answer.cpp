@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <span>
 
+#include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 
 namespace gearwright {
 
 namespace {
+
+constexpr int kLeastPositions = 32;  // per pitch, from which the continuous curve is followed
 
 std::vector<double> spread(const std::array<double, 2>& range, int n) {
   std::vector<double> values;
@@ -134,7 +137,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   auto made = setup_of(job);
   if (!made) return made.error();
-  ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
+  ContactAnswer answer{std::move(made).take(), {}, {}, {}, {}, {}, {}};
   const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
@@ -152,6 +155,8 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
     const auto play = play_between(positions[i], answer.other.positions[i], gear2_drives);
     if (play) answer.min_play = std::min(answer.min_play.value_or(*play), *play);
   }
+  answer.continuous_span =
+      continuous_span(answer.setup.pair(gear2_drives), std::max(kLeastPositions, input.positions));
   if (input.map)
     answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, progress);
   if (input.pattern)

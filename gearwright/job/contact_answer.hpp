@@ -15,6 +15,8 @@ struct ContactAnswer {
   ContactResult driving;          ///< the flanks of the driver asked for
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< of gear 2, between both; < 0: the gears jam
+  /// Peak to peak of the driving flanks' continuous curve; none: contact is lost.
+  std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
 };

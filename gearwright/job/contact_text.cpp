@@ -24,6 +24,7 @@ namespace {
 ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   ContactView view{&answer.driving, &answer.other, job.spec.contact.marking, answer.min_play};
   for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back({i.key, i.unit});
+  view.continuous_span = answer.continuous_span;
   if (answer.pattern) view.pattern = &*answer.pattern;
   if (answer.map) {
     view.map = &*answer.map;
