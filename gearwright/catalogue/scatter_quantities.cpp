@@ -140,6 +140,107 @@ const QuantityTable& probabilities_table() { return probabilities_quantities().t
 
 const QuantityTable& spread_table() { return spread_quantities().table(); }
 
+const QuantityTable& correction_table() { return correction_quantities().table(); }
+
+const Quantities<JudgedView>& judged_quantities() {
+  using J = JudgedView;
+  static const Quantities<J> kAll("scatter.robust judged", [](Quantities<J>& q) {
+    const auto arcsec = [](double rad) { return Value(Angle::radians(rad).arcsec()); };
+    q.add(Type::number, Unit::arcsec, "", "percentile_arcsec", "percentile of the peak to peak", "",
+          "that which is minimised",
+          [arcsec](const J& j) {
+            return arcsec(RobustCorrections::percentile(*j.scatter).estimate.value);
+          })
+        .always();
+    q.add(Type::number, Unit::arcsec, "", "standard_error_arcsec", "its standard error", "",
+          "from the replicates [T14.9]", [arcsec](const J& j) {
+            const auto& e = RobustCorrections::percentile(*j.scatter).estimate.standard_error;
+            return e ? arcsec(*e) : Value();
+          });
+    q.record("", "peak_to_peak_arcsec", "its distribution", spread_table, [](const J& j) {
+       return Value(spread_quantities().of(j.peak_to_peak));
+     }).always();
+    q.record("", "edge_contact", "an edge of a tooth touches somewhere", probability_table,
+             [](const J& j) { return Value(probability_quantities().of(j.scatter->edge_contact)); })
+        .always();
+  });
+  return kAll;
+}
+const QuantityTable& judged_table() { return judged_quantities().table(); }
+
+const Quantities<RobustView>& robust_quantities() {
+  using R = RobustView;
+  static const Quantities<R> kAll("scatter.robust", [](Quantities<R>& q) {
+    q.record("", "corrections", "what was found; every value is 0 if none lowers the percentile",
+             correction_table,
+             [](const R& r) { return Value(correction_quantities().each(r.corrections)); })
+        .list({0})
+        .always();
+    q.pure("", "percentile", "percentile", "p", "that which is minimised", [](const R& r) {
+       return Value(r.percent);
+     }).always();
+    q.record("", "before", "without corrections, by samples of the next seed", judged_table,
+             [](const R& r) { return Value(judged_quantities().of(r.before)); })
+        .always();
+    q.record("", "after", "with them, by the same samples", judged_table, [](const R& r) {
+       return Value(judged_quantities().of(r.after));
+     }).always();
+  });
+  return kAll;
+}
+const QuantityTable& robust_table() { return robust_quantities().table(); }
+
+// A tolerance and what it is worth.
+struct LooseningView {
+  const std::string* input;
+  const Loosening::Change* change;
+};
+
+const Quantities<LooseningView>& change_quantities() {
+  using L = LooseningView;
+  static const Quantities<L> kAll("scatter.loosening input", [](Quantities<L>& q) {
+    q.text("input", "the tolerance", [](const L& l) { return Value(*l.input); }).always();
+    q.pure("", "factor", "factor until the percentile has grown by 5 %", "",
+           "null: by 8, or as far as there are such teeth, it grows by less",
+           [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
+    q.add(Type::number, Unit::arcsec, "", "halved_arcsec", "percentile with half the tolerance", "",
+          "", [](const L& l) { return Value(Angle::radians(l.change->halved).arcsec()); });
+  });
+  return kAll;
+}
+const QuantityTable& change_table() { return change_quantities().table(); }
+
+const Quantities<V>& loosening_quantities() {
+  static const Quantities<V> kAll("scatter.loosening", [](Quantities<V>& q) {
+    q.pure("", "percentile", "percentile", "", "the greatest of `percentiles`", [](const V& v) {
+       return Value(v.scatter->loosening->percent);
+     }).always();
+    q.add(Type::number, Unit::arcsec, "", "percentile_arcsec", "its value as it is", "",
+          "of the first replicate, whose samples all lines have in common",
+          [](const V& v) {
+            return Value(Angle::radians(v.scatter->loosening->percentile).arcsec());
+          })
+        .always();
+    q.record("", "tolerances", "by input", change_table,
+             [](const V& v) {
+               std::vector<LooseningView> list;
+               for (std::size_t i = 0; i < v.inputs.size(); ++i)
+                 list.push_back({&v.inputs[i], &v.scatter->loosening->by_tolerance[i]});
+               return Value(change_quantities().each(list));
+             })
+        .list({0})
+        .always();
+    q.text("tighten_first",
+           "the input that lowers the percentile most if it is halved; null: none does",
+           [](const V& v) {
+             const auto& first = v.scatter->loosening->tighten_first;
+             return first ? Value(v.inputs[*first]) : Value();
+           });
+  });
+  return kAll;
+}
+const QuantityTable& loosening_table() { return loosening_quantities().table(); }
+
 void say(Quantities<V>& q) {
   q.text("inputs", "what varies, in order",
          [](const V& v) {
@@ -176,6 +277,19 @@ void say(Quantities<V>& q) {
            [](const V& v) { return Value(worsts_quantities().of(v)); })
       .when([](const V& v) { return v.task->worst_case; })
       .doors(kJson);
+  q.record("", "loosening", "how far each tolerance may grow; with `loosening` only",
+           loosening_table, [](const V& v) { return Value(loosening_quantities().of(v)); })
+      .when([](const V& v) { return v.scatter->loosening.has_value(); })
+      .doors(kJson);
+  q.record("", "robust", "corrections for a percentile; with `[scatter.robust]` only", robust_table,
+           [](const V& v) { return Value(robust_quantities().of(*v.robust)); })
+      .when([](const V& v) { return v.robust.has_value(); })
+      .doors(kJson);
+  q.add(Type::map, Unit::none, "", "spec", "spec", "",
+        "the whole spec with the corrections in it; with `[scatter.robust]` only",
+        [](const V& v) { return v.robust->spec; })
+      .when([](const V& v) { return v.robust.has_value(); })
+      .doors(kJson);
 }
 
 }  // namespace
@@ -200,6 +314,10 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
        "share of the positions of a pitch at which an edge touches, 0 to 1"},
       {Q::least_play, "least_play_deg", "least play of gear 2", Unit::deg, 5,
        "least play of gear 2 with both flanks; < 0: the gears jam"},
+      {Q::long_period, "long_period_arcsec", "transmission error until the same teeth meet again",
+       Unit::arcsec, 3,
+       "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; with "
+       "`pitch` only, else null"},
   }};
   return entries;
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/quantity.hpp"
-#include "gearwright/scatter/scatter.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/scatter/robust.hpp"
 
 namespace gearwright {
 
@@ -45,12 +45,26 @@ struct WorstView {
   ValueMap at;  ///< by input
 };
 
+/// The family without or with corrections, by the samples that judge them.
+struct JudgedView {
+  const Scatter* scatter;
+  SpreadView peak_to_peak;
+};
+
+struct RobustView {
+  std::vector<FoundCorrection> corrections;
+  double percent;
+  JudgedView before, after;
+  Value spec;  ///< the whole spec with the corrections in it
+};
+
 struct ScatterView {
   const Scatter* scatter;
   const ScatterTask* task;
   std::vector<std::string> inputs;
   std::array<std::optional<SpreadView>, kScatterQuantities> spread;
   std::optional<WorstView> worst_peak_to_peak, worst_least_play;
+  std::optional<RobustView> robust;
 };
 
 const Quantities<ScatterView>& scatter_quantities();

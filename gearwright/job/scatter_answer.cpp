@@ -4,11 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/base/missing.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/corrected_spec.hpp"
+#include "gearwright/job/scatter_grades.hpp"
+#include "gearwright/math/minimise.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -81,6 +86,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
     const ScatterGear& gear = input.gears[static_cast<std::size_t>(which - 1)];
     if (auto error = add_gear(job, which, gear, all)) return *error;
   }
+  if (auto error = add_graded(job, all)) return *error;
   return all;
 }
 
@@ -124,6 +130,35 @@ ProfileTarget profile_target(const Pair& pair) {
   return {pair.arcs()->first_contact().at.theta, kProfileEnd};
 }
 
+// An error of the scatter of `tolerances`, whose fields are the names of inputs.
+Error of_scatter(const ScatterTask& task, Error error) {
+  const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
+  if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
+    error.field = "scatter." + error.field;
+  if (error.field == "tolerances") error.field = "scatter";
+  if (error.field == "percentile") error.field = "scatter.robust";
+  return error;
+}
+
+Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
+  if (!can_minimise()) {
+    return Error{"scatter.robust", "",
+                 "this build has no minimiser (NLopt) and cannot search corrections; use the "
+                 "installed program",
+                 FailureKind::not_in_build};
+  }
+  auto corrections = corrections_of(setup, input.corrections, "scatter.robust.corrections");
+  if (!corrections) return corrections.error();
+  RobustTask task{std::move(corrections).take(), {}, input.percentile};
+  for (const WorkshopCorrection& c : task.corrections) {
+    Correction bounds = bounds_of(setup, c);
+    if (input.range) bounds.lo = (*input.range)[0];
+    if (input.range) bounds.hi = (*input.range)[1];
+    task.bounds.push_back(bounds);
+  }
+  return task;
+}
+
 }  // namespace
 
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
@@ -135,7 +170,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   if (!tolerances) return tolerances.error();
   auto groups = groups_of(input, *tolerances);
   if (!groups) return groups.error();
-  ScatterAnswer answer{std::move(made).take(), {}, {}};
+  ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
   task.tolerances = std::move(tolerances).take();
   task.groups = std::move(groups).take();
@@ -150,18 +185,23 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   task.confidence = input.confidence;
   task.indices = input.indices;
   task.worst_case = input.worst_case;
+  task.loosening = input.loosening;
   task.progress = progress;
   auto scatter = scatter_of(answer.setup, task);
-  task.progress = nullptr;
-  if (!scatter) {
-    Error error = scatter.error();
-    const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
-    if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
-      error.field = "scatter." + error.field;
-    if (error.field == "tolerances") error.field = "scatter";
-    return error;
-  }
+  if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
+  if (input.robust) {
+    auto robust = robust_task(answer.setup, *input.robust);
+    if (!robust) return robust.error();
+    auto found = robust_corrections(answer.setup, task, *robust);
+    if (!found) return of_scatter(task, found.error());
+    Json corrected = corrected_spec(job, answer.setup, robust->corrections, found->value,
+                                    task.member.gear2_drives);
+    corrected["scatter"].erase("robust");
+    answer.robust = {std::move(robust).take(), std::move(found).take(),
+                     std::make_shared<const SpecTree>(SpecTree{std::move(corrected)})};
+  }
+  task.progress = nullptr;
   return answer;
 }
 

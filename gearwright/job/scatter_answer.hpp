@@ -3,22 +3,32 @@
 
 #include <string>
 
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/job/job_contact.hpp"
-#include "gearwright/scatter/scatter.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {
+
+/// What [scatter.robust] is answered.
+struct RobustAnswer {
+  RobustTask task;
+  RobustCorrections found;
+  std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections in it
+};
 
 struct ScatterAnswer {
   ContactSetup setup;
   ScatterTask task;
   Scatter scatter;
+  std::optional<RobustAnswer> robust;
 };
 
-/// Errors    `scatter.…` of a range that the teeth cannot take, of a group with an unknown input; as
-///           scatter_of() and ContactSetup::of
+/// Errors    `scatter.…` of a range or a correction that the teeth cannot take, of a group with an
+///           unknown input; as scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
 
+/// It points to the answer.
+ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
 /// A row for each sample: its inputs, then its numbers.

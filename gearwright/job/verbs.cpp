@@ -139,14 +139,23 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
-  return solved_answer<ScatterAnswer>(
+  auto answer = solved_answer<ScatterAnswer>(
       {.scope = Scope::pair,
        .find = answer_scatter,
        .judge = [](const SolvedJob& job, const ScatterAnswer&) { return judge(job); },
        .record = scatter_json,
        .listing = scatter_listing,
-       .csv = scatter_csv},
+       .csv = scatter_csv,
+       .specs =
+           [](const ScatterAnswer& a) {
+             return a.robust ? std::vector{a.robust->corrected->tables} : std::vector<Json>{};
+           }},
       spec, progress);
+  if (!answer) return answer.error();
+  Answer found = std::move(answer).take();
+  if (found.specs.empty())
+    found.why_none = "[scatter.robust] is missing, which says what corrections are searched";
+  return found;
 }
 
 Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
@@ -219,10 +228,12 @@ constexpr Verb kVerbs[] = {
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
     {"scatter",
-     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the worst "
+     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the "
+     "worst "
      "case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
-     Take::none, "", run_scatter},
+     Take::flag, "Print the spec with the corrections of [scatter.robust] and nothing else",
+     run_scatter},
     {"load",
      "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
      "stress",

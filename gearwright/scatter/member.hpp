@@ -8,8 +8,11 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "gearwright/contact/contact_score.hpp"
+#include "gearwright/contact/sensitivity.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright {
@@ -24,8 +27,9 @@ enum class ScatterQuantity {
   along_profile,  ///< the same along the profile; circular-arc teeth
   edge_share,     ///< of the positions, at which an edge touches
   least_play,     ///< rad, of gear 2; < 0: the gears jam
+  long_period,    ///< rad, peak to peak over all tooth pairs; if pitches differ
 };
-constexpr std::size_t kScatterQuantities = 9;
+constexpr std::size_t kScatterQuantities = 10;
 
 struct FamilyMember {
   std::array<double, kScatterQuantities> value{};  ///< NaN: there is no such number
@@ -55,8 +59,16 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve alone, rad; NaN where contact is lost.
-double continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
-                               const MemberRequest& request);
+/// Peak to peak of the continuous curve alone, rad, and its slope by each influence, rad per mm or rad.
+struct MemberSpan {
+  double value;  ///< NaN where contact is lost
+  std::vector<double> slope;
+};
+
+/// Domain    as member_at(); removed material on a gear whose modification is an influence (contract)
+/// Accuracy  as continuous_extremes() and span_slope()
+MemberSpan continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
+                                   const MemberRequest& request,
+                                   std::span<const Influence> influences = {});
 
 }  // namespace gearwright

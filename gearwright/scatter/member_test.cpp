@@ -53,7 +53,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
       EXPECT_EQ(m[Q::mean], sum / 32);
       EXPECT_EQ(m[Q::edge_share], edges / 32.0);
       EXPECT_GE(m[Q::peak_to_peak], driving.peak_to_peak.rad());
-      EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request));
+      EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request).value);
       EXPECT_FALSE(m.lost);
     }
   }
@@ -154,7 +154,7 @@ TEST(Member, LostContactIsNoNumber) {
   EXPECT_TRUE(m.lost);
   EXPECT_FALSE(m.jams());
   EXPECT_TRUE(std::isnan(m[Q::peak_to_peak]));
-  EXPECT_TRUE(std::isnan(continuous_peak_to_peak(setup, d, {8, false, {}})));
+  EXPECT_TRUE(std::isnan(continuous_peak_to_peak(setup, d, {8, false, {}}).value));
 }
 
 TEST(Tolerance, BoresMoveAndTiltTheAxis) {

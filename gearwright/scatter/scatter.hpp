@@ -39,6 +39,7 @@ struct ScatterTask {
   double confidence = 0.95;
   bool indices = false;
   bool worst_case = false;
+  bool loosening = false;
   int threads = 0;  ///< 0: as many as the machine has
   Progress* progress = nullptr;
 };
@@ -81,6 +82,22 @@ struct WorstMember {
   bool corner;            ///< every coordinate is at an end of its range
 };
 
+/// What each tolerance is worth: the greatest percentile of the task, of the peak to peak TE, if one
+/// tolerance becomes wider or narrower about the drawing and all others stay.
+struct Loosening {
+  double percent, percentile;  ///< rad, of the first replicate as it is
+  struct Change {
+    std::optional<double>
+        factor;     ///< by which it may be multiplied until the percentile has grown by
+                    ///< kLooser; none: by kMostFactor, or as far as there are teeth
+    double halved;  ///< rad, the percentile with half the tolerance
+  };
+  std::vector<Change> by_tolerance;
+  /// That which lowers the percentile most if it is halved; none: no tolerance lowers it.
+  std::optional<std::size_t> tighten_first;
+};
+constexpr double kLooser = 0.05, kMostFactor = 8.0;
+
 struct Scatter {
   Scatter() = default;                 ///< empty, and no aggregate: scatter_of() makes it
   std::vector<ScatterSample> samples;  ///< replicate by replicate
@@ -90,6 +107,7 @@ struct Scatter {
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};
   Probability edge_contact{}, jam{}, contact_lost{};
   std::optional<WorstMember> worst_peak_to_peak, worst_least_play;
+  std::optional<Loosening> loosening;
 };
 
 /// Domain    tolerances, samples a power of two, 1 ≤ replicates, 0 < confidence < 1 (contract)

@@ -47,16 +47,39 @@ struct VaryingBore {
   bool far_end;   ///< at z = +L/2, else −L/2
 };
 
+/// The pitches of a gear: an eccentricity and a random walk around it, as far apart as a share of F_pT
+/// allows, with no step over f_ptT. x: that share, the phase of the eccentricity in degrees, and its
+/// share of all. It changes the long period alone.   [T14.20]
+struct VaryingPitch {
+  int gear;
+  double total, single;  ///< F_pT, f_ptT  mm, along the reference circle
+};
+
+/// A wave of the form of both flanks, of the whole height f_f. x: the number of waves, the phase in
+/// degrees.   [T14.21]
+struct VaryingWave {
+  int gear;
+  bool along_face;           ///< over the face, else over the usable profile
+  std::array<int, 2> waves;  ///< least and most
+  double height;             ///< f_fα or f_fβ  mm
+};
+
 struct ScatterTolerance {
   std::string name;   ///< as the user calls it, "errors.crossing_deg"
   double unit = 1.0;  ///< rad or mm of one of the user's units, in which the distribution is
-  Distribution distribution;  ///< of a bore that of both coordinates' ends, −R to R
-  std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore> of;
+  /// Of a bore that of both coordinates' ends, −R to R; of a pitch that of its share; of a wave 0 to 1.
+  Distribution distribution;
+  std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
+               VaryingWave>
+      of;
 
-  /// Coordinates of x: 2 of a bore, else 1.
-  int coordinates() const { return std::holds_alternative<VaryingBore>(of) ? 2 : 1; }
+  bool bore() const { return std::holds_alternative<VaryingBore>(of); }
+  /// Coordinates of x: 2 of a bore and of a wave, 3 of a pitch, else 1.
+  int coordinates() const;
   /// Its coordinates from as many numbers in (0, 1), in the user's units.
-  std::array<double, 2> at(std::span<const double> u) const;
+  std::array<double, 3> at(std::span<const double> u) const;
+  /// Where a coordinate may lie: least and greatest.
+  std::array<double, 2> side(int coordinate) const;
 };
 
 /// A member of the family: what is added to the pair as drawn, in mm and rad.
@@ -65,6 +88,10 @@ struct Deviation {
   PairModifications modifications;    ///< likewise
   bool modified = false;              ///< they are not the drawing's
   std::array<double, 2> thickness{};  ///< ΔE_sn  mm
+  /// ε, rad, of each tooth of a gear, ahead in the sense of driving; empty: all pitches are alike.
+  std::array<std::vector<double>, 2> pitch;
+
+  bool uneven_pitch() const { return !pitch[0].empty() || !pitch[1].empty(); }
 };
 
 /// The member at x, whose coordinates follow each other as the tolerances do.

@@ -26,9 +26,11 @@ class Box {
   Box(const ContactSetup& setup, const ScatterTask& task, ScatterQuantity quantity)
       : setup_(setup), task_(task), quantity_(quantity) {
     for (const ScatterTolerance& t : task.tolerances) {
+      // Pitches change the long period alone, and here count as drawn.
+      const bool pitch = std::holds_alternative<VaryingPitch>(t.of);
       for (int k = 0; k < t.coordinates(); ++k)
-        sides_.push_back({t.distribution.least(), t.distribution.greatest()});
-      choices_.push_back(!t.distribution.varies() ? 1 : t.coordinates() == 2 ? kDirections : 2);
+        sides_.push_back(pitch ? std::array{0.0, 0.0} : t.side(k));
+      choices_.push_back(pitch || !t.distribution.varies() ? 1 : t.bore() ? kDirections : 2);
     }
   }
 
@@ -39,7 +41,7 @@ class Box {
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
-                             ? continuous_peak_to_peak(setup_, d, task_.member)
+                             ? continuous_peak_to_peak(setup_, d, task_.member).value
                              : -member_at(setup_, d, task_.member)[quantity_];
     count_step(task_.progress);
     return std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
@@ -52,7 +54,7 @@ class Box {
   std::vector<double> inside(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
-      if (t.coordinates() == 2) {
+      if (t.bore()) {
         const double away = std::hypot(x[at], x[at + 1]);
         const double radius = t.distribution.greatest();
         if (away > radius) {
@@ -60,7 +62,8 @@ class Box {
           x[at + 1] *= radius / away;
         }
       } else {
-        x[at] = std::clamp(x[at], sides_[at][0], sides_[at][1]);
+        for (std::size_t i = at; i < at + static_cast<std::size_t>(t.coordinates()); ++i)
+          x[i] = std::clamp(x[i], sides_[i][0], sides_[i][1]);
       }
       at += static_cast<std::size_t>(t.coordinates());
     }
@@ -71,9 +74,8 @@ class Box {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
       const double slack = kAtEnd * width(at);
-      const bool end = t.coordinates() == 2
-                           ? std::hypot(x[at], x[at + 1]) >= t.distribution.greatest() - slack
-                           : x[at] <= sides_[at][0] + slack || x[at] >= sides_[at][1] - slack;
+      const bool end = t.bore() ? std::hypot(x[at], x[at + 1]) >= t.distribution.greatest() - slack
+                                : x[at] <= sides_[at][0] + slack || x[at] >= sides_[at][1] - slack;
       if (!end) return false;
       at += static_cast<std::size_t>(t.coordinates());
     }
@@ -113,14 +115,14 @@ class Box {
     for (std::size_t t = 0; t < task_.tolerances.size(); ++t) {
       const ScatterTolerance& tolerance = task_.tolerances[t];
       const int which = choice(t);
-      if (tolerance.coordinates() == 2) {
+      if (tolerance.bore()) {
         const double angle = 2 * std::numbers::pi * which / kDirections;
         const double radius = tolerance.distribution.greatest();
         x.push_back(radius * std::cos(angle));
         x.push_back(radius * std::sin(angle));
       } else {
-        x.push_back(which == 0 ? tolerance.distribution.least()
-                               : tolerance.distribution.greatest());
+        for (int k = 0; k < tolerance.coordinates(); ++k)
+          x.push_back(sides_[x.size()][which == 0 ? 0 : 1]);
       }
     }
     return x;

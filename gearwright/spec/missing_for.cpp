@@ -39,10 +39,13 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   return missing;
 }
 
-bool any_tolerance(const ScatterInput& s) {
+bool any_tolerance(const JobSpec& spec) {
+  const ScatterInput& s = spec.scatter;
+  const auto graded = [](const auto& gear) { return gear && gear->tolerance.quality; };
+  if (s.quality || std::any_of(spec.gears.begin(), spec.gears.end(), graded)) return true;
   const auto given = [](const auto& tolerance) { return tolerance.has_value(); };
   const auto of_gear = [&](const ScatterGear& gear) {
-    return gear.thickness ||
+    return gear.thickness || gear.pitch || gear.profile_waves || gear.helix_waves ||
            std::any_of(gear.modifications.begin(), gear.modifications.end(), given);
   };
   return s.bearings || std::any_of(s.errors.begin(), s.errors.end(), given) ||
@@ -113,12 +116,13 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (under_torque && !torque)
     missing.push_back(absent_input(
         "load.torque_Nm", ": enter a torque on gear 1, in N m, torque_Nm = 100 for example"));
-  if (use == SpecUse::scatter && !any_tolerance(spec.scatter))
+  if (use == SpecUse::scatter && !any_tolerance(spec))
     missing.push_back(absent_input(
         "scatter.errors",
         ": the verb scatter needs a range of at least one number, [scatter.errors] with "
         "crossing_deg = [-0.02, 0.02] for example, [scatter.bearings] with span_mm and radius_mm, "
-        "or [scatter.gear1] with thickness_allowance_mm = [-0.02, 0.02] or modifications"));
+        "[scatter.gear1] with thickness_allowance_mm = [-0.02, 0.02] or modifications, or a grade, "
+        "quality = 6"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

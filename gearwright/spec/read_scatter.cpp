@@ -67,7 +67,8 @@ ScatterGear read_gear(const Json& node, const std::string& path) {
           read_tolerance(m, std::string(modification_entries()[i].name) + "_um");
     m.finish();
   }
-  t.finish();
+  gear.pitch = t.word("pitch").has_value();
+  t.read_whole(gear);
   return gear;
 }
 
