@@ -28,6 +28,7 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
+#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
@@ -116,6 +117,15 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
     job.warnings.push_back({WarningCode::no_contact, "No corrections: " + why.message() + ".", 0});
   }
   return std::optional<CompensateView>();
+}
+
+// None where the spec has no [scatter], and where nothing touches, which the contact analysis tells.
+Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
+  if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
+  auto answer = answer_scatter(job, progress);
+  if (answer) return std::optional(std::move(answer).take());
+  if (without_contact(answer.error())) return std::optional<ScatterAnswer>();
+  return answer.error();
 }
 
 // None where the spec has no [rating].
@@ -281,6 +291,10 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (!load) return load.error();
   const auto compensation = compensation_part(job, options.progress);
   if (!compensation) return compensation.error();
+  const auto scatter = scatter_part(job, options.progress);
+  if (!scatter) return scatter.error();
+  std::optional<ScatterView> scatter_shown;
+  if (*scatter) scatter_shown = scatter_view(job, **scatter);
   const auto rating = rating_part(job);
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;
@@ -306,6 +320,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                load.value().has_value()});
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
+  if (scatter_shown) report.scatter = &*scatter_shown;
   if (rating_view) report.rating = &*rating_view;
   if (wanted(options, "report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
@@ -321,6 +336,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*contact) result["contact"] = to_json(contact_record(job, contact.value()->answer));
   if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
+  if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
   if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";

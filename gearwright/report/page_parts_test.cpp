@@ -32,7 +32,7 @@ std::set<std::string> classes_of(const std::string& page) {
 }
 
 // Names without a look: of sections, and hooks for programs that read a page.
-const std::set<std::string> kPlain{"green", "pair", "compensate", "front", "words"};
+const std::set<std::string> kPlain{"green", "pair", "compensate", "scatter", "front", "words"};
 
 void expect_known(const std::string& page, const std::string& what) {
   const std::string known = std::string(figure_style()) + std::string(page_style()) +

@@ -213,6 +213,7 @@ std::string report_html(const ReportInput& input) {
   if (input.contact) sections += contact_section(*input.contact);
   if (input.load) sections += load_section(*input.load, kShapes);
   if (input.compensate) sections += compensate_section(*input.compensate);
+  if (input.scatter) sections += scatter_section(*input.scatter);
   if (input.rating) sections += rating_section(*input.rating);
   sections += gear_section(input) + few_teeth_section(input) +
               measure_section(input.measures, input.measure_ends, input.k_diagrams);

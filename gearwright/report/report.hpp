@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -40,6 +41,7 @@ struct ReportInput {
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
   const LoadScene* load = nullptr;             ///< null: the spec asks for no load
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
+  const ScatterView* scatter = nullptr;        ///< null: the spec has no [scatter]
   const RatingView* rating = nullptr;          ///< null: the spec asks for no rating
   Verdict verdict;                             ///< over gears, pair and contact
   std::string solid;                           ///< bytes of a GLB file of all gears; may be empty

@@ -8,6 +8,7 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -47,6 +48,11 @@ std::string root_stress_figures(const LoadScene& report, const std::array<std::s
 ///
 /// Domain    `before` of a pair that touches somewhere (contract)
 std::string compensate_section(const CompensateView& view);
+
+/// What tolerances do to the pair: percentiles, figures of the distributions, who is to blame.
+///
+/// Domain    a scatter with samples (contract)
+std::string scatter_section(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses, safeties, each with its place in the standard, as licences
 /// print them.
