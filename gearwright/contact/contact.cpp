@@ -47,13 +47,18 @@ std::vector<Angle> harmonics(const std::vector<double>& te) {
   GW_EXPECTS(!te.empty());
   constexpr int kMax = 20;
   const auto n = static_cast<int>(te.size());
+  std::vector<Complex> roots;
+  for (int i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / n;
+    roots.emplace_back(std::cos(turn), -std::sin(turn));
+  }
   std::vector<Angle> amplitude;
   const double mean = te[0];  // of no consequence but for rounding
   for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
-      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
-      sum += (te[static_cast<std::size_t>(i)] - mean) * Complex(std::cos(turn), -std::sin(turn));
+      const auto turn = static_cast<std::size_t>((static_cast<long long>(h) * i) % n);
+      sum += (te[static_cast<std::size_t>(i)] - mean) * roots[turn];
     }
     amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
   }

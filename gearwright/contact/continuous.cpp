@@ -34,9 +34,11 @@ class Branches {
   }
 
   // The branch of `touch`, `steps` away; not found where it touches no more.
-  PairTouch moved(const PairTouch& touch, double steps) const {
+  PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
+  // The same; the search starts at a touch of that branch which may be nearer.
+  PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
-    return transmission_.follow(touch, touch.phi + steps * step_);
+    return transmission_.follow(start.found() ? start : touch, touch.phi + steps * step_);
   }
 
   // Whether position i + 1 is led by the branch that leads at i.
@@ -70,7 +72,10 @@ class Branches {
     double lo = 1.0 - reach(b, -1.0);
     double hi = reach(a, 1.0);
     if (lo >= hi) return std::nullopt;
-    const auto at_both = [&](double t) { return std::array{moved(a, t), moved(b, t - 1.0)}; };
+    std::array<PairTouch, 2> both{a, b};
+    const auto at_both = [&](double t) {
+      return std::array{moved(a, t, both[0]), moved(b, t - 1.0, both[1])};
+    };
     const auto begin = at_both(lo);
     const auto end = at_both(hi);
     double at_lo = ahead_in(begin);
@@ -82,7 +87,7 @@ class Branches {
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
-      const auto both = at_both(t);
+      both = at_both(t);
       const double ahead = ahead_in(both);
       if (std::isnan(ahead)) return std::nullopt;
       if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) {
@@ -119,10 +124,11 @@ class Branches {
       return up && std::abs(hi) < 1.0 ? std::optional(end) : std::nullopt;
     }
     PairTouch best = here;
+    PairTouch turn = here;
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
-      const PairTouch turn = moved(here, t);
+      turn = moved(here, t, turn);
       if (!turn.found()) return std::nullopt;
       if (up ? turn.te() > best.te() : turn.te() < best.te()) best = turn;
       const double at_turn = slope(turn);

@@ -1,6 +1,7 @@
 #include "gearwright/contact/transmission.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gearwright {
@@ -21,6 +22,35 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   if (std::abs(ahead) > kTogether) return ahead > 0.0;
   return std::abs(phi) < std::abs(best.phi);
 }
+
+// The place of the next touch, by the polynomial through the last four at equal steps. Where the bounds
+// change that hold there, a straight line follows, because the places bend. Each order more saves a step
+// of the search that starts there.
+class PlaceAhead {
+ public:
+  explicit PlaceAhead(const Touch& t) { add(t); }
+
+  void add(const Touch& t) {
+    if (!(t.active == active_)) count_ = std::min<std::size_t>(count_, 1);
+    active_ = t.active;
+    std::rotate(past_.begin(), past_.end() - 1, past_.end());
+    past_[0] = {t.s, t.z};
+    count_ = std::min(count_ + 1, past_.size());
+  }
+  std::array<double, 2> place() const {
+    constexpr std::array<std::array<double, 4>, 4> kNext{
+        {{1, 0, 0, 0}, {2, -1, 0, 0}, {3, -3, 1, 0}, {4, -6, 4, -1}}};
+    std::array<double, 2> next{};
+    for (std::size_t k = 0; k < count_; ++k)
+      for (const std::size_t i : {0, 1}) next[i] += kNext[count_ - 1][k] * past_[k][i];
+    return next;
+  }
+
+ private:
+  std::array<std::array<double, 2>, 4> past_{};  // s, z; the last one first
+  std::size_t count_ = 0;
+  detail::ActiveSet active_;
+};
 
 // Nothing on the flank makes it hollow.
 bool is_convex(const FlankPatch& f) {
@@ -147,25 +177,21 @@ class Transmission::Track {
     const TouchSearch& search = all_.search(fields_);
     const FlankPatch& a = field.one();
     Touch last = from;
-    Touch before = from;
-    bool two = false;
+    PlaceAhead ahead(from);
     while (std::abs(m) <= most) {
       m += direction;
-      double s = last.s;
-      double z = last.z;
-      if (two) {
-        s = std::clamp(2 * last.s - before.s, a.s_lo, a.s_hi);
-        z = std::clamp(2 * last.z - before.z, a.z_lo, a.z_hi);
-      }
+      const auto [s, z] = ahead.place();
       field.set_rotation(own(m));
-      Touch t = search.from(s, z, last.s2, last.active);
-      if (!t.found() && cold_again) t = all_.cold(fields_, own(m));
+      Touch t = search.from(std::clamp(s, a.s_lo, a.s_hi), std::clamp(z, a.z_lo, a.z_hi), last.s2,
+                            last.active);
+      const bool lost = !t.found();
+      if (lost && cold_again) t = all_.cold(fields_, own(m));
       if (!t.found() || known(m, t)) return;
       const bool near = offer(m, t);
       if (!near && t.te < last.te) return;
-      before = last;
+      if (lost) ahead = PlaceAhead(t);
+      if (!lost) ahead.add(t);
       last = t;
-      two = true;
     }
   }
 

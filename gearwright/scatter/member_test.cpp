@@ -183,7 +183,7 @@ TEST(Tolerance, BoresMoveAndTiltTheAxis) {
       const std::array u{unit_interval(points.bits(i, 2 * t)),
                          unit_interval(points.bits(i, 2 * t + 1))};
       const auto place = tolerances[static_cast<std::size_t>(t)].at(u);
-      x.insert(x.end(), place.begin(), place.end());
+      x.insert(x.end(), place.begin(), place.begin() + 2);
     }
     const ContactErrors e = at(x);
     const double distance = e.center_distance + offset * e.intersecting.rad();
