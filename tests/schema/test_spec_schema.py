@@ -137,6 +137,7 @@ TABLES = {
     "scatter_range": (of_gear() | {"scatter": {"errors": {"crossing_deg": {"range": [0, 1]}}}}, ("scatter", "errors", "crossing_deg")),
     "scatter_bearings": (of_gear() | {"scatter": {"bearings": {"span_mm": 100, "radius_mm": 0.02}}}, ("scatter", "bearings")),
     "scatter_gear": (of_gear() | {"scatter": {"gear1": {}}}, ("scatter", "gear1")),
+    "scatter_robust": (of_gear() | {"scatter": {"robust": {}}}, ("scatter", "robust")),
     "scatter_modifications": (of_gear() | {"scatter": {"gear1": {"modifications": {}}}}, ("scatter", "gear1", "modifications")),
     "material": (of_gear(material={}), ("gear1", "material")),
     "rating": (of_gear() | {"rating": {"torque_Nm": 100, "speed_rpm": 1000}}, ("rating",)),
