@@ -1,6 +1,8 @@
 // What the verbs of the program answer: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
@@ -13,6 +15,7 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -175,6 +178,42 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   return by_name(Value(compensate_quantities().of(compensate_view(found))));
 }
 
+// A row for each sample: its inputs by name, "errors.crossing_deg" or "bearings.bore_a.x_mm", then its
+// quantities by key.
+py::array members_of(const ScatterAnswer& a) {
+  StructuredArray rows;
+  std::vector<std::size_t> inputs, quantities;
+  for (const std::string& name : scatter_columns(a.task)) inputs.push_back(rows.add(name, "f8"));
+  for (const ScatterEntry& entry : scatter_entries())
+    quantities.push_back(rows.add(entry.key, "f8"));
+  rows.allocate(a.scatter.samples.size());
+  for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
+    const ScatterSample& sample = a.scatter.samples[i];
+    const auto set = [&](std::size_t column, double x) {
+      const Value value = std::isnan(x) ? Value() : Value(x);
+      rows.set(i, column, {&value});
+    };
+    for (std::size_t k = 0; k < inputs.size(); ++k) set(inputs[k], sample.x[k]);
+    for (const ScatterEntry& entry : scatter_entries())
+      set(quantities[static_cast<std::size_t>(entry.quantity)],
+          entry.shown(sample.member[entry.quantity]));
+  }
+  return rows.take();
+}
+
+py::object scatter(const py::object& given, const py::kwargs& kwargs) {
+  auto [tree, folder] = spec_and_folder(given);
+  const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
+  for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
+  const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
+  SolvedJob job = model->job;
+  const ScatterAnswer found = watched_result(
+      model->given(), [&](Progress* progress) { return answer_scatter(job, progress); });
+  const py::object record = by_name(Value(scatter_quantities().of(scatter_view(job, found))));
+  record.attr("_attributes").attr("__setitem__")("members", members_of(found));
+  return record;
+}
+
 py::object verify(const py::object& cases) {
   const std::string text = json_text(tree_of(cases, ""));
   const auto outcomes = value_or_raise([&] {
@@ -248,6 +287,11 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         "Computes corrections for errors, with the keys of [compensate] (corrections=, range=, "
         "centering=): a Record with corrections, before, after; load(record.spec) is the corrected "
         "pair");
+  m.def("scatter", &scatter, py::arg("pair"),
+        "Computes what tolerances do to a pair, with the keys of [scatter] (errors=, gear1=, "
+        "samples=, robust=): a Record with a distribution for each quantity, probability, indices, "
+        "worst, robust; its members are a structured array, a row for each sample with its inputs "
+        "and quantities by key");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

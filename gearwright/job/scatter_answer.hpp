@@ -33,5 +33,7 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
 /// A row for each sample: its inputs, then its numbers.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);
+/// Names of the coordinates of x in a table: "errors.crossing_deg", "bearings.bore_a.x_mm".
+std::vector<std::string> scatter_columns(const ScatterTask& task);
 
 }  // namespace gearwright

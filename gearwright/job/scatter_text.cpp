@@ -275,10 +275,16 @@ std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   return out;
 }
 
+std::vector<std::string> scatter_columns(const ScatterTask& task) {
+  std::vector<std::string> names;
+  for (const ScatterTolerance& t : task.tolerances)
+    for (const char* part : parts_of(t)) names.push_back(t.name + part);
+  return names;
+}
+
 std::string scatter_csv(const SolvedJob&, const ScatterAnswer& a) {
   std::string out = "replicate,sample";
-  for (const ScatterTolerance& t : a.task.tolerances)
-    for (const char* part : parts_of(t)) out += fmt::format(",{}{}", t.name, part);
+  for (const std::string& name : scatter_columns(a.task)) out += "," + name;
   for (const ScatterEntry& entry : scatter_entries()) out += fmt::format(",{}", entry.key);
   out += ",contact_lost\r\n";
   const auto n = static_cast<std::size_t>(a.task.samples);

@@ -105,6 +105,20 @@ def test_compensate():
     assert corrected.contact().peak_to_peak <= p.contact().peak_to_peak * (1 + 1e-9) + 1e-8
 
 
+def test_scatter():
+    p = pair(contact={"positions": 16})
+    keys = {"samples": 16, "replicates": 2, "errors": {"crossing_deg": [-0.02, 0.02]},
+            "gear1": {"modifications": {"lead_crowning_um": [-2, 2]}}}
+    answer = gw.scatter(p, **keys)
+    told = gw.solve({**p.spec, "scatter": keys}, "scatter")["scatter"]
+    assert json.dumps(answer.as_dict()) == json.dumps(told)
+    members = answer.members
+    assert members.shape == (32,)
+    assert abs(members["errors.crossing_deg"]).max() <= 0.02
+    assert members["peak_to_peak_arcsec"].max() == pytest.approx(told["peak_to_peak_arcsec"]["greatest"])
+    assert np.isnan(members["long_period_arcsec"]).all()
+
+
 def test_measure():
     chord = gw.measure(pinion())["chordal_thickness"]
     # docs/programming.md prints the same

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from . import _plots
 from ._core import (ERRORS, Contact, ContractViolation, FileError, Gear, Loaded, Pair, Rating, Search, __version__,
-                    compensate, fit, load, solve)
+                    compensate, fit, load, scatter, solve)
 from ._doors import identify, measure, search, verify
 from ._errors import SpecError
 from ._records import Record
@@ -25,7 +25,7 @@ from .closed_forms import (backlash, center_distance, contact_ratio, inverse_inv
 __all__ = [
     "ERRORS", "Contact", "ContractViolation", "FileError", "Gear", "Loaded", "Pair", "Rating", "Record", "Search",
     "SpecError", "__version__", "backlash", "center_distance", "compensate", "contact_ratio", "fit", "identify",
-    "inverse_involute", "involute", "load", "measure", "pair_table", "search", "shift_limits", "solve", "verify",
-    "working_pressure_angle"]
+    "inverse_involute", "involute", "load", "measure", "pair_table", "scatter", "search", "shift_limits", "solve",
+    "verify", "working_pressure_angle"]
 
 _plots.add()
