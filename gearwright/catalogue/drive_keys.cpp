@@ -84,8 +84,10 @@ const KeyTable& planetary_keys() {
        formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun"),
        formed("profile_shift", "x", kMembers, "as it follows", "profile shift"),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
-       formed("face_width_mm", "b", kMembers, "10 m_n", "face width"),
-       formed("tip_diameter_mm", "d_a", kMembers, "of the basic rack", "tip diameter"),
+       formed("face_width_mm", "b", kMembers, "10 m_n",
+              "face width; a planet along two rings or two suns has as much for each"),
+       formed("tip_diameter_mm", "d_a", kMembers,
+              "of the basic rack; a ring's clears the flanks of its planets", "tip diameter"),
        formed("center_distance_mm", "a", kMeshes, "the tight one of the first mesh",
               "centre distance"),
        formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
@@ -171,7 +173,9 @@ const KeyTable& drive_gear_keys() {
        Key::number("profile_shift", "x", {}, &DriveGear::shift, "as it follows", "profile shift"),
        Key::number("thickness_allowance_mm", "E_sn", {}, {}, "0", "thickness allowance"),
        Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
-       Key::positive("tip_diameter_mm", "d_a", {}, "of the basic rack", "tip diameter")}};
+       Key::positive("tip_diameter_mm", "d_a", {},
+                     "of the basic rack; a ring's clears the flanks of its mating gears",
+                     "tip diameter")}};
   return table;
 }
 
@@ -183,6 +187,9 @@ const KeyTable& drive_mesh_keys() {
        Key::text("name", &DriveMesh::name, "the names of the gears, a_b", "name of the mesh"),
        Key::positive("center_distance_mm", "a", &DriveMesh::center_distance, "the tight one",
                      "centre distance"),
+       Key::number("angle_deg", "", {}, &DriveMesh::angle_deg, "in one line",
+                   "direction from the axis of the first gear to that of the second, for pictures "
+                   "and CAD files; not of planets"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "from `friction_coefficient` and the teeth",
                    "efficiency with the frame at rest")}};

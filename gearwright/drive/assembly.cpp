@@ -97,6 +97,19 @@ std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& grou
   return fmt::format("{}", fmt::join(proposals, ", "));
 }
 
+// The next numbers of planets below and above `count` that stand at equal pitch.
+std::string counts_that_assemble(long long places, long long count) {
+  std::vector<std::string> found;
+  for (long long n = count - 1; n >= 1 && found.empty(); --n)
+    if (places % n == 0) found.push_back(std::to_string(n));
+  for (long long n = count + 1; n <= places && n <= 2 * count; ++n) {
+    if (places % n != 0) continue;
+    found.push_back(std::to_string(n));
+    break;
+  }
+  return fmt::format("{}", fmt::join(found, " or "));
+}
+
 Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, long long places,
                                            int count) {
   if (degrees.size() != static_cast<std::size_t>(count))
@@ -200,9 +213,10 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     return Error{
         "drive.spacing", "equal",
         fmt::format("{} planets at equal pitch do not assemble: there are {} places in a "
-                    "turn, and {} does not divide that{}; or use \"nearest\"",
-                    n, made.places, n,
-                    others.empty() ? std::string() : fmt::format(". These would: {}", others))};
+                    "turn, and {} does not divide that. These would: {}{} planets; or use "
+                    "\"nearest\"",
+                    n, made.places, n, others.empty() ? "" : others + "; ",
+                    counts_that_assemble(made.places, n))};
   }
   if (graph.spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{

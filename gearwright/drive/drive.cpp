@@ -168,11 +168,11 @@ void find_facts(Drive& drive) {
     const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
     if (set.neighbours && set.neighbours->clearance < 0.0)
       say(WarningCode::planets_collide,
-          fmt::format("Neighbouring {} cut each other by {:.4f} mm; at most {} fit at equal pitch.",
+          fmt::format("Neighbouring copies of {} cut each other by {:.4f} mm; at most {} fit at equal pitch.",
                       planet, -set.neighbours->clearance, set.neighbours->most));
     if (set.assembly.places > 0 && set.group.count > set.assembly.places) {
       say(WarningCode::planets_collide,
-          fmt::format("{} of {} have only {} in a turn where their teeth meet: some would stand in "
+          fmt::format("{} copies of {} have only {} in a turn where their teeth meet: some would stand in "
                       "one place.",
                       set.group.count, planet,
                       set.assembly.places == 1 ? std::string("one place")
@@ -181,7 +181,7 @@ void find_facts(Drive& drive) {
     }
     if (!set.assembly.equal && set.group.count > 1)
       say(WarningCode::unequal_spacing,
-          fmt::format("{} of {} do not stand at equal pitch: there are {} places in a turn.",
+          fmt::format("{} copies of {} do not stand at equal pitch: there are {} places in a turn.",
                       set.group.count, planet, set.assembly.places));
   }
   if (!drive.motion.redundant.empty())

@@ -9,6 +9,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/pair/clearing_tip.hpp"
 #include "gearwright/pair/shift.hpp"
 
 namespace gearwright {
@@ -115,10 +116,12 @@ class Completion {
 };
 
 std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
+                                    std::optional<double> tip_diameter,
                                     std::vector<Fault>& faults) {
   CylindricalSpec spec = *gear.spec;
   spec.teeth = gear.teeth;
   spec.profile_shift = shift;
+  if (tip_diameter) spec.tip_diameter = tip_diameter;
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
   auto made = make_gear(spec);
   if (!made) {
@@ -130,21 +133,61 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   return cut ? std::move(*cut) : std::move(made).take();
 }
 
-// Places of the riders in the carrier's frame: distance from its axis, and angle of copy 0.
+void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
+  const DriveMesh& mesh = graph.meshes[m];
+  const auto& one = made.gears[mesh.gears[0]];
+  const auto& two = made.gears[mesh.gears[1]];
+  if (!one || !two || !made.distance[m]) return;
+  auto pair = mount(*one, *two, {made.distance[m], std::nullopt, graph.friction, std::nullopt});
+  if (pair) {
+    made.pairs[m] = std::move(pair).take();
+  } else {
+    std::string why = pair.error().rule;
+    while (why.ends_with('.')) why.pop_back();
+    made.faults.push_back(
+        {Fault::Kind::no_pair,
+         fmt::format("{} cannot be mounted at {:.4f} mm with profile shifts of {:.4f} and {:.4f}: {}.",
+                     mesh.name, *made.distance[m], *made.shift[mesh.gears[0]],
+                     *made.shift[mesh.gears[1]], why)});
+  }
+}
+
+// A ring's teeth as its rack has them often reach below the flanks of the gears that it meshes with.
+// Where no tip diameter is given they end where contact is still on those flanks.
+void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
+  constexpr double kClear = 0.02;  // m_n of radius: twice the margin that the verdict asks for
+  for (std::size_t g = 0; g < graph.gears.size(); ++g) {
+    const DriveGear& gear = graph.gears[g];
+    if (gear.teeth >= 0 || !made.gears[g] || gear.spec->tip_diameter) continue;
+    std::optional<double> tip;
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+      const auto& pair = made.pairs[m];
+      if (graph.meshes[m].gears[1] != g || !pair || !pair->involute()) continue;
+      const auto least = tip_that_clears(*pair->involute(), 2, kClear * gear.spec->normal_module);
+      if (least && (!tip || *least > *tip)) tip = least;
+    }
+    if (!tip || *tip >= made.gears[g]->root_diameter) continue;
+    made.gears[g] = make_drive_gear(gear, *made.shift[g], tip, made.faults);
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+      if (graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
+  }
+}
+
+// Places of the riders in the carrier's frame, with the tip diameter of the widest gear of each.
 struct Rider {
   double distance, angle, tip_diameter;
 };
 
 std::optional<double> distance_between(const DriveGraph& graph, const PlanetGroup& group,
-                                       const DriveGeometry& geometry, std::size_t a,
-                                       std::optional<std::size_t> b) {
+                                       const std::vector<std::optional<double>>& distances,
+                                       std::size_t a, std::optional<std::size_t> b) {
   for (const std::size_t m : group.meshes) {
     const std::size_t one = graph.gear(graph.meshes[m], 0).body;
     const std::size_t two = graph.gear(graph.meshes[m], 1).body;
     const auto other = one == a ? std::optional(two) : two == a ? std::optional(one) : std::nullopt;
     if (!other) continue;
     const bool matches = b ? *other == *b : !graph.bodies[*other].carrier;
-    if (matches) return geometry.distance[m];
+    if (matches) return distances[m];
   }
   return std::nullopt;
 }
@@ -152,36 +195,17 @@ std::optional<double> distance_between(const DriveGraph& graph, const PlanetGrou
 std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const PlanetGroup& group,
                                                const DriveGeometry& geometry,
                                                std::optional<Fault>& fault) {
+  const auto places = rider_places(graph, group, geometry.distance, fault);
+  if (!places) return std::nullopt;
   std::vector<Rider> riders;
-  // Angles are chained: each rider after the first by the triangle with one that is placed.
   for (std::size_t i = 0; i < group.riders.size(); ++i) {
-    const std::size_t body = group.riders[i];
-    const auto a = distance_between(graph, group, geometry, body, std::nullopt);
     double tip = 0.0;
     for (std::size_t g = 0; g < graph.gears.size(); ++g) {
-      if (graph.gears[g].body != body) continue;
+      if (graph.gears[g].body != group.riders[i]) continue;
       if (!geometry.gears[g]) return std::nullopt;
       tip = std::max(tip, geometry.gears[g]->tip_diameter);
     }
-    if (!a) return std::nullopt;
-    double angle = 0.0;
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto between = distance_between(graph, group, geometry, body, group.riders[j]);
-      if (!between) continue;
-      const double r = riders[j].distance;
-      const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
-      if (!(std::abs(cosine) <= 1.0)) {
-        fault = {Fault::Kind::not_coaxial,
-                 fmt::format("{} and {} find no place on {}: no triangle has the sides {:.4f}, "
-                             "{:.4f} and {:.4f} mm.",
-                             graph.bodies[body].name, graph.bodies[group.riders[j]].name,
-                             graph.bodies[group.carrier].name, *a, r, *between)};
-        return std::nullopt;
-      }
-      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
-      break;
-    }
-    riders.push_back({*a, angle, tip});
+    riders.push_back({(*places)[i].distance, (*places)[i].angle, tip});
   }
   return riders;
 }
@@ -217,21 +241,42 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
   for (std::size_t g = 0; g < graph.gears.size(); ++g)
     if (graph.gears[g].spec && made.shift[g])
-      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], made.faults);
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-    const DriveMesh& mesh = graph.meshes[m];
-    const auto& one = made.gears[mesh.gears[0]];
-    const auto& two = made.gears[mesh.gears[1]];
-    if (!one || !two || !made.distance[m]) continue;
-    auto pair = mount(*one, *two, {made.distance[m], std::nullopt, graph.friction, std::nullopt});
-    if (pair) {
-      made.pairs[m] = std::move(pair).take();
-    } else {
-      made.faults.push_back({Fault::Kind::no_pair, fmt::format("{} cannot be mounted: {}.",
-                                                               mesh.name, pair.error().message())});
-    }
-  }
+      made.gears[g] =
+          make_drive_gear(graph.gears[g], *made.shift[g], std::nullopt, made.faults);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) mount_mesh(graph, m, made);
+  turn_out_rings(graph, made);
   return made;
+}
+
+std::optional<std::vector<RiderPlace>> rider_places(
+    const DriveGraph& graph, const PlanetGroup& group,
+    const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault) {
+  std::vector<RiderPlace> riders;
+  // Angles are chained: each rider after the first by the triangle with one that is placed.
+  for (std::size_t i = 0; i < group.riders.size(); ++i) {
+    const std::size_t body = group.riders[i];
+    const auto a = distance_between(graph, group, distances, body, std::nullopt);
+    if (!a) return std::nullopt;
+    double angle = 0.0;
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto between = distance_between(graph, group, distances, body, group.riders[j]);
+      if (!between) continue;
+      const double r = riders[j].distance;
+      const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
+      if (!(std::abs(cosine) <= 1.0)) {
+        fault = {Fault::Kind::not_coaxial,
+                 fmt::format("{} and {} find no place on {}: no triangle has the sides {:.4f}, "
+                             "{:.4f} and {:.4f} mm.",
+                             graph.bodies[body].name, graph.bodies[group.riders[j]].name,
+                             graph.bodies[group.carrier].name, *a, r, *between)};
+        return std::nullopt;
+      }
+      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
+      break;
+    }
+    riders.push_back({*a, angle});
+  }
+  return riders;
 }
 
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,

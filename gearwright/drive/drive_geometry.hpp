@@ -33,9 +33,22 @@ struct DriveGeometry {
 
 /// Formula   Sums of shifts from distances and the other way, as complete_shifts; [T13.15]: a given
 ///           distance holds for all central meshes of its planet; without one the first of them is
-///           free of backlash with the shifts given, absent ones 0
+///           free of backlash with the shifts given, absent ones 0. A ring without a tip diameter
+///           ends where contact is on the flanks of its mating gears, 0.02 m_n clear of their ends
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
+
+/// Where a rider stands as its carrier sees it.
+struct RiderPlace {
+  double distance;  ///< of its axis from the carrier's  mm
+  double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
+};
+
+/// The riders of a group in their order, by the distances of the meshes. None: a distance is missing,
+/// or an idler finds no place (`fault` then has why).
+std::optional<std::vector<RiderPlace>> rider_places(
+    const DriveGraph& graph, const PlanetGroup& group,
+    const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault);
 
 struct Neighbours {
   double clearance;  ///< c  mm, < 0: planets cut each other

@@ -45,7 +45,11 @@ struct DriveMesh {
   std::array<std::size_t, 2> gears{};
   std::optional<double> efficiency;       ///< η with the frame at rest; absent: of the pair
   std::optional<double> center_distance;  ///< a  mm
+  std::optional<double> angle_deg = {};   ///< of gear b's axis as seen from gear a's; of no planets
 };
+
+/// Between the faces of gears that stand beside each other, in m_n.
+inline constexpr double kBetweenFaces = 2.0;
 
 /// How the copies of a planet stand round the carrier.
 enum class Spacing {

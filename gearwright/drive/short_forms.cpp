@@ -46,6 +46,13 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
+// Whether central gears of one kind stand beside each other along this planet.
+bool spans_two(const PlanetarySpec& spec, M member) {
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  if (member != M::planet || has(M::planet2)) return false;
+  return (has(M::ring) && has(M::ring2)) || (has(M::sun2) && (has(M::sun) || has(M::idler)));
+}
+
 CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
   CylindricalSpec made;
   made.normal_module = spec.module.of(member).value_or(spec.normal_module.value_or(0.0));
@@ -53,7 +60,9 @@ CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
   const auto& own_helix = spec.helix_deg.each[static_cast<std::size_t>(member)];
   const double sun = spec.helix_deg.each[0].value_or(spec.helix_deg.all.value_or(0.0));
   made.helix_angle = Angle::degrees(own_helix.value_or(hand_of(spec, member) * sun));
-  made.face_width = spec.face_width.of(member).value_or(0.0);
+  made.face_width = spec.face_width.of(member).value_or(10 * made.normal_module);
+  if (!spec.face_width.each[static_cast<std::size_t>(member)] && spans_two(spec, member))
+    made.face_width = 2 * made.face_width + kBetweenFaces * made.normal_module;
   made.thickness_allowance = spec.allowance.of(member).value_or(0.0);
   made.tip_diameter = spec.tip_diameter.of(member);
   if (spec.rack) made.rack = *spec.rack;
@@ -77,6 +86,16 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
     return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
                    "must be a number of teeth, 1 or more; only a ring's may be negative");
   }
+  for (const SetMesh& mesh : meshes_of(spec)) {
+    if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;
+    return refused(fmt::format("planetary.{}", to_string(mesh.second)), *spec.z(mesh.second),
+                   fmt::format("must have more teeth than {} = {}, which runs in it",
+                               to_string(mesh.first), *spec.z(mesh.first)));
+  }
+  if (!spec.fixed && meshes_of(spec).size() == 1 && !has(M::ring) && !has(M::ring2))
+    return absent_input("planetary.ring",
+                        "; a sun with planets alone has nothing to hold and nothing to drive: give a "
+                        "ring, a second sun, or fixed, input and output");
   if (spec.planets < 1)
     return refused("planetary.planets", spec.planets, "must be at least one planet");
   return std::nullopt;

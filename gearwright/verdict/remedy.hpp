@@ -16,12 +16,6 @@
 
 namespace gearwright::detail {
 
-/// The tip diameter of gear `tip` (1 or 2) at which its contact ends just where the mating gear's
-/// usable flank begins (on its base circle where no flank is known), mm; none where the tip need
-/// not be turned down or the mating flank has no such end. A greatest one; of an internal gear the
-/// least.
-std::optional<double> tip_that_clears(const InvolutePair& pair, int tip);
-
 /// Fills `remedy` of the findings, worst first, and `change` of those of the worst level: the others
 /// come after.
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/pair/clearing_tip.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
