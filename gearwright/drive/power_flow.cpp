@@ -148,6 +148,12 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
   const std::size_t meshes = graph.meshes.size();
   const auto finish = [&](PowerFlow flow) {
     flow.circulating = circulates(graph, statics, speeds, flow);
+    for (std::size_t m = 0; m < meshes; ++m) {
+      for (const auto& [body, torque] : statics.torques(m, flow.driver[m])) {
+        const double power = torque * flow.load[m] * speeds[body];
+        if (std::abs(power) > kIdle * flow.power_in) flow.paths.push_back({m, body, power});
+      }
+    }
     return flow;
   };
   const PowerFlow lossless = statics.solve(std::vector<int>(meshes, -1));

@@ -20,11 +20,19 @@ struct MeshEfficiency {
   double first_drives, second_drives;
 };
 
+/// Power that a mesh gives to a body, > 0, or takes from it, as the housing sees it: the powers of one
+/// mesh add up to its loss, < 0.
+struct PowerPath {
+  std::size_t mesh, body;
+  double power;
+};
+
 struct PowerFlow {
   std::vector<double> load;        ///< λ of each mesh
   std::vector<int> driver;         ///< 0: gear a drives, 1: gear b, −1: none, the mesh is idle
   std::vector<double> mesh_power;  ///< P_m in the frame, of the driving gear
   std::vector<double> torque;      ///< T_ext of each body, 0 of free ones
+  std::vector<PowerPath> paths;    ///< mesh by mesh; none of bodies that stand still
   double power_in = 0.0;           ///< Σ of P = T ω that flow in
   double efficiency = 0.0;         ///< η [T13.9]; 0: self-locking, and the rest is empty
   bool circulating = false;        ///< a branch carries more than flows in
