@@ -35,7 +35,11 @@ const char* member_of(Adjustable what) {
 Value change_of(const Finding& finding) {
   ValueMap keys;
   if (!finding.change) return keys;
-  const auto [what, gear, value] = *finding.change;
+  const auto& [what, gear, value, path] = *finding.change;
+  if (!path.empty()) {
+    keys.emplace_back(path, Value(value));
+    return keys;
+  }
   const auto add = [&, what = what, value = value](const std::string& table) {
     keys.emplace_back(spelled_member(table + "." + member_of(what)), Value(value));
   };

@@ -14,8 +14,6 @@
 
 namespace gearwright {
 
-namespace {
-
 Level level_of(Severity severity) {
   switch (severity) {
     case Severity::problem: return Level::red;
@@ -24,6 +22,12 @@ Level level_of(Severity severity) {
   }
   return Level::amber;
 }
+
+double recommended_backlash(double center_distance, double normal_module) {
+  return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
+}
+
+namespace {
 
 // The clauses of these findings of one level, each once, worst first, from the place `first` on.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
@@ -45,12 +49,6 @@ std::string joined(const std::vector<std::string>& list) {
     text += list[i];
   }
   return text;
-}
-
-// The least normal backlash of gears and housing of iron or steel below 15 m/s, mm.
-// Source  ISO/TR 10064-2:1996, annex A: 2/3 (0.06 + 0.0005 a + 0.03 m_n)
-double recommended_backlash(double center_distance, double normal_module) {
-  return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
 }
 
 // A backlash shown as 0.0000 mm counts as no backlash, which is correct for nominal teeth but not

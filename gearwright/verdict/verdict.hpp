@@ -28,6 +28,14 @@ enum class Level {
   red,    ///< it cannot be made or does not run as specified
 };
 const char* to_string(Level level);
+/// A problem is red, a caution amber, a note green.
+Level level_of(Severity severity);
+
+/// The least normal backlash of gears and housing of iron or steel below 15 m/s.
+///
+/// Formula   2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996, annex A
+/// Units     mm
+double recommended_backlash(double center_distance, double normal_module);
 
 struct FindingValue {
   std::string name;
@@ -54,6 +62,7 @@ struct SpecChange {
   Adjustable what;
   int gear;  ///< 1, 2; 0: of the pair, or of both gears
   double value;
+  std::string path{};  ///< of a drive: the key in its spec, else empty
 };
 
 struct Finding {
