@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< in the gear frame
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to the file's frame
+  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place
+  std::optional<std::size_t> same_as{};  ///< an earlier part that has the mesh; then `mesh` is empty
 };
 
 /// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied.

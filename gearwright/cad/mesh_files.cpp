@@ -138,7 +138,20 @@ struct Lists {
   }
 };
 
-void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string& binary) {
+// The mesh of a part, or of the one that it is another copy of.
+const TriangleMesh& mesh_of(const std::vector<MeshPart>& parts, std::size_t i) {
+  return parts[parts[i].same_as.value_or(i)].mesh;
+}
+
+void add_node(const MeshPart& part, std::size_t node, std::size_t mesh, Lists& lists) {
+  Lists::add(lists.roots, fmt::format("{}", node));
+  Lists::add(lists.nodes, fmt::format(R"({{"name":{},"mesh":{}{}}})", json_string(part.name), mesh,
+                                      json_matrix(part.pose)));
+}
+
+// The mesh of a part and its material, both with the number `index`.
+void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index, Lists& lists,
+              std::string& binary) {
   const TriangleMesh& mesh = part.mesh;
   const std::size_t corners = 3 * mesh.shaded_triangles.size();
   const std::size_t shaded = mesh.shaded_vertices.size();
@@ -177,10 +190,7 @@ void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string
                          normals, kFloat, shaded));
 
   const std::string name = json_string(part.name);
-  const std::array<double, 3>& colour = part_colour(index);
-  Lists::add(lists.roots, fmt::format("{}", index));
-  Lists::add(lists.nodes,
-             fmt::format(R"({{"name":{},"mesh":{}{}}})", name, index, json_matrix(part.pose)));
+  const std::array<double, 3>& colour = part_colour(colour_index);
   Lists::add(
       lists.meshes,
       fmt::format(
@@ -203,7 +213,7 @@ void append_chunk(std::string& out, const char (&type)[5], const std::string& co
 
 std::string stl_bytes(const std::vector<MeshPart>& parts) {
   std::size_t count = 0;
-  for (const MeshPart& part : parts) count += part.mesh.triangles.size();
+  for (std::size_t i = 0; i < parts.size(); ++i) count += mesh_of(parts, i).triangles.size();
   GW_EXPECTS(count <= 0xffffffffU);
 
   std::string out;
@@ -212,11 +222,12 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
   for (const MeshPart& part : parts) out += " " + part.name;
   out.resize(kHeaderBytes, ' ');
   append_u32(out, static_cast<std::uint32_t>(count));
-  for (const MeshPart& part : parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const TriangleMesh& mesh = mesh_of(parts, i);
     std::vector<Eigen::Vector3f> vertices;
-    vertices.reserve(part.mesh.vertices.size());
-    for (const Vec3& v : part.mesh.vertices) vertices.emplace_back((part.pose * v).cast<float>());
-    for (const Triangle& t : part.mesh.triangles) {
+    vertices.reserve(mesh.vertices.size());
+    for (const Vec3& v : mesh.vertices) vertices.emplace_back((parts[i].pose * v).cast<float>());
+    for (const Triangle& t : mesh.triangles) {
       const Eigen::Vector3f& a = vertices[t[0]];
       const Eigen::Vector3f& b = vertices[t[1]];
       const Eigen::Vector3f& c = vertices[t[2]];
@@ -233,11 +244,13 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
 std::string threemf_bytes(const std::vector<MeshPart>& parts) {
   GW_EXPECTS(!parts.empty());
   std::string xml = kModelHead;
-  for (std::size_t i = 0; i < parts.size(); ++i) append_object(xml, parts[i], i + 1);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!parts[i].same_as) append_object(xml, parts[i], i + 1);
   xml += "</resources>\n<build>\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     xml +=
-        fmt::format("<item objectid=\"{}\" transform=\"{}\"/>\n", i + 1, transform(parts[i].pose));
+        fmt::format("<item objectid=\"{}\" transform=\"{}\"/>\n", parts[i].same_as.value_or(i) + 1,
+                    transform(parts[i].pose));
   }
   xml += "</build>\n</model>\n";
 
@@ -252,9 +265,18 @@ std::string glb_bytes(const std::vector<MeshPart>& parts) {
   GW_EXPECTS(!parts.empty());
   Lists lists;
   std::string binary;
+  std::vector<std::size_t> number(parts.size());  // of the mesh of each part
+  std::size_t meshes = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    GW_EXPECTS(!parts[i].mesh.triangles.empty());
-    add_part(parts[i], i, lists, binary);
+    const MeshPart& part = parts[i];
+    if (part.same_as) {
+      number[i] = number[*part.same_as];
+    } else {
+      GW_EXPECTS(!part.mesh.triangles.empty());
+      number[i] = meshes++;
+      add_mesh(part, number[i], part.colour.value_or(i), lists, binary);
+    }
+    add_node(part, i, number[i], lists);
   }
   // All entries are 4 bytes wide: the binary chunk needs no padding, the text is padded by blanks.
   std::string json = fmt::format(

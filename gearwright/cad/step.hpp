@@ -47,7 +47,7 @@ struct StepReport {
   std::vector<StepFace> faces;    ///< root to tip of one half tooth, body by body
   double max_deviation_mm = 0.0;  ///< greatest of all faces
   double volume_mm3 = 0.0;        ///< exact: section area times face width, all bodies
-  std::size_t face_count = 0;     ///< of all solids
+  std::size_t face_count = 0;     ///< of all solids, each shape once
   std::size_t edge_count = 0;     ///< each shared edge once
 };
 
