@@ -10,6 +10,8 @@
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/job/drive_answer.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -72,6 +74,59 @@ std::string collision(const Options& o) {
   return {};
 }
 
+// What a run prints, and its exit status.
+int end_run(const Options& o, const RunFiles& made, const std::string& listing) {
+  if (o.json) {
+    // As in result.json, with all the files.
+    Json j = parse_json(made.result);
+    j["files"] = files_json(made.files);
+    print_json(j);
+  } else {
+    print(listing + file_listing(made.files) + verdict_listing(made.verdict));
+  }
+  return status(o, made.verdict);
+}
+
+int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs::path& out,
+              const FileOptions& options) {
+  const auto job = solve_drive(spec);
+  if (!job) return door.fail(job.error());
+  const auto made = write_drive_files(*job, out, options);
+  if (!made) return door.fail(made.error());
+  return end_run(o, *made, drive_listing(job->drive) + warning_listing(job->drive.findings));
+}
+
+// Writes files and prints their list.
+int end_export(const Options& o, const std::vector<JobFile>& files,
+               const std::vector<Warning>& warnings) {
+  write_files(files);
+  if (o.json) {
+    print_json({{"files", files_json(files)}, {"warnings", warnings_json(warnings)}});
+  } else {
+    print(warning_listing(warnings) + file_listing(files));
+  }
+  return 0;
+}
+
+using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
+
+// The whole drive in each file; one of its gears where it is named by its number.
+int export_drive(const Options& o, const Door& door, const JobSpec& spec, const WantedFiles& wanted) {
+  if (!o.drawing.empty())
+    return usage("--drawing makes the drawing of a gear or a pair, not of a drive");
+  if (o.gear) return usage("--gear names a gear of a pair; a drive is exported whole");
+  const auto job = solve_drive(spec);
+  if (!job) return door.fail(job.error());
+  std::vector<JobFile> files;
+  for (const auto& [kind, path] : wanted) {
+    if (path->empty()) continue;
+    auto file = make_drive_file(kind, *job, *path, file_options(o));
+    if (!file) return door.fail(file.error());
+    files.push_back(std::move(file).take());
+  }
+  return end_export(o, files, job->drive.findings);
+}
+
 }  // namespace
 
 int run_verb(const Options& o) {
@@ -91,34 +146,28 @@ int run_verb(const Options& o) {
     options.only = *parts;
   }
   Door door(o);
-  auto solved = door.solve(Scope::everything, SpecUse::run);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
+  auto spec = door.read(SpecUse::run);
+  if (!spec) return door.fail(spec.error());
   fs::path out = o.out.value_or("");
   if (out.empty()) {
     out = fs::path(o.spec);
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
+  if (spec->drive) return run_drive(o, door, *spec, out, options);
+  auto solved = solve(*spec, Scope::everything);
+  if (!solved) return door.fail(solved.error());
+  SolvedJob job = std::move(solved).take();
   const auto made = watched("run", [&](Progress* h) {
     options.progress = h;
     return write_everything(job, out, options);
   });
   if (!made) return door.fail(made.error());
-  if (o.json) {
-    // As in result.json, with all the files.
-    Json j = parse_json(made->result);
-    j["files"] = files_json(made->files);
-    print_json(j);
-  } else {
-    print(gear_listing(job) + pair_listing(job) + warning_listing(job.warnings) +
-          file_listing(made->files) + verdict_listing(made->verdict));
-  }
-  return status(o, made->verdict);
+  return end_run(o, *made, gear_listing(job) + pair_listing(job) + warning_listing(job.warnings));
 }
 
 int export_verb(const Options& o) {
-  const std::vector<std::pair<FileKind, const std::string*>> wanted{
+  const WantedFiles wanted{
       {FileKind::step, &o.step},       {FileKind::stl, &o.stl}, {FileKind::glb, &o.glb},
       {FileKind::threemf, &o.threemf}, {FileKind::dxf, &o.dxf}, {FileKind::svg, &o.svg}};
   bool any = !o.drawing.empty();
@@ -134,9 +183,12 @@ int export_verb(const Options& o) {
     return usage(name + " is named twice, or is the spec itself");
   }
   Door door(o);
+  const auto spec = door.read();
+  if (!spec) return door.fail(spec.error());
+  if (spec->drive) return export_drive(o, door, *spec, wanted);
   // A drawing names the mating gear.
   const bool alone = o.gear && o.drawing.empty();
-  const auto job = door.solve(alone ? Scope::gears : Scope::everything);
+  const auto job = solve(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
@@ -165,13 +217,7 @@ int export_verb(const Options& o) {
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
-  write_files(files);
-  if (o.json) {
-    print_json({{"files", files_json(files)}, {"warnings", warnings_json(job->warnings)}});
-  } else {
-    print(warning_listing(job->warnings) + file_listing(files));
-  }
-  return 0;
+  return end_export(o, files, job->warnings);
 }
 
 }  // namespace gearwright::apps

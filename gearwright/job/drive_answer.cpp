@@ -10,11 +10,10 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
-#include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/read_drive.hpp"
 
 namespace gearwright {
 
@@ -112,59 +111,7 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
-void add_findings(std::vector<Finding>& all, const Drive& drive) {
-  Judged whole;
-  whole.warnings = &drive.findings;
-  for (const Warning& w : drive.findings) {
-    const Severity severity = severity_of(w);
-    all.push_back({w.code,
-                   severity == Severity::problem   ? Level::red
-                   : severity == Severity::caution ? Level::amber
-                                                   : Level::green,
-                   0, w.message});
-  }
-  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto& pair = drive.geometry.pairs[m];
-    if (!pair) continue;
-    std::vector<Warning> warnings = pair->warnings();
-    for (const int which : {1, 2})
-      for (Warning w : pair->gear(which).warnings) {
-        w.gear = which;
-        warnings.push_back(std::move(w));
-      }
-    Judged judged;
-    judged.gears = {&pair->gear(1), &pair->gear(2)};
-    judged.pair = &*pair;
-    judged.warnings = &warnings;
-    for (Finding& f : findings_of(judged)) {
-      f.message = fmt::format("{}: {}", drive.graph.meshes[m].name, f.message);
-      f.gear = 0;
-      all.push_back(std::move(f));
-    }
-  }
-}
-
 }  // namespace
-
-Verdict judge_drive(const Drive& drive) {
-  Verdict verdict;
-  add_findings(verdict.findings, drive);
-  std::stable_sort(
-      verdict.findings.begin(), verdict.findings.end(), [](const Finding& a, const Finding& b) {
-        return a.level != b.level ? a.level > b.level : a.level != Level::green && a.code < b.code;
-      });
-  if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
-  switch (verdict.level) {
-    case Level::green: verdict.headline = "The drive runs as specified."; break;
-    case Level::amber:
-      verdict.headline = "The drive runs. Check: " + verdict.findings.front().message;
-      break;
-    case Level::red:
-      verdict.headline = "The drive does not run as specified: " + verdict.findings.front().message;
-      break;
-  }
-  return verdict;
-}
 
 std::string drive_listing(const Drive& drive) {
   std::string out =
@@ -177,23 +124,17 @@ std::string drive_listing(const Drive& drive) {
 }
 
 Result<Answer> answer_drive(const JobSpec& spec) {
-  if (!spec.drive) {
-    return absent_input(
-        "planetary",
-        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
-        "planet = 25, ring = 70 and planets = 3 for example");
-  }
-  auto made = make_drive(*spec.drive);
-  if (!made) return of_drive_table(made.error(), spec.tree->tables);
-  const auto drive = std::make_shared<const Drive>(std::move(made).take());
+  auto solved = solve_drive(spec);
+  if (!solved) return solved.error();
+  const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
   Answer answer;
   answer.record = titled_record(spec);
-  answer.record["drive"] = to_json(drive_quantities().of(*drive));
-  answer.warnings = drive->findings;
-  answer.verdict = judge_drive(*drive);
+  answer.record["drive"] = to_json(drive_quantities().of(job->drive));
+  answer.warnings = job->drive.findings;
+  answer.verdict = job->verdict;
   const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
-  answer.listing = [drive, title] { return title + drive_listing(*drive); };
-  answer.csv = [drive] { return drive_csv(*drive); };
+  answer.listing = [job, title] { return title + drive_listing(job->drive); };
+  answer.csv = [job] { return drive_csv(job->drive); };
   return answer;
 }
 

@@ -8,9 +8,6 @@
 
 namespace gearwright {
 
-/// The worst of the drive and of the pairs in its meshes.
-Verdict judge_drive(const Drive& drive);
-
 /// Tables for people: the whole, bodies, meshes, planets, phases; of a train its stages too.
 std::string drive_listing(const Drive& drive);
 

@@ -45,10 +45,15 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
   std::vector<MeshPart> parts;
   std::size_t triangles = 0;
   for (const ToothedBody& body : bodies) {
+    if (body.same_as) {
+      triangles += parts[*body.same_as].mesh.triangles.size();
+      parts.push_back({body.name, {}, body.pose, body.colour, body.same_as});
+      continue;
+    }
     auto mesh = tessellate(body, {.chord_tolerance_mm = options.mesh_tolerance_mm});
     if (!mesh) return of_body(mesh.error(), body.name);
     triangles += mesh->triangles.size();
-    parts.push_back({body.name, std::move(mesh).take(), body.pose});
+    parts.push_back({body.name, std::move(mesh).take(), body.pose, body.colour});
   }
   const char* what = kind == FileKind::stl ? "STL" : kind == FileKind::glb ? "GLB" : "3MF";
   std::string bytes = kind == FileKind::stl   ? stl_bytes(parts)
@@ -126,6 +131,8 @@ Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   return std::optional(std::move(answer).take());
 }
 
+}  // namespace
+
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   std::vector<ReportFile> rows;
   for (const JobFile& f : files) {
@@ -137,7 +144,9 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   return rows;
 }
 
-}  // namespace
+bool FileOptions::wants(std::string_view part) const {
+  return only.empty() || std::find(only.begin(), only.end(), part) != only.end();
+}
 
 std::string_view ending(FileKind kind) {
   switch (kind) {
@@ -223,11 +232,6 @@ void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<Toot
   report.solid_tolerance = coarse.mesh_tolerance_mm;
 }
 
-bool wanted(const FileOptions& options, std::string_view part) {
-  return options.only.empty() ||
-         std::find(options.only.begin(), options.only.end(), part) != options.only.end();
-}
-
 struct ShapeFiles {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;  ///< gears of the pair that have an outline, in the housing
@@ -238,7 +242,7 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
   ShapeFiles made;
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
-    if (!wanted(options, ending(kind).substr(1))) return std::nullopt;
+    if (!options.wants(ending(kind).substr(1))) return std::nullopt;
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
     if (!file) return file.error();
     made.files.push_back(std::move(file).take());
@@ -261,7 +265,7 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
   if (made.mounted.size() == 2)
     for (FileKind kind : {FileKind::step, FileKind::glb})
       if (auto error = make(kind, made.mounted, "pair")) return *std::move(error);
-  if (!drawn.empty() && wanted(options, "drawing")) {
+  if (!drawn.empty() && options.wants("drawing")) {
     auto file = make_workshop_drawing(job, drawn, SheetFormat::pdf, SheetSize::a4,
                                       folder / "drawing.pdf", options);
     if (!file) return file.error();
@@ -307,12 +311,12 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
   if (rating_view) report.rating = &*rating_view;
-  if (wanted(options, "report")) add_solid(report, job, mounted, options);
+  if (options.wants("report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
   std::vector<JobFile> all;
-  if (wanted(options, "report")) {
+  if (options.wants("report")) {
     all.push_back({folder / "report.html", "report", std::nullopt, "one self-contained page",
                    report_html(report)});
   }
@@ -324,22 +328,27 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";
-  if (wanted(options, "result")) {
+  if (options.wants("result")) {
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
   }
   return RunFiles{std::move(all), text, std::move(report.verdict)};
 }
 
-Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
-                                  const FileOptions& options) {
-  auto made = make_everything(job, folder, options);
-  if (!made) return made;
+void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
+                    const FileOptions& options) {
   if (options.progress) options.progress->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, made->files);
+  write_run(folder, files);
+}
+
+Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
+  auto made = make_everything(job, folder, options);
+  if (!made) return made;
+  write_run_into(folder, made->files, options);
   return made;
 }
 

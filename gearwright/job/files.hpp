@@ -18,6 +18,8 @@
 
 namespace gearwright {
 
+struct ReportFile;  // report/report.hpp
+
 using OnFile = std::function<void(std::string_view what)>;
 
 /// The tolerances that a user may choose, mm: finer ones make files that nothing reads.
@@ -34,6 +36,8 @@ struct FileOptions {
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
   std::vector<std::string> only{};      ///< of `run`: words of kRunParts; empty: everything
+
+  bool wants(std::string_view part) const;
 };
 
 /// What `run` makes: kinds of files by their endings, the drawing (PDF, A4), the report, the
@@ -71,8 +75,15 @@ Error of_body(Error error, const std::string& name);
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const std::filesystem::path& path, const FileOptions& options);
 
+/// Rows of a report: what the files are, and how exact.
+std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
+
 /// Writes them, each whole or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
+
+/// Makes the folder and writes a run into it.   Throws  IoError
+void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
+                    const FileOptions& options);
 
 struct RunFiles {
   std::vector<JobFile> files;

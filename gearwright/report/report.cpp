@@ -53,21 +53,6 @@ std::string kind_of(const ReportInput& input) {
                      input.gears[0]->internal() ? "internal gear" : "gear");
 }
 
-// Worst first, as the verdict has them.
-std::string finding_list(const ReportInput& input) {
-  std::string text;
-  for (const Finding& f : input.verdict.findings) {
-    const auto [name, word] = f.level == Level::red     ? std::pair{"problem", "Problem"}
-                              : f.level == Level::amber ? std::pair{"caution", "Caution"}
-                                                        : std::pair{"note", "Note"};
-    const std::string where =
-        f.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", f.gear);
-    text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n", name,
-                        word, where, with_symbols(f.whole()));
-  }
-  return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
-}
-
 std::string definitions(const ReportInput& input) {
   std::string shapes;
   for (std::size_t i = 0; i < input.gears.size(); ++i)
@@ -124,31 +109,6 @@ std::string crossed_section(const InvolutePair& pair) {
          "</section>\n";
 }
 
-std::string pair_section(const InvolutePair& pair) {
-  if (pair.crossed()) return crossed_section(pair);
-  const bool meet = pair.flanks_meet();
-  const std::string path =
-      meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
-           : path_table(pair);
-  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
-                     mesh_figures(pair, kShapes, meet ? ratio_figure(pair) : std::string()),
-                     pair_table(pair), interference_table(pair), path, centrode_figures(pair));
-}
-
-std::string file_section(const std::vector<ReportFile>& files) {
-  if (files.empty()) return {};
-  std::string text =
-      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
-      "File</th><th scope=\"col\">What it is</th><th "
-      "scope=\"col\">Note</th></tr></thead>\n<tbody>\n";
-  for (const ReportFile& file : files) {
-    text += fmt::format(
-        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td></tr>\n",
-        file_link(file.name), escaped(file.name), escaped(file.what), escaped(file.note));
-  }
-  return text + "</tbody></table></div>\n</section>\n";
-}
-
 // What a drawing's corner says, in the words of the spec.
 std::string title_block(const DrawingInput& drawing) {
   if (!drawing.given()) return {};
@@ -190,6 +150,45 @@ std::string foot(const ReportInput& input) {
 
 }  // namespace
 
+std::string finding_list(const Verdict& verdict, std::string_view whole) {
+  std::string text;
+  for (const Finding& f : verdict.findings) {
+    const auto [name, word] = f.level == Level::red     ? std::pair{"problem", "Problem"}
+                              : f.level == Level::amber ? std::pair{"caution", "Caution"}
+                                                        : std::pair{"note", "Note"};
+    const std::string where =
+        f.gear == 0 ? std::string(whole) : fmt::format("Gear {}", f.gear);
+    text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n", name,
+                        word, where, with_symbols(f.whole()));
+  }
+  return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
+}
+
+std::string pair_section(const InvolutePair& pair, const std::array<std::string, 2>& shapes) {
+  if (pair.crossed()) return crossed_section(pair);
+  const bool meet = pair.flanks_meet();
+  const std::string path =
+      meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
+           : path_table(pair);
+  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
+                     mesh_figures(pair, shapes, meet ? ratio_figure(pair) : std::string()),
+                     pair_table(pair), interference_table(pair), path, centrode_figures(pair));
+}
+
+std::string file_section(const std::vector<ReportFile>& files) {
+  if (files.empty()) return {};
+  std::string text =
+      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
+      "File</th><th scope=\"col\">What it is</th><th "
+      "scope=\"col\">Note</th></tr></thead>\n<tbody>\n";
+  for (const ReportFile& file : files) {
+    text += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td></tr>\n",
+        file_link(file.name), escaped(file.name), escaped(file.what), escaped(file.note));
+  }
+  return text + "</tbody></table></div>\n</section>\n";
+}
+
 std::string report_html(const ReportInput& input) {
   GW_EXPECTS(input.gears.size() == 1 || input.gears.size() == 2);
   for (const Gear* gear : input.gears) GW_EXPECTS(gear != nullptr);
@@ -202,12 +201,12 @@ std::string report_html(const ReportInput& input) {
       "{}</p>\n{}{}{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
-      key_figures(input), finding_list(input), picture_hint());
+      key_figures(input), finding_list(input.verdict, input.pair ? "Pair" : ""), picture_hint());
   // What decides comes first; data sheets of the gears follow.
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(
-        Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
+        Overloaded{[](const InvolutePair& pair) { return pair_section(pair, kShapes); },
                    [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
   }
   if (input.contact) sections += contact_section(*input.contact);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
@@ -12,8 +13,18 @@
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
+#include "gearwright/report/report.hpp"
 
 namespace gearwright {
+
+/// Worst first, as the verdict has them; `whole` names what a finding without a gear is about.
+std::string finding_list(const Verdict& verdict, std::string_view whole);
+
+/// A pair of involute gears: pictures, numbers, interference.
+std::string pair_section(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
+
+/// The files beside the page; empty without any.
+std::string file_section(const std::vector<ReportFile>& files);
 
 /// What a workshop measures. A column per gear, records of catalogue/measure_quantities.hpp; of gears
 /// with tolerances their two ends; the designs of flanks that have one. Empty without any.

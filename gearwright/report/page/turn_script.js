@@ -20,6 +20,7 @@
     });
     var button = control.querySelector('button'), slider = control.querySelector('input');
     var output = control.querySelector('output'), pitch = number(control, 'data-pitch');
+    var seconds = number(control, 'data-seconds') || secondsPerPitch;
     var t = 0, last = null, running = 0, moved = false;
 
     function show() {
@@ -40,7 +41,7 @@
       slider.setAttribute('aria-valuetext', words);
     }
     function frame(now) {
-      if (last !== null) t = (t + (now - last) / (1000 * secondsPerPitch)) % 1;
+      if (last !== null) t = (t + (now - last) / (1000 * seconds)) % 1;
       last = now;
       slider.value = t;
       show();

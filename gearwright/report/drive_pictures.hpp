@@ -1,0 +1,22 @@
+// A drive in section, put together and turning, and its planets' meshes beside each other. Internal to
+// report/.
+//
+// All turn with one control: t from 0 to 1 is the least motion after which the drive looks as before.
+#pragma once
+
+#include <string>
+
+#include "gearwright/drive/drive_layout.hpp"
+
+namespace gearwright {
+
+/// The name of the definition of a gear's shape (gear_shape.hpp).
+std::string shape_name(std::size_t gear);
+
+/// The shapes of all gears, once.
+std::string drive_definitions(const Drive& drive);
+
+/// A section for each slot, true to scale, with the control, and below the phases of the planets.
+std::string drive_section_figures(const Drive& drive, const DriveLayout& layout);
+
+}  // namespace gearwright
