@@ -193,6 +193,27 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
   }
 }
 
+// The eight lines of a printed set: large shifts leave tips no clearance unless they are cut back.
+TEST(JudgeDrive, EightLinesAreEnough) {
+  PlanetarySpec set;
+  set.z(M::sun) = 19;
+  set.z(M::planet) = 17;
+  set.z(M::ring) = 56;
+  set.planets = 3;
+  set.normal_module = 45.0;
+  set.face_width.all = 491.0;
+  set.center_distance.all = 863.0;
+  const DriveInput input{*graph_of(set), {}};
+  const auto drive = make_drive(input);
+  ASSERT_TRUE(drive);
+  const Verdict verdict = judge_drive(*drive, input);
+  EXPECT_EQ(verdict.level, Level::green) << verdict.headline;
+  // 0.25 m_n of clearance, as the racks have it.
+  const auto& mesh = drive->geometry.pairs[0]->mounted();
+  EXPECT_NEAR(mesh.tip_clearance[0], 0.25 * 45, 1e-9);
+  EXPECT_NEAR(mesh.tip_clearance[1], 0.25 * 45, 1e-9);
+}
+
 TEST(JudgeDrive, ARemedyIsTriedOnTheWholeDrive) {
   PlanetarySpec set = example();
   set.profile_shift.each[0] = 0.2;

@@ -87,7 +87,7 @@ const KeyTable& planetary_keys() {
        formed("face_width_mm", "b", kMembers, "10 m_n",
               "face width; a planet along two rings or two suns has as much for each"),
        formed("tip_diameter_mm", "d_a", kMembers,
-              "of the basic rack; a ring's clears the flanks of its planets", "tip diameter"),
+              "of the basic rack, with its clearance; a ring's clears the flanks of its planets", "tip diameter"),
        formed("center_distance_mm", "a", kMeshes, "the tight one of the first mesh",
               "centre distance"),
        formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
@@ -174,7 +174,7 @@ const KeyTable& drive_gear_keys() {
        Key::number("thickness_allowance_mm", "E_sn", {}, {}, "0", "thickness allowance"),
        Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
        Key::positive("tip_diameter_mm", "d_a", {},
-                     "of the basic rack; a ring's clears the flanks of its mating gears",
+                     "of the basic rack, with its clearance; a ring's clears the flanks of its mating gears",
                      "tip diameter")}};
   return table;
 }

@@ -152,13 +152,43 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   }
 }
 
+// Makes the teeth of a gear again with a tip diameter, and mounts its meshes.
+void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, DriveGeometry& made) {
+  made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], tip_diameter, made.faults);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+    if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
+}
+
+// Whether the tip of a gear follows from its rack and may be moved.
+bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
+  const DriveGear& gear = graph.gears[g];
+  return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
+}
+
+// Large shifts bring the gears of a mesh nearer than their racks would have them: where a tip has less
+// clearance than the verdict asks for it ends at the clearance of the racks, k m_n lower.
+void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
+  constexpr double kLeast = 0.1;  // m_n
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    for (const std::size_t side : {0, 1}) {
+      const std::size_t g = graph.meshes[m].gears[side];
+      const auto& pair = made.pairs[m];
+      if (!pair || !pair->involute() || graph.gears[g].teeth < 0 || !free_tip(graph, g, made)) continue;
+      const double module = graph.gears[g].spec->normal_module;
+      const double lower = pair->involute()->tip_shortening;
+      if (pair->mounted().tip_clearance[side] < kLeast * module && lower < 0.0)
+        turn_tip(graph, g, made.gears[g]->tip_diameter + 2 * lower, made);
+    }
+  }
+}
+
 // A ring's teeth as its rack has them often reach below the flanks of the gears that it meshes with.
 // Where no tip diameter is given they end where contact is still on those flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n of radius: twice the margin that the verdict asks for
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
     const DriveGear& gear = graph.gears[g];
-    if (gear.teeth >= 0 || !made.gears[g] || gear.spec->tip_diameter) continue;
+    if (gear.teeth >= 0 || !free_tip(graph, g, made)) continue;
     std::optional<double> tip;
     for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
       const auto& pair = made.pairs[m];
@@ -166,10 +196,7 @@ void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
       const auto least = tip_that_clears(*pair->involute(), 2, kClear * gear.spec->normal_module);
       if (least && (!tip || *least > *tip)) tip = least;
     }
-    if (!tip || *tip >= made.gears[g]->root_diameter) continue;
-    made.gears[g] = make_drive_gear(gear, *made.shift[g], tip, made.faults);
-    for (std::size_t m = 0; m < graph.meshes.size(); ++m)
-      if (graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
+    if (tip && *tip < made.gears[g]->root_diameter) turn_tip(graph, g, *tip, made);
   }
 }
 
@@ -244,6 +271,7 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
       made.gears[g] =
           make_drive_gear(graph.gears[g], *made.shift[g], std::nullopt, made.faults);
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) mount_mesh(graph, m, made);
+  cut_back_tips(graph, made);
   turn_out_rings(graph, made);
   return made;
 }

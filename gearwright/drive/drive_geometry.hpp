@@ -34,7 +34,8 @@ struct DriveGeometry {
 /// Formula   Sums of shifts from distances and the other way, as complete_shifts; [T13.15]: a given
 ///           distance holds for all central meshes of its planet; without one the first of them is
 ///           free of backlash with the shifts given, absent ones 0. A ring without a tip diameter
-///           ends where contact is on the flanks of its mating gears, 0.02 m_n clear of their ends
+///           ends where contact is on the flanks of its mating gears, 0.02 m_n clear of their ends;
+///           another tip with less than 0.1 m_n of clearance is lower by k m_n
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
 

@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kBar = 0.05;       // half the width of a node, of the step from column to column
-constexpr double kAir = 0.42;       // between nodes of one column, in the same unit
+constexpr double kAir = 0.62;       // between nodes of one column, in the same unit
 constexpr double kShown = 0.006;    // of the height: thinner bands would not be seen
 constexpr int kPieces = 24;
 

@@ -13,13 +13,13 @@ namespace gearwright {
 namespace {
 
 // In units of the picture: the greatest radius is kTall, slots follow each other by kSlot.
-constexpr double kTall = 3.0, kSlot = 1.7;
+constexpr double kTall = 2.0, kSlot = 1.7;
 constexpr double kHalf = 0.3;     // half a tooth bar
 constexpr double kWeb = 0.62;     // from the middle of a slot to the web of a carrier
 constexpr double kBell = 0.85;    // … of a ring
 constexpr double kLevel = 0.2;    // between coaxial shafts
 constexpr double kApart = 0.05;   // between the bars of a mesh
-constexpr double kEnd = 1.0;      // from the last web to the end of the outer shaft
+constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
 constexpr double kFurther = 2.5;  // of each shaft inside it
 
 // A vertical line of a body, from its shaft up: of a gear, of a carrier, of a ring's bell.

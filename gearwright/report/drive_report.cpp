@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kKeyFigures{
     "ratio", "efficiency", "efficiency_backward", "center_distance_mm", "output_deg"};
-constexpr double kSchemeWidth = 760.0;
+constexpr double kSchemeWidth = 640.0;
 
 std::string drive_title(const Drive& drive) {
   std::string teeth;
