@@ -49,7 +49,7 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
                         "whose --take 1 writes a spec for this verb");
   }
   if (spec.drive) {
-    return Error{"", "", "the spec describes a drive, which the verb drive computes"};
+    return Error{"", "", "the spec describes a drive, which the verbs drive, run and export take"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
