@@ -55,6 +55,11 @@
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/inspection/identify.hpp"
 
+// Whole drives: graph_of, train_of, make_drive, rate_meshes; which ones to make: search_drives
+#include "gearwright/design/drive_search.hpp"
+#include "gearwright/drive/drive_rating.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
 // Which gears to make: fit, design_few_teeth, Search
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/design/fit.hpp"

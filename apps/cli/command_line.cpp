@@ -111,6 +111,14 @@ void CommandLine::add_answering() {
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
       "MODULE,ANGLE: describe the same teeth by this rack; one of the two may be empty");
+  CLI::App* drive = app_.get_subcommand("drive");
+  drive->add_flag_callback(
+      "--expand", [&o] { o.take = 1; },
+      "Print the graph [drive] to which the spec expands and nothing else");
+  drive
+      ->add_option("--harmonics", o.harmonics,
+                   "Harmonics of the phases and of the transmission error (default 3)")
+      ->check(CLI::Range(1, 31));
   CLI::App* measure = app_.get_subcommand("measure");
   CLI::Option* points = measure->add_option(
       "--points", o.grid,

@@ -14,6 +14,7 @@
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
+#include "gearwright/drive/drive.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -51,11 +52,17 @@ std::string read_text(const std::string& path) {
 
 int answering_verb(const Verb& verb, const Options& o) {
   Door door(o);
-  const auto spec = door.read(verb.use);
-  if (!spec) return door.fail(spec.error());
+  auto read = door.read(verb.use);
+  if (!read) return door.fail(read.error());
+  JobSpec spec = std::move(read).take();
+  if (o.harmonics && spec.drive) {
+    DriveInput drive = *spec.drive;
+    drive.harmonics = *o.harmonics;
+    spec.drive = std::make_shared<const DriveInput>(std::move(drive));
+  }
   const auto answer = verb.lasts
-                          ? watched(verb.name, [&](Progress* h) { return verb.run(*spec, h); })
-                          : verb.run(*spec, nullptr);
+                          ? watched(verb.name, [&](Progress* h) { return verb.run(spec, h); })
+                          : verb.run(spec, nullptr);
   if (!answer) return door.fail(answer.error());
   const auto number = static_cast<std::size_t>(o.take.value_or(0));
   if (number > answer->specs.size()) {

@@ -27,6 +27,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // the number of the proposal whose spec is printed
+  std::optional<int> harmonics;        // of drive
   std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // of measure: as many along each root fillet
   std::string schema;                  // of schema: of what

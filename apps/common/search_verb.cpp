@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/output.hpp"
+#include "gearwright/job/drive_search_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/spec/toml_text.hpp"
@@ -165,6 +166,37 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   return 0;
 }
 
+// A search for drives lasts seconds: it has no folder, and its answer is that of a verb.
+int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
+  if (c.out || c.shard || c.resume || c.chunk)
+    return usage(
+        "--out, --shard, --resume and --chunk belong to searches for pairs; a search for "
+        "drives prints its answer, with --json all of it");
+  const std::size_t top = std::max<std::size_t>(c.top.value_or(kDefaultDrives),
+                                                static_cast<std::size_t>(c.take.value_or(1)));
+  const auto answer = answer_drive_search(spec, top, c.threads);
+  if (!answer) return fail(spelled(answer.error(), spec.given), c.json, &text);
+  if (c.take) {
+    const auto count = static_cast<int>(answer->specs.size());
+    if (*c.take > count)
+      return fail({"--take", std::to_string(*c.take),
+                   count == 0 ? "there is none: " + answer->why_none
+                              : fmt::format("there are {} drives", count)},
+                  c.json);
+    const Json& taken = answer->specs[static_cast<std::size_t>(*c.take - 1)];
+    if (c.json) {
+      print_json(taken);
+    } else {
+      print(toml_text(taken));
+    }
+  } else if (c.json) {
+    print_json(answer->record);
+  } else {
+    print(answer->listing());
+  }
+  return 0;
+}
+
 }  // namespace
 
 int run_search_verb(const SearchCommand& c, const Together* together) {
@@ -191,6 +223,10 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (!text) return speaks ? fail(text.error(), c.json) : 1;
   const auto spec = read_spec(*text);
   if (!spec) return speaks ? fail(spec.error(), c.json, &*text) : 1;
+  if (searches_drives(*spec)) {
+    if (together) return wrong("a search for drives runs in one process, without mpirun");
+    return search_drives_verb(c, *spec, *text);
+  }
   if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
   const Search search(*spec->search);
   options.out = c.out.value_or("");

@@ -7,6 +7,8 @@ namespace gearwright {
 
 const KeyTable& planetary_keys();
 const KeyTable& stage_keys();
+/// Of the list `gears` of a stage: a gear's, without what a drive has not.
+const KeyTable& stage_gear_keys();
 const KeyTable& drive_keys();
 const KeyTable& drive_body_keys();
 const KeyTable& drive_gear_keys();

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 
 namespace gearwright {
 
@@ -23,6 +24,25 @@ Value fraction(const Rational& r) {
 Value degrees_of(const Rational& turns) { return Value(360 * turns.value()); }
 
 bool flows(const Drive& d) { return d.flow && !d.flow->self_locking(); }
+
+// The rating of a mesh as that of a pair.
+Value rating_of(const DriveMeshView& v) {
+  const auto& made = v.drive->ratings[v.mesh];
+  if (!made) return {};
+  const RatingInput& in = made->input;
+  const double ratio = std::abs(static_cast<double>(made->pair.gears[made->pair.place(2)].teeth) /
+                                made->pair.gears[made->pair.place(1)].teeth);
+  const double n = in.speed.value_or(0.0);
+  return Value(rating_quantities().of({in,
+                                       made->rating,
+                                       in.torque * n * 2 * std::numbers::pi / 60.0 / 1000.0,
+                                       {in.torque, in.torque * ratio},
+                                       {n, n / ratio},
+                                       std::nullopt,
+                                       std::nullopt,
+                                       std::nullopt,
+                                       std::nullopt}));
+}
 
 // The same of each by its name.
 template <class View, class List>
@@ -68,6 +88,38 @@ const Quantities<DriveBacklash>& drive_backlash_quantities() {
     q.deg("", "output_deg", "backlash of the output, input held", "", "[T13.20]", [](const B& b) {
        return Value(Angle::radians(b.output).deg());
      }).always();
+  });
+  return kAll;
+}
+
+const Quantities<DriveError::Line>& error_line_quantities() {
+  using L = DriveError::Line;
+  static const Quantities<L> kAll("drive.transmission_error.line", [](Quantities<L>& q) {
+    q.pure("", "frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
+       return Value(l.frequency_ratio);
+     }).always();
+    q.add(Type::number, Unit::arcsec, "", "arcsec", "amplitude", "", "of the output",
+          [](const L& l) { return Value(Angle::radians(l.amplitude).arcsec()); })
+        .always();
+  });
+  return kAll;
+}
+
+const Quantities<DriveError>& drive_error_quantities() {
+  using E = DriveError;
+  static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
+    q.add(Type::number, Unit::arcsec, "", "output_arcsec_peak_to_peak",
+          "transmission error of the output", "",
+          "greatest less least; of several mesh frequencies the sum [T13.21]",
+          [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
+        .always();
+    q.record(
+         "", "lines", "harmonics of the mesh frequencies [T13.22]",
+         []() -> const QuantityTable& { return error_line_quantities().table(); },
+         [](const E& e) { return Value(error_line_quantities().each(e.lines)); })
+        .always()
+        .list({0})
+        .doors(kJson);
   });
   return kAll;
 }
@@ -193,6 +245,15 @@ void say(Quantities<Drive>& q) {
         return d.backlash ? Value(drive_backlash_quantities().of(*d.backlash)) : Value();
       });
   q.record(
+      kGeometry, "transmission_error",
+      "of the output, the input turning evenly; 0 of flanks without modifications and [errors]; "
+      "null "
+      "with several inputs, without geometry, and where contact is lost",
+      []() -> const QuantityTable& { return drive_error_quantities().table(); },
+      [](const Drive& d) {
+        return d.error ? Value(drive_error_quantities().of(*d.error)) : Value();
+      });
+  q.record(
        "", "stages", "of a train: each stage as a drive by itself",
        []() -> const QuantityTable& { return drive_quantities().table(); },
        [](const Drive& d) {
@@ -281,6 +342,11 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
            const auto& pair = v.drive->geometry.pairs[v.mesh];
            return pair ? Value(pair_quantities().of(*pair)) : Value();
          })
+        .doors(kJson);
+    q.record(
+         "", "rating", "verb rate: strength by ISO 6336 of one of the copies; null of an idle mesh",
+         []() -> const QuantityTable& { return rating_quantities().table(); }, rating_of)
+        .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
   });
   return kAll;

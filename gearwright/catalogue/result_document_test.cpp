@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -69,6 +70,8 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},
+      {"search.drives", &drive_search_quantities().table()},
+      {"search.drives.designs", &found_drive_quantities().table()},
       {"file", &file_quantities().table()},
       {"warning", &warning_quantities().table()},
       {"drawing", &drawing_quantities().table()},

@@ -173,12 +173,13 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     made.equal = equal_pitch(made.turns);
     return made;
   }
+  const Spacing spacing = graph.bodies[group.riders.front()].spacing.value_or(graph.spacing);
   const bool divides = made.places % n == 0;
   const auto at_equal_pitch = [&] {
     for (long long i = 0; i < n; ++i) made.turns.push_back(Rational::of(i, n));
     made.equal = true;
   };
-  if (graph.spacing == Spacing::equal_clocked) {
+  if (spacing == Spacing::equal_clocked) {
     at_equal_pitch();
     if (auto list = clocking(graph, group, made.turns)) {
       made.clocking = std::move(*list);
@@ -193,9 +194,9 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
   }
   if (divides) {
     at_equal_pitch();
-    if (graph.spacing != Spacing::opposite || n % 2 == 0) return made;
+    if (spacing != Spacing::opposite || n % 2 == 0) return made;
   }
-  if (graph.spacing == Spacing::equal) {
+  if (spacing == Spacing::equal) {
     const std::string others = teeth_that_assemble(graph, group);
     return Error{
         "drive.spacing", "equal",
@@ -204,7 +205,7 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
                     n, made.places, n,
                     others.empty() ? std::string() : fmt::format(". These would: {}", others))};
   }
-  if (graph.spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
+  if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{
         "drive.spacing", "opposite",
         fmt::format("{} planets in {} places cannot stand opposite each other: both numbers "

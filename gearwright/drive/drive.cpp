@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/drive/drive_error.hpp"
 
 namespace gearwright {
 
@@ -15,7 +16,10 @@ namespace {
 // Ring or rack second, as pairs have them: the law of a mesh does not depend on the order.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
-    if (graph.gear(mesh, 0).factor() < 0) std::swap(mesh.gears[0], mesh.gears[1]);
+    if (graph.gear(mesh, 0).factor() < 0) {
+      std::swap(mesh.gears[0], mesh.gears[1]);
+      mesh.direction = Angle::radians(mesh.direction.rad() + std::numbers::pi);
+    }
   return graph;
 }
 
@@ -261,6 +265,7 @@ Result<Drive> make_drive(const DriveInput& input) {
     drive.sets.push_back(std::move(set).take());
   }
   drive.backlash = backlash_of_drive(drive);
+  drive.error = transmission_error(drive, input.harmonics);
   find_facts(drive);
   for (const DriveGraph& stage : input.stages) {
     auto made = make_drive({stage, {}, input.harmonics});

@@ -16,6 +16,7 @@
 #include "gearwright/drive/drive_motion.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/power_flow.hpp"
+#include "gearwright/rating/rating.hpp"
 
 namespace gearwright {
 
@@ -31,9 +32,29 @@ struct PlanetSet {
   Phasing phasing;     ///< of the sun's mesh, without a sun of the ring's
 };
 
+/// Transmission error at the output, its input turning evenly.
+struct DriveError {
+  struct Line {
+    double frequency_ratio;  ///< waves per turn of the input
+    double amplitude;        ///< rad
+  };
+  /// Greatest less least, rad; of meshes of several frequencies the sum over the frequencies, which
+  /// their waves reach where they meet.
+  double peak_to_peak = 0.0;
+  std::vector<Line> lines;  ///< by frequency
+};
+
 /// The angle that an end turns while all others are held, rad.
 struct DriveBacklash {
   double input, output;
+};
+
+/// A mesh rated as a pair, drive/drive_rating.hpp.
+struct MeshRating {
+  RatedPair pair;
+  RatingInput input;  ///< its life is that of one engagement per turn, bending one way
+  Rating rating;      ///< each gear with its engagements and its bending
+  std::array<int, 2> engagements{1, 1};  ///< of a flank per turn
 };
 
 struct Drive {
@@ -45,6 +66,8 @@ struct Drive {
   std::optional<PowerFlow> backward;  ///< output drives; none: several inputs too
   std::vector<PlanetSet> sets;
   std::optional<DriveBacklash> backlash;  ///< none: several inputs, redundant, or no geometry
+  std::optional<DriveError> error;        ///< none: the same, or contact is lost in a mesh
+  std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty: they are not rated
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< of a train, each by itself
 
@@ -63,7 +86,7 @@ struct Drive {
 struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
-  int harmonics = 3;  ///< of phasing
+  int harmonics = 3;  ///< of phasing and of the transmission error
 };
 
 /// Errors    as check_graph, drive_motion, power_flow and assemble

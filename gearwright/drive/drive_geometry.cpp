@@ -130,11 +130,6 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   return cut ? std::move(*cut) : std::move(made).take();
 }
 
-// Places of the riders in the carrier's frame: distance from its axis, and angle of copy 0.
-struct Rider {
-  double distance, angle, tip_diameter;
-};
-
 std::optional<double> distance_between(const DriveGraph& graph, const PlanetGroup& group,
                                        const DriveGeometry& geometry, std::size_t a,
                                        std::optional<std::size_t> b) {
@@ -149,10 +144,62 @@ std::optional<double> distance_between(const DriveGraph& graph, const PlanetGrou
   return std::nullopt;
 }
 
-std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const PlanetGroup& group,
-                                               const DriveGeometry& geometry,
-                                               std::optional<Fault>& fault) {
-  std::vector<Rider> riders;
+double tip_gap(const RiderPlace& a, const RiderPlace& b, double turned) {
+  const double angle = b.angle + turned - a.angle;
+  // The distance of polar points; at one radius 2 a sin(Δ/2), which cancels less.
+  const double half = std::sin(angle / 2);
+  const double d = a.distance - b.distance;
+  const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
+  return between - (a.tip_diameter + b.tip_diameter) / 2;
+}
+
+// Over all copies; of copies that stand alone only riders that do not mesh, which have none here.
+double least_gap_of(const std::vector<RiderPlace>& riders, const std::vector<double>& turned) {
+  double least = kInfinity;
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    for (std::size_t j = i + 1; j < turned.size(); ++j)
+      for (const RiderPlace& a : riders)
+        for (const RiderPlace& b : riders)
+          least = std::min(least, tip_gap(a, b, turned[j] - turned[i]));
+  return least;
+}
+
+}  // namespace
+
+DriveGeometry drive_geometry(const DriveGraph& graph) {
+  DriveGeometry made;
+  made.distance.resize(graph.meshes.size());
+  made.pairs.resize(graph.meshes.size());
+  made.gears.resize(graph.gears.size());
+  for (const DriveGear& gear : graph.gears) made.shift.push_back(gear.shift);
+  Completion completion(graph, made);
+  for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
+  for (std::size_t g = 0; g < graph.gears.size(); ++g)
+    if (graph.gears[g].spec && made.shift[g])
+      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], made.faults);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const DriveMesh& mesh = graph.meshes[m];
+    const auto& one = made.gears[mesh.gears[0]];
+    const auto& two = made.gears[mesh.gears[1]];
+    if (!one || !two || !made.distance[m]) continue;
+    auto pair = mount(
+        *one, *two,
+        {made.distance[m], std::nullopt, mesh.friction.value_or(graph.friction), std::nullopt});
+    if (pair) {
+      made.pairs[m] = std::move(pair).take();
+    } else {
+      made.faults.push_back({Fault::Kind::no_pair, fmt::format("{} cannot be mounted: {}.",
+                                                               mesh.name, pair.error().message())});
+    }
+  }
+  return made;
+}
+
+std::optional<std::vector<RiderPlace>> place_riders(const DriveGraph& graph,
+                                                    const PlanetGroup& group,
+                                                    const DriveGeometry& geometry,
+                                                    std::optional<GeometryFault>& fault) {
+  std::vector<RiderPlace> riders;
   // Angles are chained: each rider after the first by the triangle with one that is placed.
   for (std::size_t i = 0; i < group.riders.size(); ++i) {
     const std::size_t body = group.riders[i];
@@ -186,54 +233,6 @@ std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const Pl
   return riders;
 }
 
-double tip_gap(const Rider& a, const Rider& b, double turned) {
-  const double angle = b.angle + turned - a.angle;
-  // The distance of polar points; at one radius 2 a sin(Δ/2), which cancels less.
-  const double half = std::sin(angle / 2);
-  const double d = a.distance - b.distance;
-  const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
-  return between - (a.tip_diameter + b.tip_diameter) / 2;
-}
-
-// Over all copies; of copies that stand alone only riders that do not mesh, which have none here.
-double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
-  double least = kInfinity;
-  for (std::size_t i = 0; i < turned.size(); ++i)
-    for (std::size_t j = i + 1; j < turned.size(); ++j)
-      for (const Rider& a : riders)
-        for (const Rider& b : riders) least = std::min(least, tip_gap(a, b, turned[j] - turned[i]));
-  return least;
-}
-
-}  // namespace
-
-DriveGeometry drive_geometry(const DriveGraph& graph) {
-  DriveGeometry made;
-  made.distance.resize(graph.meshes.size());
-  made.pairs.resize(graph.meshes.size());
-  made.gears.resize(graph.gears.size());
-  for (const DriveGear& gear : graph.gears) made.shift.push_back(gear.shift);
-  Completion completion(graph, made);
-  for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
-  for (std::size_t g = 0; g < graph.gears.size(); ++g)
-    if (graph.gears[g].spec && made.shift[g])
-      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], made.faults);
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-    const DriveMesh& mesh = graph.meshes[m];
-    const auto& one = made.gears[mesh.gears[0]];
-    const auto& two = made.gears[mesh.gears[1]];
-    if (!one || !two || !made.distance[m]) continue;
-    auto pair = mount(*one, *two, {made.distance[m], std::nullopt, graph.friction, std::nullopt});
-    if (pair) {
-      made.pairs[m] = std::move(pair).take();
-    } else {
-      made.faults.push_back({Fault::Kind::no_pair, fmt::format("{} cannot be mounted: {}.",
-                                                               mesh.name, pair.error().message())});
-    }
-  }
-  return made;
-}
-
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault) {
@@ -250,8 +249,8 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
     // At equal pitch copy 0 sees every distance that there is.
     double gap = kInfinity;
     for (int i = 1; i < n; ++i)
-      for (const Rider& a : *riders)
-        for (const Rider& b : *riders)
+      for (const RiderPlace& a : *riders)
+        for (const RiderPlace& b : *riders)
           gap = std::min(gap, tip_gap(a, b, turned[static_cast<std::size_t>(i)]));
     if (gap < 0.0) break;
     found.most = n;

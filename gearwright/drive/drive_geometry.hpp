@@ -37,6 +37,20 @@ struct DriveGeometry {
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
 
+/// Place of a rider in the frame of its carrier, of copy 0.
+struct RiderPlace {
+  double distance;      ///< of its axis from the carrier's  mm
+  double angle;         ///< rad, counter-clockwise from the first rider of the group
+  double tip_diameter;  ///< of its greatest gear  mm
+};
+
+/// As the riders of the group. None: a distance or a gear is missing, or an idler finds no place
+/// (`fault` then has why).
+std::optional<std::vector<RiderPlace>> place_riders(const DriveGraph& graph,
+                                                    const PlanetGroup& group,
+                                                    const DriveGeometry& geometry,
+                                                    std::optional<GeometryFault>& fault);
+
 struct Neighbours {
   double clearance;  ///< c  mm, < 0: planets cut each other
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0

@@ -17,14 +17,24 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
 
 namespace gearwright {
+
+/// How the copies of a planet stand round the carrier.
+enum class Spacing {
+  nearest,        ///< at equal pitch if it assembles, else at the nearest places that do
+  equal,          ///< at equal pitch, else an error
+  equal_clocked,  ///< at equal pitch, each stepped planet clocked for its place
+  opposite,       ///< every planet has one opposite it
+};
 
 struct DriveBody {
   std::string name;
   std::optional<std::size_t> carrier;  ///< the body that it rides on
   int count = 1;                       ///< N, copies of a body that rides
   std::vector<double> positions_deg;   ///< of the copies, from copy 0; empty: by `spacing`
+  std::optional<Spacing> spacing{};    ///< absent: that of the graph
 };
 
 /// What is known of the teeth of a gear; without a module there is no geometry.
@@ -35,6 +45,7 @@ struct DriveGear {
   bool rack = false;                    ///< its body moves: v/p_t stands for its speed
   std::optional<CylindricalSpec> spec;  ///< all but the shift; its teeth are `teeth`
   std::optional<double> shift;          ///< x; absent: it follows
+  std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
 
   /// The number that stands for it in [T13.1]: z, of a rack −1.
   int factor() const { return rack ? -1 : teeth; }
@@ -45,14 +56,10 @@ struct DriveMesh {
   std::array<std::size_t, 2> gears{};
   std::optional<double> efficiency;       ///< η with the frame at rest; absent: of the pair
   std::optional<double> center_distance;  ///< a  mm
-};
-
-/// How the copies of a planet stand round the carrier.
-enum class Spacing {
-  nearest,        ///< at equal pitch if it assembles, else at the nearest places that do
-  equal,          ///< at equal pitch, else an error
-  equal_clocked,  ///< at equal pitch, each stepped planet clocked for its place
-  opposite,       ///< every planet has one opposite it
+  /// Direction from the axis of the first gear to that of the second one, counter-clockwise; of
+  /// meshes of the housing: planets have theirs by their places.
+  Angle direction{};
+  std::optional<double> friction{};  ///< μ; absent: that of the graph
 };
 
 struct DriveGraph {

@@ -127,7 +127,8 @@ DriveGraph pair_graph(const PairStage& stage) {
   for (const std::size_t i : {0, 1}) {
     const std::string name = i == 0 ? "gear1" : "gear2";
     graph.bodies.push_back({name, std::nullopt, 1, {}});
-    graph.gears.push_back({name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i]});
+    graph.gears.push_back(
+        {name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i], stage.modifications[i]});
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
   graph.inputs = {0};
@@ -147,6 +148,7 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
     body[b] = train.bodies.size();
     train.bodies.push_back(stage.bodies[b]);
     train.bodies.back().name = prefix + stage.bodies[b].name;
+    if (stage.bodies[b].carrier) train.bodies.back().spacing = stage.spacing;
   }
   for (std::size_t b = 0; b < body.size(); ++b) {
     if (joined && b == stage.inputs.front()) continue;
@@ -160,6 +162,7 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
   }
   for (DriveMesh mesh : stage.meshes) {
     mesh.name = prefix + mesh.name;
+    mesh.friction = stage.friction;
     for (std::size_t& g : mesh.gears) g += first_gear;
     train.meshes.push_back(std::move(mesh));
   }
@@ -169,8 +172,6 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
     train.speeds_rpm = stage.speeds_rpm;
     train.torque_Nm = stage.torque_Nm;
   }
-  train.friction = stage.friction;
-  train.spacing = stage.spacing;
   train.output = body[stage.output];
 }
 
@@ -249,6 +250,7 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
     if (!stages[k].planetary) {
       own.speeds_rpm = stages[k].speeds_rpm;
       own.torque_Nm = stages[k].torque_Nm;
+      own.friction = stages[k].friction;
     }
     if (k > 0 && own.inputs.size() != 1)
       return Error{

@@ -73,6 +73,7 @@ struct PairStage {
   std::array<int, 2> teeth{};
   std::array<std::optional<CylindricalSpec>, 2> specs;
   std::array<std::optional<double>, 2> shifts;
+  std::array<std::array<FlankModifications, 2>, 2> modifications{};
   std::optional<double> efficiency, center_distance;
 };
 
@@ -81,6 +82,7 @@ struct StageSpec {
   PairStage pair;
   std::vector<double> speeds_rpm{};   ///< of the pair's input
   std::optional<double> torque_Nm{};  ///< on it
+  double friction = 0.05;             ///< μ of the pair
 };
 
 /// The index of a body by its name.

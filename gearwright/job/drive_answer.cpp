@@ -9,6 +9,9 @@
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/drive/drive_error.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -112,7 +115,7 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
-void add_findings(std::vector<Finding>& all, const Drive& drive) {
+void add_findings(std::vector<Finding>& all, const Drive& drive, const WantedSafety& wanted) {
   Judged whole;
   whole.warnings = &drive.findings;
   for (const Warning& w : drive.findings) {
@@ -136,6 +139,10 @@ void add_findings(std::vector<Finding>& all, const Drive& drive) {
     judged.gears = {&pair->gear(1), &pair->gear(2)};
     judged.pair = &*pair;
     judged.warnings = &warnings;
+    if (!drive.ratings.empty() && drive.ratings[m]) {
+      const MeshRating& r = *drive.ratings[m];
+      judged.rating = JudgedRating{&r.pair, &r.input, &r.rating, wanted};
+    }
     for (Finding& f : findings_of(judged)) {
       f.message = fmt::format("{}: {}", drive.graph.meshes[m].name, f.message);
       f.gear = 0;
@@ -146,9 +153,9 @@ void add_findings(std::vector<Finding>& all, const Drive& drive) {
 
 }  // namespace
 
-Verdict judge_drive(const Drive& drive) {
+Verdict judge_drive(const Drive& drive, const WantedSafety& wanted) {
   Verdict verdict;
-  add_findings(verdict.findings, drive);
+  add_findings(verdict.findings, drive, wanted);
   std::stable_sort(
       verdict.findings.begin(), verdict.findings.end(), [](const Finding& a, const Finding& b) {
         return a.level != b.level ? a.level > b.level : a.level != Level::green && a.code < b.code;
@@ -176,7 +183,7 @@ std::string drive_listing(const Drive& drive) {
   return out;
 }
 
-Result<Answer> answer_drive(const JobSpec& spec) {
+Result<Drive> make_drive_of(const JobSpec& spec) {
   if (!spec.drive) {
     return absent_input(
         "planetary",
@@ -185,14 +192,112 @@ Result<Answer> answer_drive(const JobSpec& spec) {
   }
   auto made = make_drive(*spec.drive);
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
+  Drive drive = std::move(made).take();
+  if (spec.errors.any()) {
+    drive.error = transmission_error(drive, spec.drive->harmonics, [&](std::size_t mesh) {
+      ContactErrors errors;
+      const auto& pair = *drive.geometry.pairs[mesh];
+      const std::array<const Gear*, 2> gears{&pair.gear(1), &pair.gear(2)};
+      for (std::size_t i = 0; i < kErrorCount; ++i)
+        error_entries()[i].set(errors, gears, spec.errors.value[i]);
+      return errors;
+    });
+  }
+  return drive;
+}
+
+Result<Answer> answer_drive(const JobSpec& spec) {
+  auto made = make_drive_of(spec);
+  if (!made) return made.error();
   const auto drive = std::make_shared<const Drive>(std::move(made).take());
   Answer answer;
   answer.record = titled_record(spec);
   answer.record["drive"] = to_json(drive_quantities().of(*drive));
   answer.warnings = drive->findings;
   answer.verdict = judge_drive(*drive);
+  if (spec.rating.given) answer.verdict->not_judged.emplace_back("rating");
+  answer.specs = {expanded_spec(spec.tree->tables, *spec.drive)};
   const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
   answer.listing = [drive, title] { return title + drive_listing(*drive); };
+  answer.csv = [drive] { return drive_csv(*drive); };
+  return answer;
+}
+
+namespace {
+
+// What [rating] and the drive say of the load: each may give it.
+Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
+  DriveLoad load;
+  load.common = spec.rating.input;
+  load.common.speed.reset();
+  const auto& own = drive.graph.torque_Nm;
+  const auto& rated = spec.rating.torque;
+  if (!own && !rated)
+    return absent_input("rating.torque_Nm",
+                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
+                        "[rating] torque_Nm, or power_kW with speed_rpm");
+  load.torque = std::abs(rated.value_or(own.value_or(0.0)));
+  if (!(load.torque > 0.0))
+    return Error{"rating.torque_Nm", "0", "must be another torque than 0, to be rated"};
+  if (spec.rating.input.speed) {
+    load.speed = spec.rating.input.speed;
+  } else if (!drive.graph.speeds_rpm.empty()) {
+    load.speed = std::abs(drive.graph.speeds_rpm.front());
+  }
+  return load;
+}
+
+std::string safety_listing(const Drive& drive) {
+  std::string out =
+      fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
+                  "T1 N m", "n1 1/min", "S_H1", "S_H2", "S_F1", "S_F2");
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    const auto& r = drive.ratings[m];
+    const auto safety = [&](const FactorPair& s, std::size_t i) {
+      return r ? fixed_decimals(s[i].value, 3) : std::string(kAbsent);
+    };
+    if (!r) continue;
+    out += fmt::format(
+        "  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", printable(drive.graph.meshes[m].name, 17),
+        fixed_decimals(r->input.torque, 3), number(r->input.speed, 2), safety(r->rating.S_H, 0),
+        safety(r->rating.S_H, 1), safety(r->rating.S_F, 0), safety(r->rating.S_F, 1));
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Answer> answer_drive_rating(const JobSpec& spec) {
+  auto made = make_drive_of(spec);
+  if (!made) return made.error();
+  Drive rated = std::move(made).take();
+  const auto load = load_of(spec, rated);
+  if (!load) return load.error();
+  const auto materials = drive_materials(spec.tree->tables);
+  auto ratings = rate_meshes(rated, *load, [&](std::size_t gear) {
+    const auto own = materials.find(rated.graph.gears[gear].name);
+    const MaterialInput given = own != materials.end() ? own->second
+                                : spec.rating.material ? *spec.rating.material
+                                                       : MaterialInput();
+    return material_of(given, "rating.material", spec.rating.input.edition);
+  });
+  if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
+  rated.ratings = std::move(ratings).take();
+  const auto drive = std::make_shared<const Drive>(std::move(rated));
+  Answer answer;
+  answer.record = titled_record(spec);
+  answer.record["drive"] = to_json(drive_quantities().of(*drive));
+  answer.warnings = drive->findings;
+  for (const auto& r : drive->ratings)
+    if (r)
+      answer.warnings.insert(answer.warnings.end(), r->rating.limits.begin(),
+                             r->rating.limits.end());
+  answer.verdict = judge_drive(*drive, {spec.rating.safety_flank_min.value_or(1.0),
+                                        spec.rating.safety_root_min.value_or(1.0)});
+  const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
+  answer.listing = [drive, title] {
+    return title + safety_listing(*drive) + body_listing(*drive) + mesh_listing(*drive);
+  };
   answer.csv = [drive] { return drive_csv(*drive); };
   return answer;
 }

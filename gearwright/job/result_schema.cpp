@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -120,7 +121,8 @@ Json search_schema(Schema& schema) {
                        {"chunks", {{"type", "integer"}}}}},
                      {"required", {"finished", "chunks_done", "chunks"}},
                      {"additionalProperties", false}};
-  return {{"anyOf", Json{schema.reference(search_quantities().table()), stopped}}};
+  return {{"anyOf", Json{schema.reference(search_quantities().table()),
+                         schema.reference(drive_search_quantities().table()), stopped}}};
 }
 
 Json error_schema() {
@@ -140,18 +142,19 @@ Json error_schema() {
 }  // namespace
 
 std::vector<const QuantityTable*> result_tables() {
-  return with_inner_tables({&gear_quantities().table(),       &measure_quantities().table(),
-                            &as_rack_quantities().table(),    &double_helical_quantities().table(),
-                            &outline_quantities().table(),    &pair_quantities().table(),
-                            &rack_quantities().table(),       &rack_pair_quantities().table(),
-                            &drive_quantities().table(),      &drive_body_quantities().table(),
-                            &drive_mesh_quantities().table(), &contact_quantities().table(),
-                            &compensate_quantities().table(), &scatter_quantities().table(),
-                            &load_quantities().table(),       &rating_quantities().table(),
-                            &fit_quantities().table(),        &identify_quantities().table(),
-                            &drawing_quantities().table(),    &search_quantities().table(),
-                            &file_quantities().table(),       &warning_quantities().table(),
-                            &verdict_quantities().table()});
+  return with_inner_tables(
+      {&gear_quantities().table(),         &measure_quantities().table(),
+       &as_rack_quantities().table(),      &double_helical_quantities().table(),
+       &outline_quantities().table(),      &pair_quantities().table(),
+       &rack_quantities().table(),         &rack_pair_quantities().table(),
+       &drive_quantities().table(),        &drive_body_quantities().table(),
+       &drive_mesh_quantities().table(),   &contact_quantities().table(),
+       &compensate_quantities().table(),   &scatter_quantities().table(),
+       &load_quantities().table(),         &rating_quantities().table(),
+       &fit_quantities().table(),          &identify_quantities().table(),
+       &drawing_quantities().table(),      &search_quantities().table(),
+       &drive_search_quantities().table(), &file_quantities().table(),
+       &warning_quantities().table(),      &verdict_quantities().table()});
 }
 
 Json result_schema() {

@@ -162,6 +162,7 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
+  if (spec.drive) return answer_drive_rating(spec);
   return solved_answer<RatingAnswer>(
       {.scope = Scope::pair,
        .find = answer_rating,
@@ -219,7 +220,8 @@ constexpr Verb kVerbs[] = {
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
     {"scatter",
-     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the worst "
+     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the "
+     "worst "
      "case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
      Take::none, "", run_scatter},
@@ -233,7 +235,8 @@ constexpr Verb kVerbs[] = {
      "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, false, Take::none, "",
      run_rate},
     {"drive",
-     "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash",
+     "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash, "
+     "error",
      "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
      Take::none, "", run_drive},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",

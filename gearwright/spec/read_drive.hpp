@@ -4,8 +4,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
-#include "gearwright/drive/drive.hpp"
+#include "gearwright/arrange/given_material.hpp"
+#include "gearwright/drive/short_forms.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {
@@ -15,6 +18,18 @@ bool is_drive(const Json& tree);
 
 /// The graph that they expand to, with the stages of a train.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
+
+/// The materials of its gears that have one of their own, by the names of the gears. A table that is
+/// none of a drive has none.
+std::map<std::string, MaterialInput> drive_materials(const Json& tree);
+
+/// The set of a table with the keys of [planetary].
+PlanetarySpec read_set(const Json& node, const std::string& path);
+
+/// The spec with [drive], the graph that its short form expands to, in place of that form.
+///
+/// Domain    a spec with a drive that was read (contract)
+Json expanded_spec(const Json& tree, const DriveInput& drive);
 
 /// An error of a drive's graph with the key of the table that gave it: `drive.fixed` of a set is
 /// planetary.fixed.

@@ -145,8 +145,8 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   c.rack = read_rack(t, module);
   if (keys.find("cut_by")) {
     read_cut_by(t, node, mate, g);
-    g.modifications = read_modifications(t, folder);
   }
+  if (keys.find("modifications")) g.modifications = read_modifications(t, folder);
   check_tolerance(t, g);
   t.table("measured");                                         // spec/read_measured.cpp
   if (keys.find("double_helical")) t.table("double_helical");  // spec/spec.cpp

@@ -14,6 +14,7 @@
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/read_drive_search.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_scatter.hpp"
@@ -190,13 +191,19 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
-  if (search) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
+  const bool drives = search && is_drive_search(*search);
+  if (drives) {
+    for (const char* table : {"gear1", "gear2", "pair"})
+      t.refuse(table, "a search for drives has no pair beside it");
+    lacks.of([&] { read_drive_search(*search); });  // whoever needs it reads it again
+  }
+  if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
   if (const Json* scatter = t.table("scatter"))
     lacks.of([&] { spec.scatter = read_scatter(*scatter); });
   for (const Key& key : spec_keys().keys)
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   share_with_rating(tree, spec);
-  if (search) lacks.of([&] { read_search_rating(tree, spec); });
+  if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });
   t.finish();
   if (!lacks.any()) check_backlash(tree, spec);
   lacks.add(missing_for(use, spec));
