@@ -36,11 +36,12 @@ Drive train(bool gear2_input) {
     stage.pair.modifications[i] = relieved(0.004, 0.006);
   }
   stage.pair.center_distance = 77.0;
-  auto input = train_of({stage});
-  EXPECT_TRUE(input);
-  if (gear2_input) std::swap(input->graph.inputs.front(), input->graph.output);
-  input->harmonics = 5;
-  auto drive = make_drive(*input);
+  auto made = train_of({stage});
+  EXPECT_TRUE(made);
+  DriveInput input = std::move(made).take();
+  if (gear2_input) std::swap(input.graph.inputs.front(), input.graph.output);
+  input.harmonics = 5;
+  auto drive = make_drive(input);
   EXPECT_TRUE(drive) << drive.error().message();
   return std::move(drive).take();
 }
@@ -76,11 +77,12 @@ Drive planetary(int sun, int planet, int ring, int planets, double tip, double c
   set.face_width.all = 20.0;
   set.allowance.all = -0.04;
   set.tip_diameter.each[static_cast<std::size_t>(M::ring)] = 2.0 * (ring - 1.5);
-  auto graph = graph_of(set);
-  EXPECT_TRUE(graph);
+  auto made = graph_of(set);
+  EXPECT_TRUE(made);
+  DriveGraph graph = std::move(made).take();
   if (tip != 0.0 || crowning != 0.0)
-    for (DriveGear& gear : graph->gears) gear.modifications = relieved(tip, crowning);
-  auto drive = make_drive({*graph, {}, harmonics});
+    for (DriveGear& gear : graph.gears) gear.modifications = relieved(tip, crowning);
+  auto drive = make_drive({graph, {}, harmonics});
   EXPECT_TRUE(drive) << drive.error().message();
   return std::move(drive).take();
 }

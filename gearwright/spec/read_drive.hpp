@@ -23,6 +23,9 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 /// none of a drive has none.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
+/// Gives [rating] the speed of the first input where it has none, as a life and a power need one.
+void lend_speed(Json& tree);
+
 /// The set of a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 

@@ -152,7 +152,8 @@ std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::st
 }
 
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
-  const Inherited made = inherit(given);
+  Inherited made = inherit(given);
+  if (is_drive(made.tree)) lend_speed(made.tree);
   const Json& tree = made.tree;
   TableReader t(spec_keys(), tree, "");
   t.refuse_unknown();
