@@ -29,9 +29,10 @@ Key teeth(std::string_view key, SetMember member, std::string_view fallback,
 }
 
 // A key of [planetary] that holds for every set of the search; its reader is that of the set.
-Key of_set(std::string_view key) {
+Key of_set(std::string_view key, std::string_view fallback = {}) {
   Key k = *planetary_keys().find(key);
   k.place = {};
+  if (!fallback.empty()) k.fallback = fallback;
   return k;
 }
 
@@ -87,7 +88,7 @@ const KeyTable& drive_search_keys() {
                        .most = kDriveObjectiveNames.size(),
                        .single = true,
                        .noun = "objective"}),
-       of_set("spacing"),
+       of_set("spacing", "\"equal\""),
        of_set("fixed"),
        of_set("input"),
        of_set("output"),
