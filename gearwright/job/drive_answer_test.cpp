@@ -15,19 +15,19 @@
 namespace gearwright {
 namespace {
 
-JobSpec spec_of(const std::string& toml) {
+JobSpec drive_job(const std::string& toml) {
   auto spec = read_spec(toml, SpecFormat::toml);
   EXPECT_TRUE(spec) << spec.error().message();
   return std::move(spec).take();
 }
 
-Json drive_of(const JobSpec& spec) {
+Json drive_record(const JobSpec& spec) {
   const auto answer = answer_drive(spec);
   EXPECT_TRUE(answer) << answer.error().message();
   return answer->record["drive"];
 }
 
-std::string refused_key(const std::string& toml) {
+std::string refused_drive_key(const std::string& toml) {
   const auto spec = read_spec(toml, SpecFormat::toml);
   return spec ? "" : spec.error().field;
 }
@@ -62,13 +62,13 @@ gears = [ { teeth = 19, normal_module_mm = 3, helix_angle_deg = 10, modification
 
 TEST(DriveAnswerTest, ExpandedSpecsHaveTheSameNumbers) {
   for (const char* toml : {kSet, kTrain}) {
-    const JobSpec spec = spec_of(toml);
+    const JobSpec spec = drive_job(toml);
     const auto answer = answer_drive(spec);
     ASSERT_TRUE(answer) << answer.error().message();
     ASSERT_EQ(answer->specs.size(), 1u);
     const std::string text = toml_text(answer->specs[0]);
     Json expected = answer->record["drive"];
-    Json got = drive_of(spec_of(text));
+    Json got = drive_record(drive_job(text));
     expected.erase("stages");
     got.erase("stages");
     EXPECT_EQ(json_text(got), json_text(expected)) << text;
@@ -77,7 +77,7 @@ TEST(DriveAnswerTest, ExpandedSpecsHaveTheSameNumbers) {
 }
 
 TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
-  const Json drive = drive_of(spec_of(kTrain));
+  const Json drive = drive_record(drive_job(kTrain));
   EXPECT_EQ(drive["assembly"]["angles_deg"][2], 180.0);
   EXPECT_EQ(drive["bodies"]["s1_sun"]["speed_rpm"], 1500.0);
   // The second gear has module and the opposite helix from the first.
@@ -90,16 +90,17 @@ TEST(DriveAnswerTest, GearsOfADriveAreRefusedWhatTheyCannotBe) {
     return "[[stage]]\ngears = [ { teeth = 19, normal_module_mm = 2, " + gear +
            " }, { teeth = 58 } ]\n";
   };
-  EXPECT_EQ(refused_key(stage("profile_shift = 0.1")), "");
-  EXPECT_EQ(refused_key(stage("cut_by = \"gear2\"")), "stage[1].gears[1].cut_by");
-  EXPECT_EQ(refused_key(stage("tip_fillet = { radius_mm = 0.2 }")), "stage[1].gears[1].tip_fillet");
-  EXPECT_EQ(refused_key(stage("tolerance = { thickness_series = \"cd25\" }")),
+  EXPECT_EQ(refused_drive_key(stage("profile_shift = 0.1")), "");
+  EXPECT_EQ(refused_drive_key(stage("cut_by = \"gear2\"")), "stage[1].gears[1].cut_by");
+  EXPECT_EQ(refused_drive_key(stage("tip_fillet = { radius_mm = 0.2 }")),
+            "stage[1].gears[1].tip_fillet");
+  EXPECT_EQ(refused_drive_key(stage("tolerance = { thickness_series = \"cd25\" }")),
             "stage[1].gears[1].tolerance.thickness_series");
-  EXPECT_EQ(refused_key("[planetary]\nplanet = 20\nring = 60\nmaterial = { sun = 3 }\n"),
+  EXPECT_EQ(refused_drive_key("[planetary]\nplanet = 20\nring = 60\nmaterial = { sun = 3 }\n"),
             "planetary.material.sun.material");
-  EXPECT_EQ(refused_key("[search]\nkind = \"planetary\"\nratio = 4\nstages = 2\n"),
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nstages = 2\n"),
             "search.stages");
-  EXPECT_EQ(refused_key("[search]\nkind = \"planetary\"\nratio = 4\nsun2_teeth = 20\n"),
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nsun2_teeth = 20\n"),
             "search.sun2_teeth");
 }
 
@@ -113,7 +114,7 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
         "kind = \"train\"\nratio = [11.9, 12.1]\npinion_teeth = [17, 19]\nwheel_teeth = [55, "
         "70]"}) {
     const JobSpec spec =
-        spec_of("[search]\n" + search + "\nnormal_module_mm = 2\nspeed_rpm = 1500\n");
+        drive_job("[search]\n" + search + "\nnormal_module_mm = 2\nspeed_rpm = 1500\n");
     ASSERT_TRUE(searches_drives(spec));
     const auto answer = answer_drive_search(spec, 4, 1);
     ASSERT_TRUE(answer) << answer.error().message();
@@ -121,7 +122,7 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
     ASSERT_GE(designs.size(), 4u) << search;
     ASSERT_EQ(answer->specs.size(), designs.size());
     for (std::size_t i = 0; i < designs.size(); ++i) {
-      const Json drive = drive_of(spec_of(toml_text(answer->specs[i])));
+      const Json drive = drive_record(drive_job(toml_text(answer->specs[i])));
       for (const char* key :
            {"ratio", "ratio_exact", "efficiency", "efficiency_backward", "center_distance_mm"})
         EXPECT_EQ(designs[i][key], drive[key]) << search << " " << key;
@@ -137,10 +138,10 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
 }
 
 TEST(DriveAnswerTest, RateRatesEveryMesh) {
-  const JobSpec spec = spec_of(std::string(kSet) +
-                               "[rating]\nquality = [6, 6]\nface_load_factor = 1.2\n"
-                               "mesh_load_factor = 1.15\nsafety_root_min = 30\n"
-                               "material = { name = \"42CrMo4\" }\n");
+  const JobSpec spec = drive_job(std::string(kSet) +
+                                 "[rating]\nquality = [6, 6]\nface_load_factor = 1.2\n"
+                                 "mesh_load_factor = 1.15\nsafety_root_min = 30\n"
+                                 "material = { name = \"42CrMo4\" }\n");
   const auto answer = answer_drive_rating(spec);
   ASSERT_TRUE(answer) << answer.error().message();
   const Json& meshes = answer->record["drive"]["meshes"];
