@@ -28,16 +28,16 @@ using Key = std::pair<TeethBand, std::array<int, 3>>;
 
 TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
   DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.0, 4.8});
-  problem.teeth[at(M::sun)] = {14, 22};
-  problem.teeth[at(M::planet)] = {15, 26};
+  problem.teeth[at(M::sun)] = {14, 20};
+  problem.teeth[at(M::planet)] = {15, 22};
   problem.teeth[at(M::ring)] = {40, 80};
   problem.planets = {3, 5};
   problem.phasing = {PhasingClass::sequential, PhasingClass::counter};
   const auto found = search_drives(problem, 1);
   ASSERT_TRUE(found) << found.error().message();
   std::set<std::array<int, 4>> expected;
-  for (int s = 14; s <= 22; ++s)
-    for (int p = 15; p <= 26; ++p)
+  for (int s = 14; s <= 20; ++s)
+    for (int p = 15; p <= 22; ++p)
       for (int r = s + 2 * p - 1; r <= s + 2 * p + 1; ++r)
         for (int n = 3; n <= 5; ++n) {
           if (r > 80) continue;
@@ -46,14 +46,19 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
           set.z(M::planet) = p;
           set.z(M::ring) = r;
           set.planets = n;
-          const auto graph = graph_of(set);
-          const auto drive = graph ? make_drive({*graph, {}}) : Result<Drive>(graph.error());
-          if (!drive) continue;  // equal pitch that does not assemble
-          const PlanetSet& planets = drive->sets.front();
-          const double i = drive->motion.ratio->value();
-          const PhasingClass kind = planets.phasing.kind;
-          if (i < 4.0 || i > 4.8 || !(planets.neighbours->clearance >= 1.0)) continue;
+          set.normal_module.reset();  // speeds and places first: teeth take their time
+          const auto numbers = graph_of(set);
+          ASSERT_TRUE(numbers);
+          const auto motion = make_drive({*numbers, {}});
+          if (!motion) continue;  // equal pitch that does not assemble
+          const double i = motion->motion.ratio->value();
+          const PhasingClass kind = motion->sets.front().phasing.kind;
+          if (i < 4.0 || i > 4.8) continue;
           if (kind != PhasingClass::sequential && kind != PhasingClass::counter) continue;
+          set.normal_module = 1.0;
+          const auto drive = make_drive({*graph_of(set), {}});
+          ASSERT_TRUE(drive);
+          if (!(drive->sets.front().neighbours->clearance >= 1.0)) continue;
           expected.insert({s, p, r, n});
         }
   std::set<std::array<int, 4>> got;

@@ -123,8 +123,8 @@ std::vector<double> turned_by_hand(const Drive& drive) {
   const int z_p = drive.graph.gears[1].teeth;
   const double pitch_p = 2 * std::acos(-1.0) / z_p;
   std::vector<double> output;
-  for (int i = 0; i < 256; ++i) {
-    const double theta = sun.pitch() * i / 256;
+  for (int i = 0; i < kErrorPositions; ++i) {
+    const double theta = sun.pitch() * i / kErrorPositions;
     const double te_sun = of_sun.at(theta).te();
     const double planet = theta * sun.ratio() + te_sun;
     // A space towards the sun: of an even number of teeth a space towards the ring.
@@ -137,7 +137,7 @@ std::vector<double> turned_by_hand(const Drive& drive) {
 }
 
 TEST(DriveErrorTest, OnePlanetAddsBothCurvesWhereItStands) {
-  for (const auto& [s, p, r] : {std::array{20, 25, 70}, {21, 24, 69}, {24, 18, 60}, {19, 17, 53}}) {
+  for (const auto& [s, p, r] : {std::array{20, 25, 70}, {24, 18, 60}, {19, 17, 53}}) {
     const Drive drive = planetary(s, p, r, 1, 0.004, 0.006);
     ASSERT_TRUE(drive.error);
     const std::vector<double> expected = turned_by_hand(drive);
