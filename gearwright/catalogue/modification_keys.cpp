@@ -76,6 +76,9 @@ const KeyTable& modification_keys() {
       const bool length = m.reach == "_length_mm";
       add(t.keys, {.key = kept(name + std::string(m.reach)),
                    .range = KeyRange::positive(),
+                   .fallback = length ? std::string_view()
+                                      : "short relief: the reliefs of both gears leave one base "
+                                        "pitch of the path",
                    .meaning = length ? "the length l, from b/1000 to b/2"
                                      : "the start diameter, on the usable flank",
                    .fields = {name + ".reach"}});

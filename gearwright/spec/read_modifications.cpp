@@ -61,7 +61,10 @@ void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
     const auto reach = t.number(key_of(t, flank, reach_key));
     const auto shape = t.word(key_of(t, flank, name + "_shape"));
     if (!amount) continue;
-    if (*amount > 0.0 && !reach) t.fail_absent(reach_key, ": " + key + " needs it beside it");
+    // A start follows from the pair, a length from nothing.
+    const bool follows = m.reach == "_start_mm";
+    if (*amount > 0.0 && !reach && !follows)
+      t.fail_absent(reach_key, ": " + key + " needs it beside it");
     to.*(m.relief) = {
         *amount / kUmPerMm, reach,
         shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
