@@ -142,9 +142,8 @@ PairValue pair_of(const Found& found, py::ssize_t i) {
 py::dict counts_of(const Found& found) {
   const SearchCounts& counts = found.run.answer.counts;
   py::dict rejected;
-  for (int i = 0; i < found.search->problem().limit_count(); ++i)
-    rejected[py::str(std::string(name(static_cast<Limit>(i))))] =
-        counts.rejected[static_cast<std::size_t>(i)];
+  for (const Limit limit : found.search->problem().rejecting_limits())
+    rejected[py::str(std::string(name(limit)))] = counts.rejected[static_cast<std::size_t>(limit)];
   py::dict all;
   all["tested"] = counts.tested;
   all["feasible"] = counts.feasible;

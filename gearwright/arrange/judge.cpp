@@ -79,7 +79,8 @@ ToleranceCorner what_matters(const Arranged& arranged,
   return corner;
 }
 
-// As drawn, and what is of a worse level at an end of the tolerances.
+}  // namespace
+
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with) {
   std::vector<Finding> findings = findings_of(judged_of(arranged, with));
   const std::vector<TolerancedNumber> tolerances = tolerances_of(arranged);
@@ -114,6 +115,8 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const 
   }
   return findings;
 }
+
+namespace {
 
 std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& with,
                                   const SpecChange& change, TryDepth depth) {

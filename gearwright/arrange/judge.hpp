@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -23,6 +24,11 @@ struct JudgedWith {
   /// Without this function findings of the contact have no remedy.
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
 };
+
+/// All findings as drawn, and those that are of a worse level at an end of the tolerances, without
+/// remedies.
+std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
+                                                const JudgedWith& with = {});
 
 /// Messages name members of the input, "`gear1.profile_shift`".
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});

@@ -183,6 +183,15 @@ void say_limits(Quantities<V>& q) {
        [](const V& v) { return Value(v.row->backlash_normal); })
       .always()
       .column("backlash_normal_mm");
+  q.mm("", "backlash_mm", "normal backlash", "j_n",
+       "at both ends of the tolerances of a design that is drawn: [least, greatest]",
+       [](const V& v) { return Value(v.row->backlash_ends); })
+      .ends()
+      .column("backlash_#_mm")
+      .when([](const V& v) {
+        return v.problem->allowances.thin_teeth() || v.problem->allowances.distance_tolerance;
+      })
+      .digits(kFewDigits);
   q.mm("", "tip_thickness_mm", "normal tip tooth thickness", "s_an", "per gear",
        [](const V& v) { return Value(v.row->tip_thickness); })
       .per_gear()
@@ -257,13 +266,12 @@ void say_strength(Quantities<V>& q) {
       .greater_first()
       .digits(kFewDigits);
   const auto weighed = [](const V& v) { return v.problem->weighs(); };
-  q.mm("", "face_width_mm", "face width", "b", "of both gears; if safeties or masses are requested",
-       [](const V& v) {
-         return v.problem->weighs() ? Value(v.problem->face_width_of(v.row->trial.module))
-                                    : Value();
-       })
+  const auto wide = [](const V& v) { return v.problem->weighs() || v.problem->sizes_faces(); };
+  q.mm("", "face_width_mm", "face width", "b",
+       "of both gears; if safeties or masses are requested, or a band of widths",
+       [wide](const V& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
-      .when(weighed)
+      .when(wide)
       .digits(kFewDigits);
   q.add(Type::number, Unit::kg, "", "mass_kg", "mass of both gears", "m",
         "full cylinders of the mean diameter (d_a + d_f)/2, an internal gear from there to 2.5 "

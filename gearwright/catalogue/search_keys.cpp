@@ -181,16 +181,46 @@ std::vector<Key> limit_keys() {
 
 std::vector<Key> design_keys() {
   return {
-      Key::word("mounting", {"extended", "tight"}, {}, "\"extended\"; of internal pairs \"tight\"",
+      Key::word("mounting", {"extended", "tight"}, {},
+                "\"extended\"; of internal pairs and of designs that are drawn \"tight\"",
                 "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
                 "true: tips are shortened by the clearance that tight centres remove"),
       Key::positive("face_width_mm", "b", &P::face_width, "of `[gear1]`, else 10 m_n",
-                    "face width of both gears"),
-      Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules, "10",
-                  "face width of both gears in modules, if it is not given in mm")
-          .with_excludes({"face_width_mm"})
+                    "face width of both gears; of a band each design takes the least width with "
+                    "the required safeties and overlap ratio")
+          .with_list(kBand)
+          .with_form(std::string("a width in mm") + kBandForm),
+      Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules,
+                  "10 without other widths", "the same in modules")
+          .with_list(kBand)
+          .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
+      Key::number("face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
+                  "none", "the same in reference diameters of the pinion")
+          .with_list(kBand)
+          .with_form(std::string("a number") + kBandForm)
+          .with_fields({"face_diameters"}),
+      Key::positive("face_width_step_mm", "", &P::face_step, "1",
+                    "widths within a band are multiples of it")
+          .with_fields({"face_step"}),
+      Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
+                "\"cd25\" of designs that are drawn, if they are mounted tight",
+                "thickness allowances of both gears by DIN 3967, `\"cd25\"`; `\"none\"`: nominal "
+                "teeth")
+          .with_fields({"allowances.series"}),
+      Key::number(
+          "backlash_mm", "j_n", Range::not_negative(),
+          {&P::allowances, &SearchAllowances::backlash}, "by `thickness_series`",
+          "normal backlash of every design, least and greatest; the teeth are thinned for it")
+          .with_list(kBand)
+          .with_form("a backlash in mm, or a band [least, greatest]")
+          .with_excludes({"thickness_series"})
+          .with_fields({"allowances.backlash"}),
+      Key::text("center_distance_tolerance",
+                {&P::allowances, &SearchAllowances::distance_tolerance}, "none",
+                "tolerance of the centre distance by ISO 286, `\"JS7\"`")
+          .with_fields({"allowances.distance_tolerance"}),
       Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
                   "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; a "
                   "internal gear's pinion takes all"),

@@ -31,24 +31,49 @@ const Quantities<NearestChange>& change_quantities() {
   });
   return kAll;
 }
-const Quantities<SearchLimits>& margin_quantities() {
-  using L = SearchLimits;
-  static const Quantities<L> kAll("search.margins", [](Quantities<L>& q) {
+const Quantities<SearchProblem>& margin_quantities() {
+  using P = SearchProblem;
+  static const Quantities<P> kAll("search.margins", [](Quantities<P>& q) {
     q.word("", "interference", "interference", "`exclude` or `flag`",
-           [](const L& l) { return Value(l.avoid_interference ? "exclude" : "flag"); })
+           [](const P& p) { return Value(p.limits.avoid_interference ? "exclude" : "flag"); })
         .one_of({"exclude", "flag"})
         .always();
     q.pure("", "tip_clearance_min", "tip clearance", "c", "`null`: none is asked",
-           [](const L& l) { return Value(l.tip_clearance); });
+           [](const P& p) { return Value(p.limits.tip_clearance); });
     q.pure("", "form_clearance_min", "form clearance", "c_F", "along the line of action",
-           [](const L& l) { return Value(l.form_clearance); })
+           [](const P& p) { return Value(p.limits.form_clearance); })
         .always();
     q.pure("", "safety_flank_min", "safety against pitting", "S_Hmin", "where one is asked",
-           [](const L& l) { return Value(l.safety_flank); })
-        .when([](const L& l) { return l.safety_flank.has_value(); });
+           [](const P& p) { return Value(p.limits.safety_flank); })
+        .when([](const P& p) { return p.limits.safety_flank.has_value(); });
     q.pure("", "safety_root_min", "safety against root breakage", "S_Fmin", "where one is asked",
-           [](const L& l) { return Value(l.safety_root); })
-        .when([](const L& l) { return l.safety_root.has_value(); });
+           [](const P& p) { return Value(p.limits.safety_root); })
+        .when([](const P& p) { return p.limits.safety_root.has_value(); });
+    const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
+    q.word("", "mounting", "mounting", "of designs that are drawn",
+           [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
+        .one_of({"extended", "tight"})
+        .when(drawn);
+    q.text("thickness_series", "series of DIN 3967 of both gears; `null`: none", [](const P& p) {
+       return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
+     }).when(drawn);
+    q.mm("", "backlash_mm", "normal backlash", "j_n",
+         "least and greatest that the teeth are thinned for; `null`: by the series",
+         [](const P& p) { return p.allowances.backlash ? Value(*p.allowances.backlash) : Value(); })
+        .ends()
+        .when(drawn);
+    q.text("center_distance_tolerance", "of ISO 286; `null`: none", [](const P& p) {
+       return p.allowances.distance_tolerance ? Value(*p.allowances.distance_tolerance) : Value();
+     }).when(drawn);
+    q.pure("", "profile_shift", "limits of the profile shifts", "x", "lower and upper, of both",
+           [](const P& p) {
+             return Value(std::array{p.limits.min_shift, p.limits.max_shift});
+           })
+        .list({2})
+        .when(drawn);
+    q.pure("", "sliding_max", "limit of the specific sliding", "|ζ|", "", [](const P& p) {
+       return Value(p.limits.sliding);
+     }).when(drawn);
   });
   return kAll;
 }
@@ -72,16 +97,17 @@ void say_search(Quantities<SearchView>& q) {
         "number of trials that each limit ruled out; the first limit that leaves nothing counts, "
         "in the order `shift_limits`, `center_distance`, `contact_ratio`, `overlap_ratio`, "
         "`sliding`, `tip_clearance`, `interference`, of a rated search `safety_flank`, "
-        "`safety_root`; no working angle counts as `contact_ratio`",
+        "`safety_root`, of drawn designs `verdict`; no working angle counts as `contact_ratio`",
         [](const S& s) {
           ValueMap map;
-          for (std::size_t i = 0; i < static_cast<std::size_t>(s.problem->limit_count()); ++i)
-            map.emplace_back(name(static_cast<Limit>(i)), s.answer->counts.rejected[i]);
+          for (const Limit limit : s.problem->rejecting_limits())
+            map.emplace_back(name(limit),
+                             s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
           return Value(std::move(map));
         })
       .always();
   q.record("", "margins", "limits that every design satisfies; clearances in modules", margin_table,
-           [](const S& s) { return Value(margin_quantities().of(s.problem->limits)); })
+           [](const S& s) { return Value(margin_quantities().of(*s.problem)); })
       .always();
   count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
   count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)

@@ -20,6 +20,8 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
+  std::array<double, 2> allowance{};      ///< E_sn, the mean of its tolerance
+  double face_width = 0.0;                ///< b, of both gears
   bool balanced = false;                  ///< true: on the line of Eq. 11; false: chosen_point()
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt, crossed: α_n
@@ -40,12 +42,16 @@ struct DesignRow {
   /// S_H, S_F of each gear; none if not requested, or if the standard has no form factor for its
   /// root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
+  bool runs = true;  ///< as drawn; false: the verdict has a finding above green
+  std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest, as drawn
   /// True if the following values of the region are computed.
   bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
   Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};
 
+  /// x_E of gear i: the shift with which its flanks and root are cut.
+  double cut_shift(std::size_t i, const SearchProblem& problem) const;
   /// Greatest |ζ|; none where a flank reaches a base tangent point.
   std::optional<double> max_sliding() const;
 };

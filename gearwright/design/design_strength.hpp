@@ -24,10 +24,13 @@ Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The same by gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 
-/// The row with the safety factors that the problem requires.
+/// The row with the safety factors that the problem requires, at the least face width of its band that
+/// has them (the greatest if none has them), and with the verdict over its drawing if designs are
+/// drawn.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 
-/// The limit of safety that the row falls short of, or has no number for; none: it holds.
+/// The limit of safety that the row falls short of, or has no number for, or the verdict; none: it
+/// holds.
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row);
 
 /// The least of S_H/S_Hmin, S_F/S_Fmin of both gears, 1 for a default limit; none if the row has no

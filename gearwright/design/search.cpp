@@ -191,7 +191,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              return true;
            }
          } else if (const auto row =
-                        design_row(graph, problem_.rating ? RegionDetail::point : wish.detail)) {
+                        design_row(graph, problem_.rating || problem_.draw ? RegionDetail::point
+                                                                           : wish.detail)) {
            // The region's numbers cost more than the rest: only of designs that hold.
            if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
              rows.back() = *design_row(graph, wish.detail);

@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,10 +34,11 @@ enum class Limit {
   tip_clearance,
   interference,
   safety_flank,  ///< of the design's own shifts, and so the next
-  safety_root
+  safety_root,
+  verdict  ///< of the design as drawn, at all ends of its tolerances
 };
 inline constexpr int kRegionLimits = 7;  ///< those of a region of shifts come first
-inline constexpr int kLimits = 9;
+inline constexpr int kLimits = 10;
 /// "shift_limits", "center_distance", …
 std::string_view name(Limit limit);
 
@@ -86,6 +89,26 @@ struct SearchRating {
   std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; none: every internal gear is cut
 };
 
+/// The tolerances of the drawing of every design.
+struct SearchAllowances {
+  std::string series;                             ///< of DIN 3967, "cd25"; empty: by the backlash
+  std::optional<std::array<double, 2>> backlash;  ///< j_n  mm, least and greatest
+  std::optional<std::string> distance_tolerance;  ///< of ISO 286, "JS7"
+
+  bool thin_teeth() const { return !series.empty() || backlash; }
+};
+
+struct DesignRow;
+struct SearchProblem;
+
+/// The verdict over the drawing of a design.
+struct DrawnDesign {
+  bool runs = false;                                ///< it has no finding above green
+  bool wider_helps = false;                         ///< only its safeties fall short
+  std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both ends of its tolerances
+};
+using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;
+
 inline constexpr double kFaceModules = 10.0;      ///< b/m_n, unless it is given
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 
@@ -93,6 +116,10 @@ inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 /// default limits.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
+
+/// Default limits of designs that are drawn: |x|, and the specific sliding |ζ|.
+inline constexpr double kDrawnShift = 1.0;
+inline constexpr double kDrawnSliding = 3.0;
 
 struct SearchProblem {
   std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative: internal pairs
@@ -103,9 +130,13 @@ struct SearchProblem {
   std::optional<Angle> shaft_angle;                      ///< Σ of crossed axes; β2 = Σ − β1
   Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
-  bool coprime = false;                ///< only z1, z2 without a common factor
-  std::optional<double> face_width;    ///< b  mm, of both
-  double face_modules = kFaceModules;  ///< b/m_n, where `face_width` is not given
+  bool coprime = false;  ///< only z1, z2 without a common factor
+  // Face width of both gears: bands, whose ends may be equal. Each design takes the least width
+  // within all of them that has the required safeties and overlap ratio.
+  std::optional<std::array<double, 2>> face_width;      ///< b  mm
+  std::optional<std::array<double, 2>> face_modules;    ///< b/m_n; 10 if there is no band
+  std::optional<std::array<double, 2>> face_diameters;  ///< b/d_1
+  double face_step = 1.0;  ///< mm: widths within a band are multiples of it
   Mounting mounting = Mounting::extended;
   bool shorten_tips = false;  ///< tips shortened by the clearance lost at tight centres
   SearchLimits limits;
@@ -115,12 +146,26 @@ struct SearchProblem {
   std::optional<double> shift_step;  ///< of a grid whose feasible points are all wanted too
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
   std::optional<SearchRating> rating;                           ///< none: designs are not rated
+  SearchAllowances allowances;                                  ///< empty: nominal teeth
+  DrawDesign draw;  ///< designs that do not run as drawn are rejected; empty: none is drawn
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }
-  double face_width_of(double module) const { return face_width.value_or(face_modules * module); }
-  /// The number of limits that can reject a design.
-  int limit_count() const { return rating ? kLimits : kRegionLimits; }
+  /// Widths are chosen for each design.
+  bool sizes_faces() const {
+    const auto open = [](const auto& band) { return band && (*band)[0] < (*band)[1]; };
+    return open(face_width) || open(face_modules) || open(face_diameters);
+  }
+  /// The limits that can reject a design, in the order of evaluation.
+  std::vector<Limit> rejecting_limits() const {
+    std::vector<Limit> all;
+    for (int i = 0; i < kLimits; ++i) {
+      const auto limit = static_cast<Limit>(i);
+      const bool drawn = limit == Limit::verdict;
+      if (drawn ? static_cast<bool>(draw) : i < kRegionLimits || rating) all.push_back(limit);
+    }
+    return all;
+  }
   /// Masses are asked for.
   bool weighs() const { return rating || ranks_by(Objective::mass); }
   bool ranks_by(Objective objective) const {

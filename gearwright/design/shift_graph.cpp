@@ -36,7 +36,7 @@ std::string_view name(ShiftEdge edge) {
 std::string_view name(Limit limit) {
   constexpr std::array<std::string_view, kLimits> kNames{
       "shift_limits",  "center_distance", "contact_ratio", "overlap_ratio", "sliding",
-      "tip_clearance", "interference",    "safety_flank",  "safety_root"};
+      "tip_clearance", "interference",    "safety_flank",  "safety_root",   "verdict"};
   return kNames[static_cast<std::size_t>(limit)];
 }
 

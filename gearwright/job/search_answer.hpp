@@ -30,6 +30,8 @@ std::string margin_line(const SearchLimits& limits);
 
 /// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; empty: not rated.
 std::string rating_line(const SearchProblem& problem);
+/// How designs are drawn, with the limits that hold for them by default; empty: they are not.
+std::string drawing_line(const SearchProblem& problem);
 
 /// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.
 std::vector<std::string> change_lines(const SearchRun& run);

@@ -19,8 +19,8 @@ constexpr std::size_t kCsvDesigns = 1000;  // unless --top asks for more: people
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
                   const JobSpec& spec, const Search& search, const FindSource& source) {
   std::string limits;
-  for (int i = 0; i < search.problem().limit_count(); ++i)
-    limits += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Limit>(i)));
+  for (const Limit limit : search.problem().rejecting_limits())
+    limits += fmt::format("{}{}", limits.empty() ? "" : ", ", name(limit));
   const std::vector<std::pair<std::string, std::string>> notes{
       {"program", fmt::format("gearwright {}", kVersion)},
       {kSpecNote, json_text(spec.tree->tables)},

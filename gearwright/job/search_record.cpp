@@ -33,6 +33,7 @@ void each_number(Row& row, const F& f) {
   f(row.overlap_ratio);
   f(row.backlash_normal);
   f(row.tip_alteration);
+  f(row.face_width);
   for (const int i : {0, 1}) {
     f(row.tip_thickness[i]);
     f(row.tip_clearance[i]);
@@ -44,6 +45,8 @@ void each_number(Row& row, const F& f) {
     f(row.sums[i]);
     f(row.lo[i]);
     f(row.hi[i]);
+    f(row.allowance[i]);
+    f(row.backlash_ends[i]);
   }
   f(row.interference);
   f(row.area);
@@ -68,7 +71,7 @@ void each_number_of_point(Point& p, const F& f) {
   f(p.interference);
 }
 
-constexpr std::size_t kNumbers = 18 + 2 * 10 + 3;
+constexpr std::size_t kNumbers = 19 + 2 * 12 + 3;
 constexpr std::size_t kPointNumbers = 14;
 
 // Numbers on their way through the compressor: the plain bytes of a million points never stand in

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,7 +24,7 @@ class TableColumns {
  public:
   /// Without the quantities of these keys.
   explicit TableColumns(const Quantities<S>& quantities,
-                        std::initializer_list<std::string_view> without = {}) {
+                        const std::vector<std::string_view>& without = {}) {
     const std::vector<RecordColumn> all = columns_of(quantities.table());
     for (const Quantity<S>& q : quantities.list()) {
       if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;

@@ -41,7 +41,8 @@ constexpr std::array<std::string_view, kLimits> kLimitWords{
     "tip clearance too small",
     "interference",
     "safety against pitting too small",
-    "safety against root breakage too small"};
+    "safety against root breakage too small",
+    "a finding of the verdict over the drawing"};
 
 }  // namespace
 

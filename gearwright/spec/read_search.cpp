@@ -257,16 +257,15 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
-  if (!p.face_width && !t.has("face_width_modules")) p.face_width = blanks[0].face_mm;
+  if (!p.face_width && !p.face_modules && !p.face_diameters && blanks[0].face_mm)
+    p.face_width = {*blanks[0].face_mm, *blanks[0].face_mm};
+  const auto one = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
+  if (one(p.face_width) && one(p.face_modules))
+    t.fail("face_width_modules", "contradicts face_width_mm; leave one out");
   const auto mounting = t.word("mounting");
   // An internal pair at the extended distance is tighter than one free of backlash.
   const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
   p.mounting = tight ? Mounting::tight : Mounting::extended;
-  if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
-    t.fail("shorten_tips",
-           "needs mounting = \"tight\" on parallel axes, because the extended centre distance "
-           "keeps the full clearance");
-  }
   read_limits(t, p);
   check_objectives(t, p);
   t.finish();

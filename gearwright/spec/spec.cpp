@@ -18,6 +18,7 @@
 #include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_scatter.hpp"
 #include "gearwright/spec/read_search.hpp"
+#include "gearwright/spec/read_search_drawing.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -197,6 +198,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   share_with_rating(tree, spec);
   if (search) lacks.of([&] { read_search_rating(tree, spec); });
+  if (spec.search) lacks.of([&] { read_search_drawing(*search, *spec.search); });
   t.finish();
   if (!lacks.any()) check_backlash(tree, spec);
   lacks.add(missing_for(use, spec));
