@@ -38,7 +38,7 @@ namespace {
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
-    // j_bn = −(E_sn1 + E_sn2) cos α_n and what nominal teeth have.
+    // [T9.13]: j_bn = −(E_sn1 + E_sn2) cos α_n and what nominal teeth have.
     const double j_n = ((*wanted.backlash)[0] + (*wanted.backlash)[1]) / 2;
     const double j_bn = j_n * std::cos(nominal.rack.normal_pressure_angle);
     const double each = -(j_bn - nominal.backlash.normal_base) / std::cos(alpha_n) / 2;

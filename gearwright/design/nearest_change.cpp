@@ -325,7 +325,8 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   };
   if (problem.coprime)
     switched("coprime", "true", "false", 0.5, [](SearchProblem& p) { p.coprime = false; });
-  if (problem.limits.avoid_interference) {
+  // Designs that do not run are not drawn.
+  if (problem.limits.avoid_interference && !problem.draw) {
     switched("limits.avoid_interference", "true", "false", kNotToRun, [](SearchProblem& p) {
       p.limits.avoid_interference = p.limits.clear_fillets = false;
       p.limits.form_clearance = 0.0;
