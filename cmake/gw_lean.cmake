@@ -16,10 +16,20 @@ include_guard()
 
 set(gw_store_sources "/gearwright/store/|/gearwright/job/search_(files|record|tables)\\.cpp$")
 
+# X_windows.cpp stands in for X.cpp on Windows.
+
 # Leaves one of each pair in the list.
 function(gw_choose_twins list_name)
   set(kept "")
   foreach(source IN LISTS ${list_name})
+    if(WIN32)
+      string(REGEX REPLACE "\\.cpp$" "_windows.cpp" twin ${source})
+      if(EXISTS ${twin})
+        continue()
+      endif()
+    elseif(source MATCHES "_windows\\.cpp$")
+      continue()
+    endif()
     if(GEARWRIGHT_LEAN)
       string(REGEX REPLACE "\\.cpp$" "_without.cpp" twin ${source})
       if(EXISTS ${twin} OR source MATCHES "${gw_store_sources}")

@@ -225,14 +225,14 @@ int CommandLine::unknown_verb(const std::string& word) const {
                            printable(word, 60), best.empty() ? "verbs: " + all : best + "?"));
 }
 
-std::optional<int> CommandLine::answer_at_once(int argc, char** argv) const {
-  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
-  const bool help = std::string_view(argv[1]) == "help";
-  if (help && argc == 2) {
+std::optional<int> CommandLine::answer_at_once(const std::vector<std::string>& words) const {
+  if (words.empty() || words[0].starts_with('-')) return std::nullopt;
+  const bool help = words[0] == "help";
+  if (help && words.size() == 1) {
     print(app_.help());
     return 0;
   }
-  const std::string word = argv[help ? 2 : 1];
+  const std::string& word = words[help ? 1 : 0];
   const auto named = app_.get_subcommands([&](const CLI::App* s) { return s->get_name() == word; });
   const CLI::App* verb = named.empty() ? nullptr : named.front();
   if (help && word.starts_with('-')) return std::nullopt;
@@ -265,10 +265,11 @@ int CommandLine::answer(const std::string& verb) const {
   return usage("the verb " + verb + " is not supported in this version; see gearwright --help");
 }
 
-int CommandLine::run(int argc, char** argv) {
-  if (const auto status = answer_at_once(argc, argv)) return *status;
+int CommandLine::run(std::vector<std::string> words) {
+  if (const auto status = answer_at_once(words)) return *status;
   try {
-    app_.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app_.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;
   }

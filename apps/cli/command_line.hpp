@@ -18,8 +18,8 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   const CLI::App& app() const { return app_; }
-  /// The exit status of what was asked.   Throws  IoError
-  int run(int argc, char** argv);
+  /// The exit status of the verb.   Throws  IoError
+  int run(std::vector<std::string> words);
 
  private:
   CLI::App* verb(const char* name, const char* what, const char* example);
@@ -30,7 +30,7 @@ class CommandLine {
   void add_others();
 
   /// `help`, `help VERB`, and a first word that is no verb.
-  std::optional<int> answer_at_once(int argc, char** argv) const;
+  std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int answer(const std::string& verb) const;
 

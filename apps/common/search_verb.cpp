@@ -1,7 +1,6 @@
 #include "apps/common/search_verb.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <charconv>
@@ -11,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/output.hpp"
+#include "gearwright/base/system.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/spec/toml_text.hpp"
@@ -105,7 +105,7 @@ class ProgressLine {
                      : fmt::format("{}:{:02}", s / 60, s % 60);
   }
   Clock::time_point start_ = Clock::now(), said_ = start_;
-  bool terminal_ = isatty(2) != 0;
+  bool terminal_ = is_terminal(stderr);
   bool shown_ = false, said_last_ = false;
 };
 
@@ -229,7 +229,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     print(search_json_text(search, *run));
   } else {
     std::string files;
-    for (const auto& file : run->files) files += "  " + file.string() + "\n";
+    for (const auto& file : run->files) files += "  " + native_text(file) + "\n";
     print(search_listing(search, *run) + (files.empty() ? "" : "\nfiles\n" + files));
   }
   return 0;

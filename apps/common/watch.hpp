@@ -1,6 +1,8 @@
 // Waits beside a long work: says on stderr how far it is, and ends the program when it is told to.
 #pragma once
 
+#include <array>
+#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -31,8 +33,10 @@ class Watch {
   bool terminal_, shown_ = false;
   double said_ = 0.0;  // s
   std::mutex mutex_;
+  std::condition_variable ended_;
   bool end_ = false;
   int signal_ = 0;  // one that waits for files
+  std::array<void (*)(int), 2> before_{};  // handlers of SIGINT and SIGTERM
   std::thread thread_;
 };
 

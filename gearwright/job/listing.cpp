@@ -149,7 +149,7 @@ std::string file_listing(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) {
     std::string note = f.note;
     if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
-    out += "  " + pad(printable(f.path.string()), 44) + "  " + pad(f.what, 14) + note + "\n";
+    out += "  " + pad(printable(native_text(f.path)), 44) + "  " + pad(f.what, 14) + note + "\n";
   }
   return out;
 }
