@@ -19,10 +19,10 @@ Gear gear(int teeth, double beta_deg) {
   return std::move(make_gear(s)).take();
 }
 
-InvolutePair some_pair() {
+ParallelPair some_pair() {
   const Gear g1 = gear(20, 15), g2 = gear(41, -15);
   const double a = (g1.reference_diameter + g2.reference_diameter) / 2 + 0.05;
-  return std::move(mount_involutes(g1, g2, {a})).take();
+  return std::move(mount_as<ParallelPair>(g1, g2, {a})).take();
 }
 
 void mesh_of_parallel_axes(benchmark::State& state) {
@@ -32,15 +32,15 @@ void mesh_of_parallel_axes(benchmark::State& state) {
 BENCHMARK(mesh_of_parallel_axes)->Unit(benchmark::kNanosecond);
 
 void mount_on_parallel_axes(benchmark::State& state) {
-  const InvolutePair p = some_pair();
+  const ParallelPair p = some_pair();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(mount_involutes(p.gears[0], p.gears[1], {p.center_distance}));
+    benchmark::DoNotOptimize(mount_as<ParallelPair>(p.gears[0], p.gears[1], {p.center_distance}));
   }
 }
 BENCHMARK(mount_on_parallel_axes)->Unit(benchmark::kMicrosecond);
 
 void fillet_clearance_of_one_gear(benchmark::State& state) {
-  const InvolutePair p = some_pair();
+  const ParallelPair p = some_pair();
   for (auto _ : state) benchmark::DoNotOptimize(fillet_clearance(p, 1));
 }
 BENCHMARK(fillet_clearance_of_one_gear)->Unit(benchmark::kMicrosecond);
@@ -111,7 +111,7 @@ BENCHMARK(crossed_pair_over_1000_shaft_angles)->Unit(benchmark::kMillisecond);
 void mount_on_crossed_axes(benchmark::State& state) {
   const Gear g1 = gear(20, 45), g2 = gear(30, 45);
   const PairSpec place{71.0, Angle::radians(1.5707963267948966), 0.05};
-  for (auto _ : state) benchmark::DoNotOptimize(mount_involutes(g1, g2, place));
+  for (auto _ : state) benchmark::DoNotOptimize(mount_as<CrossedPair>(g1, g2, place));
 }
 BENCHMARK(mount_on_crossed_axes)->Unit(benchmark::kMicrosecond);
 

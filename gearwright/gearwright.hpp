@@ -8,12 +8,13 @@
 //   const Result<Gear> pinion = make_gear(spec);
 //   spec.teeth = 55, spec.helix_angle = -12_deg;
 //   const Result<Gear> wheel = make_gear(spec);
-//   if (!pinion || !wheel) return 1;  // error() says which number, and what is allowed
+//   if (!pinion || !wheel) return 1;  // error() names the number and the allowed range
 //   const Result<Pair> pair = mount(*pinion, *wheel, {.center_distance = 116.6});
 //   if (pair) std::printf("contact ratio %.4f\n", pair->contact_ratio());
 //
-// Lengths are mm, angles Angle or rad, as each member says. A fact about gears is a value or an
-// error of a Result. Programs to start from: examples/cpp, shown in docs/programming.md.
+// Lengths are in mm. Angles are Angle or rad, as the comment of each member states. A fact about
+// gears is a value or an error of a Result. Programs to start from: examples/cpp, shown in
+// docs/programming.md.
 #pragma once
 
 // Numbers: 20_deg, Angle, Result, µm and arcseconds, the version
@@ -29,33 +30,38 @@
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/tool/rack.hpp"
 
-// Two gears: mount, what the drive asks of its housing
+// Two gears: mount, and the requirements on the housing
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/pair.hpp"
 
-// From a drawing, numbers missing, to gears and pair: arrange, and judge, the verdict over them
+// From a drawing with missing numbers to gears and pair: arrange, and judge, the verdict on them
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/arrange/judge.hpp"
 
-// How they touch under errors: contact, contact_pattern, map_of_errors, ContactSetup, compensate
+// Contact under errors: contact, contact_pattern, map_of_errors, ContactSetup, compensate
 #include "gearwright/contact/corrections.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/contact/pattern.hpp"
 
-// Teeth that yield: loaded, teeth under torque; probes of one tooth
+// Elastic teeth: loaded, teeth under torque; probes of one tooth
 #include "gearwright/arrange/loaded_pair.hpp"
 
-// What they bear: rated_pair, rate, rate_spectrum, torque_of_safety, the table of steels
+// Strength: rated_pair, rate, rate_spectrum, torque_of_safety, the table of steels
 #include "gearwright/rating/sizing.hpp"
 #include "gearwright/rating/spectrum.hpp"
 
-// What a workshop measures: measure; which gear has these readings: identify
+// Inspection: measure; identification of an unknown gear: identify
 #include "gearwright/arrange/measured_gear.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/inspection/identify.hpp"
 
-// Which gears to make: fit, design_few_teeth, Search
+// Whole drives: graph_of, train_of, make_drive, rate_meshes; search for drives: search_drives
+#include "gearwright/design/drive_search.hpp"
+#include "gearwright/drive/drive_rating.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
+// Design: fit, design_few_teeth, Search
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/design/fit.hpp"
 #include "gearwright/design/search.hpp"

@@ -39,7 +39,7 @@ int batch_verb(const Options& o) {
   const std::string path = words.empty() ? "-" : words.front();
   const bool a_word = path.find_first_of("-./") == std::string::npos;
   if (words.size() > 1 || (a_word && !std::filesystem::exists(path)))
-    return usage(fmt::format("batch answers with one of {}, not with {}", verb_names(),
+    return usage(fmt::format("batch accepts one of the verbs {}, but not {}", verb_names(),
                              printable(path, 60)));
   std::ifstream file;
   if (path != "-") {

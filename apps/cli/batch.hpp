@@ -7,7 +7,8 @@
 
 namespace gearwright::apps {
 
-/// Lines of JSON in, lines of JSON out; 1 if one of them is an error, 5 if one is a mistake of ours.
+/// Reads lines of JSON and writes lines of JSON. Returns 1 if one of them is an error, and 5 if one
+/// is a defect of Gearwright.
 /// Throws    IoError
 int batch_verb(const Options& o);
 

@@ -20,11 +20,11 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wrong
+constexpr std::size_t kLettersOff = 3;  // one letter in this many letters of a verb may be wrong
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
 
-// CLI11's own range lets nan pass.
+// The range of CLI11 itself accepts nan.
 CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {
@@ -50,7 +50,7 @@ void csv_flag(CLI::App* sub, Options& o) {
 }
 
 void strict_flag(CLI::App* sub, Options& o) {
-  sub->add_flag("--strict", o.strict, "Exit status 4 where the verdict is not green");
+  sub->add_flag("--strict", o.strict, "Exit status 4 if the verdict is not green");
 }
 
 }  // namespace
@@ -111,6 +111,14 @@ void CommandLine::add_answering() {
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
       "MODULE,ANGLE: describe the same teeth by this rack; one of the two may be empty");
+  CLI::App* drive = app_.get_subcommand("drive");
+  drive->add_flag_callback(
+      "--expand", [&o] { o.take = 1; },
+      "Print the graph [drive] to which the spec expands and nothing else");
+  drive
+      ->add_option("--harmonics", o.harmonics,
+                   "Harmonics of the phases and of the transmission error (default 3)")
+      ->check(CLI::Range(1, 31));
   CLI::App* measure = app_.get_subcommand("measure");
   CLI::Option* points = measure->add_option(
       "--points", o.grid,
@@ -214,7 +222,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
-    // gaer is gear with two letters exchanged: two steps of editing, one slip of the hand.
+    // `gaer` is `gear` with two letters exchanged, which is two edits but one typing error.
     const bool turned =
         word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
     if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;
@@ -225,14 +233,14 @@ int CommandLine::unknown_verb(const std::string& word) const {
                            printable(word, 60), best.empty() ? "verbs: " + all : best + "?"));
 }
 
-std::optional<int> CommandLine::answer_at_once(int argc, char** argv) const {
-  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
-  const bool help = std::string_view(argv[1]) == "help";
-  if (help && argc == 2) {
+std::optional<int> CommandLine::answer_at_once(const std::vector<std::string>& words) const {
+  if (words.empty() || words[0].starts_with('-')) return std::nullopt;
+  const bool help = words[0] == "help";
+  if (help && words.size() == 1) {
     print(app_.help());
     return 0;
   }
-  const std::string word = argv[help ? 2 : 1];
+  const std::string& word = words[help ? 1 : 0];
   const auto named = app_.get_subcommands([&](const CLI::App* s) { return s->get_name() == word; });
   const CLI::App* verb = named.empty() ? nullptr : named.front();
   if (help && word.starts_with('-')) return std::nullopt;
@@ -265,10 +273,11 @@ int CommandLine::answer(const std::string& verb) const {
   return usage("the verb " + verb + " is not supported in this version; see gearwright --help");
 }
 
-int CommandLine::run(int argc, char** argv) {
-  if (const auto status = answer_at_once(argc, argv)) return *status;
+int CommandLine::run(std::vector<std::string> words) {
+  if (const auto status = answer_at_once(words)) return *status;
   try {
-    app_.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app_.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;
   }

@@ -1,5 +1,5 @@
-// The command line, said once: verbs, options, their words. Parsing, --help, completion and the
-// manual page read it.
+// The command line, defined once: verbs, options and their words. Parsing, --help, completion and
+// the manual page use it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -18,8 +18,8 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   const CLI::App& app() const { return app_; }
-  /// The exit status of what was asked.   Throws  IoError
-  int run(int argc, char** argv);
+  /// Returns the exit status of the requested verb.   Throws  IoError
+  int run(std::vector<std::string> words);
 
  private:
   CLI::App* verb(const char* name, const char* what, const char* example);
@@ -29,8 +29,8 @@ class CommandLine {
   void add_files();
   void add_others();
 
-  /// `help`, `help VERB`, and a first word that is no verb.
-  std::optional<int> answer_at_once(int argc, char** argv) const;
+  /// Handles `help`, `help VERB`, and a first word that is not a verb.
+  std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int answer(const std::string& verb) const;
 

@@ -6,10 +6,10 @@
 
 namespace gearwright::apps {
 
-/// The script that bash, zsh or fish reads.   Domain  one of the three (contract)
+/// The script that bash, zsh or fish reads.   Domain  shell is one of the three (contract)
 std::string completion(const std::string& shell, const CLI::App& app);
 
-/// What an option takes, as completion offers it; empty: a file's name, or anything.
+/// The values of an option that completion offers. Empty if it takes a file name or any text.
 std::vector<std::string> words_of(const CLI::Option& option);
 
 }  // namespace gearwright::apps

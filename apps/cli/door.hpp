@@ -1,4 +1,4 @@
-// How a verb takes its spec, says what is wrong with it, and ends.
+// Reads the spec of a verb, reports its errors, and ends the verb.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,16 @@
 
 namespace gearwright::apps {
 
-/// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
+/// The spec of a verb: it is read once, from a file or a pipe, and its errors are reported with
+/// their lines.
 class Door {
  public:
   explicit Door(const Options& o) : options_(o) {}
 
-  /// What the spec lacks for `use` is an error, too.
+  /// An input that is missing for `use` is an error, too.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);
   Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
-  /// Says what is wrong, in the keys that the spec has; the exit status.
+  /// Reports the error in the keys of the spec. Returns the exit status.
   int fail(const Error& error) const;
 
  private:
@@ -29,7 +30,7 @@ class Door {
   std::optional<GivenKeys> given_;
 };
 
-// For scripts: 4 where the verdict is not green and they want it to be.
+// Returns 4, for scripts, if the verdict is not green and --strict is given.
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }

@@ -1,4 +1,4 @@
-// The verbs that write files: everything that a spec is good for, or the files that are named.
+// The verbs that write files: all files that a spec allows, or the files that are named.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/job/drive_answer.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Says on stderr what is being made, but only when it takes more than a second.
+// Reports on stderr the file in progress, but only if it takes more than a second.
 class SlowProgress {
  public:
   void operator()(std::string_view what) {
@@ -44,7 +46,7 @@ FileOptions file_options(const Options& o) {
   return options;
 }
 
-// The words between commas; none where one of them is no part of a run.
+// The words between commas; none if one of them is no part of a run.
 std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -57,7 +59,7 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   return parts;
 }
 
-// The first output that would overwrite another one, or the spec; empty when there is none.
+// The first output that would overwrite another one, or the spec; empty if there is none.
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
   for (const std::string* name :
@@ -70,6 +72,60 @@ std::string collision(const Options& o) {
     taken.push_back(path);
   }
   return {};
+}
+
+// Prints the result of a run and returns its exit status.
+int end_run(const Options& o, const RunFiles& made, const std::string& listing) {
+  if (o.json) {
+    // The same JSON as in result.json, with all the files.
+    Json j = parse_json(made.result);
+    j["files"] = files_json(made.files);
+    print_json(j);
+  } else {
+    print(listing + file_listing(made.files) + verdict_listing(made.verdict));
+  }
+  return status(o, made.verdict);
+}
+
+int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs::path& out,
+              const FileOptions& options) {
+  const auto job = solve_drive(spec);
+  if (!job) return door.fail(job.error());
+  const auto made = write_drive_files(*job, out, options);
+  if (!made) return door.fail(made.error());
+  return end_run(o, *made, drive_listing(job->drive) + warning_listing(job->drive.findings));
+}
+
+// Writes files and prints their list.
+int end_export(const Options& o, const std::vector<JobFile>& files,
+               const std::vector<Warning>& warnings) {
+  write_files(files);
+  if (o.json) {
+    print_json({{"files", files_json(files)}, {"warnings", warnings_json(warnings)}});
+  } else {
+    print(warning_listing(warnings) + file_listing(files));
+  }
+  return 0;
+}
+
+using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
+
+// The whole drive in each file, or one of its gears if a gear number is given.
+int export_drive(const Options& o, const Door& door, const JobSpec& spec,
+                 const WantedFiles& wanted) {
+  if (!o.drawing.empty())
+    return usage("--drawing makes the drawing of a gear or a pair, not of a drive");
+  if (o.gear) return usage("--gear names a gear of a pair; a drive is exported whole");
+  const auto job = solve_drive(spec);
+  if (!job) return door.fail(job.error());
+  std::vector<JobFile> files;
+  for (const auto& [kind, path] : wanted) {
+    if (path->empty()) continue;
+    auto file = make_drive_file(kind, *job, *path, file_options(o));
+    if (!file) return door.fail(file.error());
+    files.push_back(std::move(file).take());
+  }
+  return end_export(o, files, job->drive.findings);
 }
 
 }  // namespace
@@ -91,36 +147,30 @@ int run_verb(const Options& o) {
     options.only = *parts;
   }
   Door door(o);
-  auto solved = door.solve(Scope::everything, SpecUse::run);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
+  auto spec = door.read(SpecUse::run);
+  if (!spec) return door.fail(spec.error());
   fs::path out = o.out.value_or("");
   if (out.empty()) {
     out = fs::path(o.spec);
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
+  if (spec->drive) return run_drive(o, door, *spec, out, options);
+  auto solved = solve(*spec, Scope::everything);
+  if (!solved) return door.fail(solved.error());
+  SolvedJob job = std::move(solved).take();
   const auto made = watched("run", [&](Progress* h) {
     options.progress = h;
     return write_everything(job, out, options);
   });
   if (!made) return door.fail(made.error());
-  if (o.json) {
-    // As in result.json, with all the files.
-    Json j = parse_json(made->result);
-    j["files"] = files_json(made->files);
-    print_json(j);
-  } else {
-    print(gear_listing(job) + pair_listing(job) + warning_listing(job.warnings) +
-          file_listing(made->files) + verdict_listing(made->verdict));
-  }
-  return status(o, made->verdict);
+  return end_run(o, *made, gear_listing(job) + pair_listing(job) + warning_listing(job.warnings));
 }
 
 int export_verb(const Options& o) {
-  const std::vector<std::pair<FileKind, const std::string*>> wanted{
-      {FileKind::step, &o.step},       {FileKind::stl, &o.stl}, {FileKind::glb, &o.glb},
-      {FileKind::threemf, &o.threemf}, {FileKind::dxf, &o.dxf}, {FileKind::svg, &o.svg}};
+  const WantedFiles wanted{{FileKind::step, &o.step}, {FileKind::stl, &o.stl},
+                           {FileKind::glb, &o.glb},   {FileKind::threemf, &o.threemf},
+                           {FileKind::dxf, &o.dxf},   {FileKind::svg, &o.svg}};
   bool any = !o.drawing.empty();
   for (const auto& [kind, path] : wanted) any = any || !path->empty();
   if (!any)
@@ -134,9 +184,12 @@ int export_verb(const Options& o) {
     return usage(name + " is named twice, or is the spec itself");
   }
   Door door(o);
+  const auto spec = door.read();
+  if (!spec) return door.fail(spec.error());
+  if (spec->drive) return export_drive(o, door, *spec, wanted);
   // A drawing names the mating gear.
   const bool alone = o.gear && o.drawing.empty();
-  const auto job = door.solve(alone ? Scope::gears : Scope::everything);
+  const auto job = solve(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
@@ -165,13 +218,7 @@ int export_verb(const Options& o) {
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
-  write_files(files);
-  if (o.json) {
-    print_json({{"files", files_json(files)}, {"warnings", warnings_json(job->warnings)}});
-  } else {
-    print(warning_listing(job->warnings) + file_listing(files));
-  }
-  return 0;
+  return end_export(o, files, job->warnings);
 }
 
 }  // namespace gearwright::apps

@@ -1,4 +1,4 @@
-// What `gearwright --help` says first.
+// The introduction of `gearwright --help`.
 #pragma once
 
 namespace gearwright::apps {
@@ -20,11 +20,11 @@ inline constexpr const char* kIntroduction =
     "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
     "  gearwright export pair.toml --drawing pair.pdf  the workshop drawing, a sheet for each "
     "gear\n"
-    "  gearwright batch pair specs.jsonl     a spec per line in, an answer per line out\n"
-    "  gearwright verify cases.json          published numbers against ours\n"
+    "  gearwright batch pair specs.jsonl     one spec per line, one answer per line\n"
+    "  gearwright verify cases.json          comparison with published numbers\n"
     "  gearwright schema spec                the JSON Schema of specs, for editors; or of results\n"
     "  gearwright completion bash            completion for bash, zsh or fish\n\n"
-    "A spec is a TOML file, the least one:\n\n"
+    "A spec is a TOML file. The smallest one is:\n\n"
     "  [gear1]\n"
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";

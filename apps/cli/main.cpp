@@ -1,20 +1,19 @@
 // gearwright: the program. Parses the command line, calls the job room, prints.
 //
 // Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is
-// wrong; 3 the outside world failed; 4 with --strict: the verdict is not green; 5 a mistake in
-// Gearwright itself.
-#include <csignal>
+// wrong; 3 the system failed, such as a full disk; 4 with --strict: the verdict is not green; 5 a
+// defect of Gearwright itself.
 #include <cstdio>
 #include <exception>
 #include <new>
 
 #include "apps/cli/command_line.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/system.hpp"
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a full disk: write() says so
   try {
-    return gearwright::apps::CommandLine().run(argc, argv);
+    return gearwright::apps::CommandLine().run(gearwright::start_program(argc, argv));
   } catch (const gearwright::IoError& e) {
     std::fprintf(stderr, "gearwright: %s\n", e.what());
   } catch (const std::bad_alloc&) {

@@ -10,7 +10,7 @@ namespace gearwright::apps {
 
 namespace {
 
-// Text as troff takes it: a hyphen that may be typed, nothing that begins a request.
+// Text for troff: hyphens that can be typed, and no line that begins a request.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;
@@ -86,12 +86,12 @@ std::string manual_page(const CLI::App& app) {
       ".I VERB SPEC\n"
       "[\\fB\\-\\-json\\fR] [\\fIoptions\\fR]\n"
       ".SH DESCRIPTION\n"
-      "Reads a gear, a pair of gears or a wish for them from a spec, a TOML or JSON file, and "
-      "says\n"
-      "what they are: diameters and limits, contact, what to measure, which gears to make; as\n"
+      "Reads a gear, a pair of gears or a search for gears from a spec, a TOML or JSON file, and "
+      "computes\n"
+      "diameters and limits, contact, inspection dimensions and suitable gears; as\n"
       "tables, as JSON, and as files for CAD.\n"
       ".PP\n"
-      "The least spec is\n"
+      "The smallest spec is\n"
       ".PP\n.nf\n[gear1]\nteeth = 17\nnormal_module_mm = 2.5\n.fi\n"
       ".PP\n"
       "A spec named \\fB\\-\\fR is standard input, TOML or JSON.\n"
@@ -100,7 +100,8 @@ std::string manual_page(const CLI::App& app) {
   for (const CLI::App* verb : verbs_of(app)) out += verb_text(*verb);
   out +=
       ".SH \"KEYS OF A SPEC\"\n"
-      "Lengths in mm and angles in degrees, said in the key. gear2 has the keys of gear1, and "
+      "Lengths are in mm and angles in degrees, as given in the key. gear2 has the keys of gear1, "
+      "and "
       "takes\n"
       "module, pressure angle, rack and helix angle from it where it leaves them out.\n";
   for (const KeyTable* table : all_key_tables()) {
@@ -112,13 +113,13 @@ std::string manual_page(const CLI::App& app) {
       ".TP\n.B 0\nDone.\n"
       ".TP\n.B 1\nThe input is wrong or the gears are impossible; the message names the key.\n"
       ".TP\n.B 2\nThe command line is wrong.\n"
-      ".TP\n.B 3\nThe outside world failed: no such file, disk full, memory.\n"
+      ".TP\n.B 3\nThe system failed: no such file, disk full, memory.\n"
       ".TP\n.B 4\nWith \\-\\-strict: the verdict is not green.\n"
       ".TP\n.B 5\nA defect in Gearwright; please report the message and the spec.\n"
       ".SH FILES\n"
       ".TP\n.I .gearwright_files\n"
-      "In the folder of a run: what it wrote there. The next run into it removes what it does not\n"
-      "write itself and nobody has changed.\n";
+      "In the folder of a run: the list of its files. The next run removes those that it does not\n"
+      "write again and that are unchanged.\n";
   return out;
 }
 

@@ -6,7 +6,7 @@
 
 namespace gearwright::apps {
 
-/// gearwright(1), for man.
+/// The page gearwright(1), for man.
 std::string manual_page(const CLI::App& app);
 
 }  // namespace gearwright::apps

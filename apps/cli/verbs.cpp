@@ -14,6 +14,7 @@
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
+#include "gearwright/drive/drive.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -35,7 +36,8 @@ std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
-  constexpr std::size_t kMaxBytes = 1 << 26;  // of a file of cases; a device may have no end
+  constexpr std::size_t kMaxBytes = 1 << 26;  // limit for a file of cases, because a device may
+                                              // have no end
   std::string text;
   std::array<char, 1 << 16> part{};
   while (file.read(part.data(), part.size()), file.gcount() > 0) {
@@ -51,11 +53,17 @@ std::string read_text(const std::string& path) {
 
 int answering_verb(const Verb& verb, const Options& o) {
   Door door(o);
-  const auto spec = door.read(verb.use);
-  if (!spec) return door.fail(spec.error());
+  auto read = door.read(verb.use);
+  if (!read) return door.fail(read.error());
+  JobSpec spec = std::move(read).take();
+  if (o.harmonics && spec.drive) {
+    DriveInput drive = *spec.drive;
+    drive.harmonics = *o.harmonics;
+    spec.drive = std::make_shared<const DriveInput>(std::move(drive));
+  }
   const auto answer = verb.lasts
-                          ? watched(verb.name, [&](Progress* h) { return verb.run(*spec, h); })
-                          : verb.run(*spec, nullptr);
+                          ? watched(verb.name, [&](Progress* h) { return verb.run(spec, h); })
+                          : verb.run(spec, nullptr);
   if (!answer) return door.fail(answer.error());
   const auto number = static_cast<std::size_t>(o.take.value_or(0));
   if (number > answer->specs.size()) {

@@ -1,4 +1,4 @@
-// What the verbs of the command line do: read a spec, call the job room, print, give the exit status.
+// The actions of the verbs: they read a spec, call the job room, print, and return the exit status.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace gearwright::apps {
 struct Options {
   std::string spec;
   bool json = false;
-  bool strict = false;  // a verdict that is not green ends in status 4
+  bool strict = false;  // a verdict that is not green gives status 4
   bool csv = false;
   std::optional<std::string> out;
   std::optional<std::string> only;  // of run: words of kRunParts
@@ -27,6 +27,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // the number of the proposal whose spec is printed
+  std::optional<int> harmonics;        // of drive
   std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // of measure: as many along each root fillet
   std::string schema;                  // of schema: of what
@@ -35,10 +36,10 @@ struct Options {
   int threads = 0;                     // of batch; 0: all
 };
 
-// All throw IoError when the outside world fails.
+// All throw IoError if the system fails.
 /// Any verb of the table: its answer as JSON, CSV or text, or a spec that it proposes.
 int answering_verb(const Verb& verb, const Options& o);
-/// `gear --as-rack`: the teeth as another rack describes them.
+/// `gear --as-rack`: prints the teeth in terms of another rack.
 int gear_as_rack(const Options& o);
 /// `measure --points`: nominal points of the flanks.
 int nominal_points(const Options& o);

@@ -1,4 +1,4 @@
-// How a program of ours speaks: results on stdout, sentences on stderr, a status for the shell.
+// Output of the programs: results on stdout, sentences on stderr, a status for the shell.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,26 @@
 
 namespace gearwright::apps {
 
-/// All of stdout in one piece, so that a full disk behind it is seen.   Throws  IoError
+/// Prints all of stdout at once, so that a full disk is detected.   Throws  IoError
 void print(const std::string& text);
-/// Names of files may be any bytes; JSON takes characters only.   Throws  IoError
+/// Names of files may contain any bytes, but JSON contains characters only.   Throws  IoError
 void print_json(const Json& j);
-/// Where a spec's text has what the error is about; none of an option, or where not even its table
-/// is there.
+/// The place in the spec's text to which the error refers; none for an option, or if its table is
+/// not in the text.
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
-/// {"error": …} with the spec's name, if it has one, and the line. Spelled before.
+/// {"error": …} with the name of the spec, if it has one, and the line. The error must already be
+/// spelled in keys.
 Json refusal_json(const Error& error, const SpecText* text = nullptr);
-/// The input is wrong or the gears are impossible: says so, as JSON too if asked; status 1. What
-/// the library says is spelled (catalogue/spelling.hpp) before, what is read from a file is not.
-/// `text`: the spec that the error is about, whose name and line are told too.
+/// Reports that the input is wrong or the gears are impossible, also as JSON if requested; returns
+/// status 1. An error of the library must be spelled in keys (catalogue/spelling.hpp) before.
+/// `text` is the spec of the error, whose name and line are reported too.
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
-/// The command line is wrong: status 2.
+/// Reports a wrong command line; returns status 2.
 int usage(const std::string& message);
-/// The exit status of a mistake in Gearwright itself (base/contract.hpp).
+/// The exit status of a defect of Gearwright itself (base/contract.hpp).
 inline constexpr int kViolated = 5;
-/// The status of the work; kViolated where it breaks a contract, which is said, as JSON too if asked.
+/// Returns the status of the work, or kViolated if it violates a contract, which is reported, also
+/// as JSON if requested.
 int guarded(const std::function<int()>& work, bool json);
 
 }  // namespace gearwright::apps

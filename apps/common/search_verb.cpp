@@ -1,7 +1,6 @@
 #include "apps/common/search_verb.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <charconv>
@@ -11,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/output.hpp"
+#include "gearwright/base/system.hpp"
+#include "gearwright/job/drive_search_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/spec/toml_text.hpp"
@@ -53,14 +54,14 @@ namespace {
 
 std::atomic<bool> stop_wanted{false};
 
-// The first Ctrl-C ends the search at the next trial, the second the program.
+// The first Ctrl-C ends the search at the next trial. The second ends the program.
 extern "C" void on_interrupt(int signal) {
   stop_wanted = true;
   std::signal(signal, SIG_DFL);
 }
 
-// How far the search is, on stderr: one line that is written over in a terminal; elsewhere a line
-// after a second and a half, then every ten; nothing before.
+// The progress of the search on stderr. In a terminal it is one line that is overwritten. Elsewhere
+// a line appears after a second and a half and then every ten seconds.
 class ProgressLine {
  public:
   void operator()(const SearchProgress& p) {
@@ -105,7 +106,7 @@ class ProgressLine {
                      : fmt::format("{}:{:02}", s / 60, s % 60);
   }
   Clock::time_point start_ = Clock::now(), said_ = start_;
-  bool terminal_ = isatty(2) != 0;
+  bool terminal_ = is_terminal(stderr);
   bool shown_ = false, said_last_ = false;
 };
 
@@ -165,6 +166,38 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   return 0;
 }
 
+// A search for drives takes seconds. It makes no result folder; the answer is printed as for other
+// verbs.
+int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
+  if (c.out || c.shard || c.resume || c.chunk)
+    return usage(
+        "--out, --shard, --resume and --chunk belong to searches for pairs; a search for "
+        "drives prints its answer, with --json all of it");
+  const std::size_t top = std::max<std::size_t>(c.top.value_or(kDefaultDrives),
+                                                static_cast<std::size_t>(c.take.value_or(1)));
+  const auto answer = answer_drive_search(spec, top, c.threads);
+  if (!answer) return fail(spelled(answer.error(), spec.given), c.json, &text);
+  if (c.take) {
+    const auto count = static_cast<int>(answer->specs.size());
+    if (*c.take > count)
+      return fail({"--take", std::to_string(*c.take),
+                   count == 0 ? "there is none: " + answer->why_none
+                              : fmt::format("there are {} drives", count)},
+                  c.json);
+    const Json& taken = answer->specs[static_cast<std::size_t>(*c.take - 1)];
+    if (c.json) {
+      print_json(taken);
+    } else {
+      print(toml_text(taken));
+    }
+  } else if (c.json) {
+    print_json(answer->record);
+  } else {
+    print(answer->listing());
+  }
+  return 0;
+}
+
 }  // namespace
 
 int run_search_verb(const SearchCommand& c, const Together* together) {
@@ -191,6 +224,10 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (!text) return speaks ? fail(text.error(), c.json) : 1;
   const auto spec = read_spec(*text);
   if (!spec) return speaks ? fail(spec.error(), c.json, &*text) : 1;
+  if (searches_drives(*spec)) {
+    if (together) return wrong("a search for drives runs in one process, without mpirun");
+    return search_drives_verb(c, *spec, *text);
+  }
   if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
   const Search search(*spec->search);
   options.out = c.out.value_or("");
@@ -199,7 +236,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // Of a pair's spec the region is no part, of the table for people the first rows are.
+  // If only a pair's spec is printed, the region is not needed. For the table, only the first rows
+  // are needed.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;
@@ -229,7 +267,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     print(search_json_text(search, *run));
   } else {
     std::string files;
-    for (const auto& file : run->files) files += "  " + file.string() + "\n";
+    for (const auto& file : run->files) files += "  " + native_text(file) + "\n";
     print(search_listing(search, *run) + (files.empty() ? "" : "\nfiles\n" + files));
   }
   return 0;

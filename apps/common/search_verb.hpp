@@ -1,4 +1,4 @@
-// The verb search, for one process and for many: the command line, progress, Ctrl-C, the output.
+// The verb search, for one process or several: command line, progress, Ctrl-C and output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,16 +23,17 @@ struct SearchCommand {
 /// Adds `search` to a program.
 CLI::App* add_search(CLI::App& app, SearchCommand& command);
 
-/// Processes that work on one search together; absent: this one alone.
+/// Several processes that work on one search; absent if there is only this one.
 struct Together {
   int rank = 0, ranks = 1;
   std::function<std::int64_t()> next_chunk;
-  /// Called once the folder is open, or is not: the first opens it, then the others may.
+  /// Called once the folder is open or could not be opened. The first process opens it, and the
+  /// others wait for that.
   std::function<bool(bool opened)> folder_is_open;
   std::function<bool()> finish_together;
 };
 
-/// The exit status.   Throws  IoError
+/// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
 
 }  // namespace gearwright::apps

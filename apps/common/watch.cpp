@@ -1,12 +1,14 @@
 #include "apps/common/watch.hpp"
 
-#include <pthread.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+
+#include "gearwright/base/system.hpp"
 
 namespace gearwright::apps {
 
@@ -14,23 +16,26 @@ namespace {
 
 constexpr double kFirst = 2.0;                        // s until the first line
 constexpr double kTerminal = 0.5, kElsewhere = 10.0;  // s between lines
-constexpr timespec kNap{0, 100'000'000};              // between looks at the work and for a signal
+constexpr std::chrono::milliseconds kNap(100);        // between checks of the work and of signals
 constexpr int kStopped = 3;
 
-sigset_t stops() {
-  sigset_t set;
-  sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
-  return set;
+constexpr std::array kStops{SIGINT, SIGTERM};
+
+std::atomic<int> received{0};
+
+extern "C" void on_stop(int signal) {
+  received = signal;
+  std::signal(signal, on_stop);  // some systems forget a handler once it has been called
 }
 
 }  // namespace
 
-Watch::Watch(std::string verb) : verb_(std::move(verb)), terminal_(isatty(2) != 0) {
-  // Blocked in this thread and in all that it starts; the waiting one takes them.
-  const sigset_t set = stops();
-  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+Watch::Watch(std::string verb) : verb_(std::move(verb)), terminal_(is_terminal(stderr)) {
+  received = 0;
+  for (std::size_t i = 0; i < kStops.size(); ++i) {
+    before_[i] = std::signal(kStops[i], on_stop);
+    if (before_[i] == SIG_IGN) std::signal(kStops[i], SIG_IGN);
+  }
   thread_ = std::thread([this] { wait(); });
 }
 
@@ -39,27 +44,26 @@ Watch::~Watch() {
     const std::lock_guard lock(mutex_);
     end_ = true;
   }
+  ended_.notify_one();
   thread_.join();
   if (terminal_ && shown_) std::fprintf(stderr, "\r\033[K");
   if (signal_ != 0)
     std::fprintf(stderr, "gearwright: stopped by a signal after all files had been written\n");
-  const sigset_t set = stops();
-  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  for (std::size_t i = 0; i < kStops.size(); ++i) std::signal(kStops[i], before_[i]);
+  if (const int signal = received.exchange(0)) std::raise(signal);  // since the last look
 }
 
 void Watch::wait() {
   const auto start = std::chrono::steady_clock::now();
-  const sigset_t set = stops();
-  for (;;) {
-    const int signal = sigtimedwait(&set, nullptr, &kNap);
-    const std::lock_guard lock(mutex_);
-    if (end_) return;
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, kNap, [this] { return end_; })) {
+    const int signal = received.exchange(0);
     if (signal > 0 && progress_.writing()) {
       signal_ = signal;
     } else if (signal > 0) {
       std::fprintf(stderr, "%sgearwright: %s stopped; nothing was written\n",
                    terminal_ && shown_ ? "\n" : "", verb_.c_str());
-      _exit(kStopped);
+      std::_Exit(kStopped);
     }
     say(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
@@ -72,7 +76,7 @@ void Watch::say(double seconds) {
   const char* stage = s.stage ? s.stage : "reading";
   std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s", terminal_ ? "\r" : "", verb_.c_str(),
                seconds, stage);
-  // Steps are an estimate of the work: what is past it is nearly done.
+  // Steps are an estimate of the work, so work beyond it is nearly done.
   if (s.of > 0)
     std::fprintf(stderr, " %.0f %%",
                  100 * std::min(0.99, static_cast<double>(s.done) / static_cast<double>(s.of)));

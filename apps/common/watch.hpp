@@ -1,6 +1,8 @@
-// Waits beside a long work: says on stderr how far it is, and ends the program when it is told to.
+// Watches a long computation: reports its progress on stderr and ends the program on request.
 #pragma once
 
+#include <array>
+#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -9,10 +11,10 @@
 
 namespace gearwright::apps {
 
-/// From its making to its end Ctrl-C (SIGINT) and SIGTERM end the program within half a second,
-/// with status 3: nothing is printed or written before the work is done, so that nothing is left
-/// half. While files are written they wait until those are whole. After two seconds a line says how
-/// far the work is: written over in a terminal, every ten seconds elsewhere.
+/// While it exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with status
+/// 3. Nothing is printed or written before the computation is done, so no partial result remains.
+/// While files are written, signals wait until the files are complete. After two seconds a line
+/// reports the progress; it is overwritten in a terminal, and elsewhere repeated every ten seconds.
 class Watch {
  public:
   explicit Watch(std::string verb);
@@ -31,12 +33,14 @@ class Watch {
   bool terminal_, shown_ = false;
   double said_ = 0.0;  // s
   std::mutex mutex_;
+  std::condition_variable ended_;
   bool end_ = false;
-  int signal_ = 0;  // one that waits for files
+  int signal_ = 0;                         // a signal that waits for files
+  std::array<void (*)(int), 2> before_{};  // handlers of SIGINT and SIGTERM
   std::thread thread_;
 };
 
-/// A work that may take long, with a line of how far it is.
+/// Runs a computation that may take long, with a line of progress.
 template <class Work>
 auto watched(const char* verb, const Work& work) {
   Watch watch(verb);

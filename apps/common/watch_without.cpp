@@ -1,5 +1,5 @@
-// Without threads nobody can wait beside the work: no line of progress, and a signal ends the
-// program as it ends any other.
+// Without threads a computation cannot be watched: there is no line of progress, and a signal ends
+// the program in the usual way.
 #include "apps/common/watch.hpp"
 
 namespace gearwright::apps {

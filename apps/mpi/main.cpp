@@ -2,9 +2,10 @@
 //
 //   mpirun -n 8 gearwright-mpi search spec.toml --out found
 //
-// Every rank computes. The next chunk is a counter in a window of rank 0, drawn by fetch-and-op: no
-// master waits. Finished chunks meet in the folder, and rank 0 makes the files of them in order, so
-// that the result is that of one process, byte for byte.
+// Every rank computes. The number of the next chunk is a counter in a window of rank 0, which ranks
+// increment by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in the
+// folder, and rank 0 makes the files from them in order, so the result is equal to that of one
+// process, byte for byte.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -18,7 +19,7 @@
 
 namespace {
 
-// A counter that all ranks draw from.
+// A counter that all ranks increment.
 class Queue {
  public:
   Queue() {
@@ -52,7 +53,7 @@ class Queue {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a full disk: write() says so
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit acts like a full disk: write() reports it
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   int rank = 0;
@@ -73,8 +74,8 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must outlive the catch: freeing its window waits for all ranks, and those that a
-  // failed rank leaves behind wait for it.
+  // The queue must outlive the catch, because freeing its window waits for all ranks, which may
+  // wait for this one after an error.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;
@@ -93,7 +94,7 @@ int main(int argc, char** argv) {
     if (provided < MPI_THREAD_SERIALIZED && command.threads > 1) command.threads = 1;
     status = gearwright::apps::run_search_verb(command, &together);
   } catch (const std::exception& e) {
-    // The others wait for this rank: end them too.
+    // The other ranks wait for this one, so they are ended too.
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";
     MPI_Abort(MPI_COMM_WORLD, 3);
   }

@@ -1,5 +1,7 @@
-// What the verbs of the program answer: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
+// Results of the verbs: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
@@ -13,6 +15,7 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -21,7 +24,8 @@ namespace gearwright::python {
 
 namespace {
 
-// find(job, progress) as a Self, with record(job, answer) and judged(job, answer); Ctrl-C stops it.
+// Runs find(job, progress) and makes a Self with record(job, answer) and judged(job, answer).
+// Ctrl-C stops it.
 template <class Self, class Find, class Record, class Judge>
 Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
   const auto model = std::make_shared<Model>(*asked);
@@ -63,7 +67,7 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
       [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
 }
 
-// A quantity of a record; nothing where it has none of this key.
+// A quantity of a record; nothing if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key) {
   static const Value kNothing;
   for (const Member& member : record)
@@ -75,7 +79,7 @@ py::array positions_of(const ContactValue& c) {
   return table_array(position_quantities().table(), *quantity(c.record(), "positions").list());
 }
 
-// A row for each torque, in it the positions.
+// A row for each torque, which contains the positions.
 py::object load_positions_of(const LoadedValue& loaded) {
   const ValueList& torques = *quantity(loaded.record(), "torques").list();
   if (torques.empty()) return py::none();
@@ -113,7 +117,7 @@ std::string repr_of(const LoadedValue& l) {
   return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
 }
 
-// A kind of answer, with every quantity of the table. Out of a pickle comes what of(pair) is again.
+// A type of result, with every quantity of the table. Unpickling computes it again by of(pair).
 template <class Self>
 void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
   bind_made(type, [of](Json spec, const std::filesystem::path& folder) {
@@ -128,7 +132,7 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// The spec of a dict, or of what has one: a Pair, a Gear.
+// The spec of a dict, or of an object with a spec: a Pair or a Gear.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
@@ -173,6 +177,42 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   const CompensateAnswer found = watched_result(
       model->given(), [&](Progress* progress) { return answer_compensate(job, progress); });
   return by_name(Value(compensate_quantities().of(compensate_view(found))));
+}
+
+// A row for each sample: its inputs by name, "errors.crossing_deg" or "bearings.bore_a.x_mm", then its
+// quantities by key.
+py::array members_of(const ScatterAnswer& a) {
+  StructuredArray rows;
+  std::vector<std::size_t> inputs, quantities;
+  for (const std::string& name : scatter_columns(a.task)) inputs.push_back(rows.add(name, "f8"));
+  for (const ScatterEntry& entry : scatter_entries())
+    quantities.push_back(rows.add(entry.key, "f8"));
+  rows.allocate(a.scatter.samples.size());
+  for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
+    const ScatterSample& sample = a.scatter.samples[i];
+    const auto set = [&](std::size_t column, double x) {
+      const Value value = std::isnan(x) ? Value() : Value(x);
+      rows.set(i, column, {&value});
+    };
+    for (std::size_t k = 0; k < inputs.size(); ++k) set(inputs[k], sample.x[k]);
+    for (const ScatterEntry& entry : scatter_entries())
+      set(quantities[static_cast<std::size_t>(entry.quantity)],
+          entry.shown(sample.member[entry.quantity]));
+  }
+  return rows.take();
+}
+
+py::object scatter(const py::object& given, const py::kwargs& kwargs) {
+  auto [tree, folder] = spec_and_folder(given);
+  const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
+  for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
+  const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
+  SolvedJob job = model->job;
+  const ScatterAnswer found = watched_result(
+      model->given(), [&](Progress* progress) { return answer_scatter(job, progress); });
+  const py::object record = by_name(Value(scatter_quantities().of(scatter_view(job, found))));
+  record.attr("_attributes").attr("__setitem__")("members", members_of(found));
+  return record;
 }
 
 py::object verify(const py::object& cases) {
@@ -248,6 +288,11 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         "Computes corrections for errors, with the keys of [compensate] (corrections=, range=, "
         "centering=): a Record with corrections, before, after; load(record.spec) is the corrected "
         "pair");
+  m.def("scatter", &scatter, py::arg("pair"),
+        "Computes what tolerances do to a pair, with the keys of [scatter] (errors=, gear1=, "
+        "samples=, robust=): a Record with a distribution for each quantity, probability, indices, "
+        "worst, robust; its members are a structured array, a row for each sample with its inputs "
+        "and quantities by key");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

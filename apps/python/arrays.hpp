@@ -1,7 +1,7 @@
 // Quantities of many subjects as one structured array, a column for each column of the catalogue (columns.hpp).
 //
 // Columns are called by key, "transmission_error_arcsec", and have the key's unit; those of records by both keys,
-// "ellipse_semi_minor_mm". What is not there is NaN, of a word "".
+// "ellipse_semi_minor_mm". A missing number is NaN, and a missing word is "".
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -17,16 +17,15 @@
 
 namespace gearwright::python {
 
-inline constexpr double kNothing =
-    std::numeric_limits<double>::quiet_NaN();  ///< of what is not there
+inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  ///< if it is missing
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The real numbers of an array or of lists; none where they are something else, which numpy would
-/// turn into numbers without a word: complex ones, times, texts, flags, arrays with masked places.
+/// The real numbers of an array or of lists. None for other contents, which numpy would convert
+/// without a warning: complex numbers, times, texts, flags, masked arrays.
 std::optional<Numbers> real_numbers(py::handle value);
 
-/// An array that owns the vector: no number is copied.
+/// An array that owns the vector, so no number is copied.
 template <class T, class Owner>
 py::array_t<T> array_of(std::shared_ptr<Owner> owner, const T* data,
                         std::vector<py::ssize_t> shape) {
@@ -41,20 +40,21 @@ py::array_t<T> array_of(std::vector<T> numbers, std::vector<py::ssize_t> shape) 
   return array_of<T>(std::move(owner), data, std::move(shape));
 }
 
-/// A structured array in the making.
+/// A structured array under construction.
 class StructuredArray {
  public:
   StructuredArray() = default;
-  /// With the columns of a table that have a fixed number of values.
+  /// Makes an array with the columns of a table that have a fixed number of values.
   explicit StructuredArray(const QuantityTable& table);
-  /// The place of one more column: "f8", "i8", "?", "U7", of a shape.
+  /// Adds a column of a type ("f8", "i8", "?", "U7") and shape. Returns its index.
   std::size_t add(const std::string& name, const std::string& format,
                   const std::vector<py::ssize_t>& shape = {});
-  /// So many rows of the columns added.
+  /// Allocates this number of rows of the added columns.
   void allocate(std::size_t rows);
-  /// The values of a row in one column, as many as its shape has; nothing is NaN, false, "".
+  /// Sets the values of a row in one column, as many as its shape has. A missing value is NaN,
+  /// false or "".
   void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
-  /// The columns of the table from a record of it.
+  /// Fills the columns of the table from one of its records.
   void fill(std::size_t row, const ValueRecord& record);
   py::array take() { return std::move(array_); }
 

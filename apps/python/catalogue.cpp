@@ -1,4 +1,4 @@
-// The tables of the catalogue, for the stubs.
+// The tables of the catalogue, for the type stubs.
 #include <array>
 
 #include "apps/python/model.hpp"

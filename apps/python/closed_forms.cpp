@@ -1,4 +1,5 @@
-// Closed forms over columns of numbers: lanes and leaf formulas of the engine, row by row, without the GIL.
+// Closed forms over columns of numbers: the engine's vector functions and leaf formulas, row by
+// row, without the GIL.
 //
 // A column has a number for each row, or one for all. Rows outside a formula's domain are NaN. Broadcasting, defaults
 // and names: gearwright/closed_forms.py.
@@ -17,17 +18,18 @@ namespace gearwright::python {
 
 namespace {
 
-constexpr std::size_t kPart = 512;  // rows that stay near the processor
+constexpr std::size_t kPart = 512;  // rows that stay in the processor's cache
 using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>
 using Columns = std::array<Column, N>;
 
-// An empty result of as many rows.
+// An empty result with this number of rows.
 py::array_t<double> results(std::size_t rows) {
   return py::array_t<double>(static_cast<py::ssize_t>(rows));
 }
 
-// f(in, from, n) of one part of the rows after the other, without the GIL; `in` points to the part's n numbers.
+// Calls f(in, from, n) for successive parts of the rows, without the GIL; `in` points to the n
+// numbers of the part.
 template <std::size_t N, class F>
 void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   std::array<const double*, N> all{};
@@ -47,7 +49,7 @@ void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   }
 }
 
-// The column that f(in, out, n) makes of the parts, `out` pointing to the part's n results.
+// The column that f(in, out, n) computes part by part; `out` points to the n results of the part.
 template <std::size_t N, class F>
 py::array_t<double> column_of(const Columns<N>& columns, std::size_t rows, const F& f) {
   py::array_t<double> found = results(rows);
@@ -94,7 +96,7 @@ std::size_t place_of(const std::string& name) {
   throw py::key_error(name);
 }
 
-// Columns of this name, in normal modules; of an angle its tangent.
+// Columns with these names, in normal modules; the tangent for an angle.
 py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t rows,
                      double tan_alpha, const std::array<double, 2>& addendum,
                      const std::array<double, 2>& dedendum, double edge_depth, bool tight,
@@ -114,7 +116,7 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
     batch.resize(n);
     for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c], n, batch.in[c].begin());
     evaluate(constants, batch);
-    // Lanes stand still together: the residual says where there is no working angle.
+    // All lanes iterate together. The residual shows where there is no working angle.
     const auto& residual = batch.out[CandidateBatch::residual];
     const auto& tan_w = batch.out[CandidateBatch::tan_working];
     for (std::size_t i = 0; i < n; ++i) {

@@ -36,7 +36,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   return tolerance;
 }
 
-// In the keys of a gear where there is one alone.
+// Names the error by the keys of a gear if there is only one gear.
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
   if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
@@ -65,7 +65,7 @@ py::dict outline(const GearValue& gear, int points) {
     auto more = sample(arc, points);
     if (arcs.empty() || arcs.back().first != arc.name) {
       arcs.emplace_back(arc.name, std::move(more));
-    } else {  // several arcs of one name follow each other: the shared point stands there once
+    } else {  // several arcs of one name follow each other, and their common point is listed once
       arcs.back().second.insert(arcs.back().second.end(), more.begin() + 1, more.end());
     }
   }
@@ -74,7 +74,7 @@ py::dict outline(const GearValue& gear, int points) {
   return all;
 }
 
-// A land by its middle circle, from `begin` on.
+// A land as points on its circle, starting at `begin`.
 std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
   std::vector<Vec2> all;
   const Vec2 across(-piece.begin.y(), piece.begin.x());
@@ -125,14 +125,14 @@ py::tuple mesh(const GearValue& gear, double tolerance) {
                         array_of<std::uint32_t>(owner, owner->triangles.data()->data(), {m, 3}));
 }
 
-// The file's bytes, or where it was written.
+// The bytes of the file, or the path to which it was written.
 py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& path) {
   if (!path) return py::bytes(file.bytes);
   write_file(*path, file.bytes);
   return py::cast(*path);
 }
 
-// One file of the gears, two of them in place.
+// One file of the gears; two gears are in their mounted position.
 py::object exported(FileKind kind, const std::vector<int>& gears, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
   FileOptions options;
@@ -149,7 +149,8 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
       path);
 }
 
-// The workshop drawing, a sheet for each gear; what the path ends in goes before `format`.
+// The workshop drawing, with a sheet for each gear. The extension of the path takes precedence over
+// `format`.
 py::object drawing(const std::vector<int>& gears, const Model& model,
                    const std::optional<fs::path>& path, const std::string& format,
                    const std::string& sheet, double tolerance) {

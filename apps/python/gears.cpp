@@ -1,4 +1,4 @@
-// Gear and Pair: made from numbers by name, every quantity of the catalogue an attribute.
+// Gear and Pair: made from named numbers, with every quantity of the catalogue as an attribute.
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Changes by name; None takes a key out.
+// Changes by name; None removes a key.
 Json changes_of(const py::kwargs& kwargs) {
   Json changes = Json::object();
   for (const auto& [name, value] : kwargs) {
@@ -26,7 +26,7 @@ Json changes_of(const py::kwargs& kwargs) {
   return changes;
 }
 
-// Keys of [pair] and of the file itself side by side, as keywords have them.
+// Keys of [pair] and of the file itself side by side, in the form of keywords.
 Json pair_changes(const py::kwargs& kwargs) {
   Json spec = Json::object();
   const Json changes = changes_of(kwargs);
@@ -68,7 +68,7 @@ PairValue mounted(const GearValue& gear_1, const GearValue& gear_2, const py::kw
 
 PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
   Json spec = pair.model->spec;
-  for (const char* gear : {"gear1", "gear2"})  // a Gear, unlike a dict, is the whole of it
+  for (const char* gear : {"gear1", "gear2"})  // a Gear, unlike a dict, replaces the whole table
     if (kwargs.contains(gear) && py::isinstance<GearValue>(kwargs[gear])) spec.erase(gear);
   change(spec, pair_changes(kwargs));
   return pair_value(std::move(spec), pair.model->folder);
@@ -89,7 +89,7 @@ py::object load(const py::object& given) {
   return py::cast(GearValue{make_model(std::move(spec), folder, Scope::gears), 1});
 }
 
-// Every quantity of subject(self).
+// Adds every quantity of subject(self).
 template <class Self, class S, class Subject>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                      const Subject& subject) {
@@ -101,7 +101,7 @@ void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
   }
 }
 
-// Values are equal whose specs are.
+// Values are equal if their specs are equal.
 template <class Self>
 void bind_value(py::class_<Self>& type) {
   type.def("__getitem__",

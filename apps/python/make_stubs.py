@@ -90,7 +90,7 @@ def main():
     for name, entries in (("gear", tables["gear"]), ("pair", tables["pair"]), ("contact", contact + columns),
                           ("rating", tables["rating"]), ("loaded", tables["load"])):
         made[f"{name} attributes"] = "".join(map(attribute, entries))
-    for name in ("gear", "pair", "compensate", "rating", "load", "contact"):
+    for name in ("gear", "pair", "compensate", "scatter", "rating", "load", "contact"):
         made[f"{name} keywords"] = keywords(keys[name])
     made["sweep keywords"] = made["pair keywords"].replace("float | None", "ArrayLike")
     for mark, body in made.items():

@@ -1,6 +1,6 @@
-// A spec and what followed from it: what Gear, Pair, Contact, Rating and Loaded stand on.
+// A spec and its results, on which Gear, Pair, Contact, Rating and Loaded are based.
 //
-// Values: nothing changes after it was made, so that threads may share it.
+// Values never change after construction, so threads may share them.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,8 @@
 namespace gearwright::python {
 
 struct Model {
-  Json spec;                     ///< by key, as it was given
-  std::filesystem::path folder;  ///< where file names in it start
+  Json spec;                     ///< by key, as given
+  std::filesystem::path folder;  ///< folder of relative file names in the spec
   SolvedJob job;
 
   const GivenKeys& given() const { return job.spec.given; }
@@ -32,33 +32,34 @@ using ModelPtr = std::shared_ptr<const Model>;
 
 /// Solves it, without the GIL.   Errors  in the keys of the spec
 Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope);
-/// The same.   Throws  SpecError
+/// The same, throwing.   Throws  SpecError
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope);
 
-/// Raises it in the keys of the spec.
+/// Raises the error in the keys of the spec.
 [[noreturn]] void raise(const Error& error, const Model& model);
 
-/// Names in mm and rad become keys: helix_angle of 0.26 is helix_angle_deg of 14.9. What the tables do not
-/// know stays, for the reader to refuse.
+/// Names in mm and rad become keys: helix_angle of 0.26 is helix_angle_deg of 14.9. Names that the
+/// tables do not contain are unchanged, and the reader rejects them.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// The name in mm and rad of a key: normal_module of normal_module_mm; itself where it names none of our units.
+/// The name in mm and rad of a key: normal_module of normal_module_mm; the key itself if it has no
+/// such unit.
 std::string house_key(const Key& key);
-/// How many of the key's unit one mm or rad is.
+/// Number of the key's units in one mm or rad.
 double units_per_house(const Key& key);
-/// The same of a whole spec.
+/// The same for a whole spec.
 Json spec_with_keys(Json tree);
 
-/// Members of `changes` in place of those of `tree`, tables within tables; null takes one out.
+/// Replaces members of `tree` by those of `changes`, also in nested tables. Null removes a member.
 void change(Json& tree, const Json& changes);
 
-/// A gear by itself, or one of a pair's.
+/// A single gear, or one gear of a pair.
 struct GearValue {
   ModelPtr model;
   int which = 1;
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// The gear's table, of a pair's gear with the shift that followed.
+  /// The gear's table; for a gear of a pair, with the computed profile shift.
   Json spec() const;
   ValueRecord record() const { return gear_quantities().of(gear()); }
 };
@@ -73,9 +74,10 @@ struct PairValue {
   Verdict verdict() const { return judge(model->job); }
 };
 
-/// What a verb finds of a pair: the pair's spec with what was given beside it, and every quantity of the answer.
+/// The result of a verb for a pair: the pair's spec with the additional input, and every quantity
+/// of the result.
 struct AnswerValue {
-  ModelPtr model;  ///< with the warnings of the answer
+  ModelPtr model;  ///< with the warnings of the result
   std::shared_ptr<const ValueRecord> quantities;
   std::function<Verdict()> verdict;
 
@@ -86,12 +88,14 @@ struct ContactValue : AnswerValue {};
 struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
-/// The pair's spec with other errors and modifications, None as they are, and with `keys` in its table of this name.
+/// The pair's spec with other errors and modifications (None leaves them unchanged), and with
+/// `keys` in its table of this name.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);
 
-/// What every value of a spec has. Out of a pickle comes what `make` makes of the spec again, bit for bit.
+/// Adds the common methods of every value with a spec. Unpickling calls `make` with the spec, which
+/// gives the same value bit for bit.
 template <class Self, class Make>
 void bind_made(py::class_<Self>& type, const Make& make) {
   bind_copies(
@@ -120,7 +124,8 @@ void bind_verdict(py::class_<Self>& type) {
       "The verdict: level, headline and findings, the worst one first");
 }
 
-/// A quantity as an attribute, get(self) its value; where the type has one of this name, that stays.
+/// Adds a quantity as an attribute with the value get(self), unless the type already has an
+/// attribute of this name.
 template <class Self, class Get>
 void bind_quantity(py::class_<Self>& type, const QuantityInfo& info, const Get& get) {
   const std::string name = name_of(info);

@@ -1,4 +1,4 @@
-// The extension module gearwright._core: a list of what Python is given.
+// The extension module gearwright._core: a list of its functions and types.
 #include <pybind11/pybind11.h>
 
 #include "apps/python/model.hpp"

@@ -1,4 +1,5 @@
-// A pair under errors of its mounting: one as a table or a row, many as an array.
+// A pair under errors of its mounting: one set of errors as a table or a row, many sets as an
+// array.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace gearwright::python {
 
 namespace {
 
-// A row of numbers in mm and rad, in the order of gearwright.ERRORS, as [errors].
+// A row of numbers in mm and rad, in the order of gearwright.ERRORS, as a table [errors].
 Json errors_of_row(py::handle row) {
   const auto numbers = real_numbers(row);
   const py::ssize_t n = numbers ? numbers->size() : 0;
@@ -38,7 +39,7 @@ Json errors_tree(const py::object& errors) {
   return errors_of_row(errors);
 }
 
-// What a pair's errors may be, checked row by row: finite, and within the ranges of their keys.
+// Checks the errors of a pair row by row: they must be finite and within the ranges of their keys.
 void check_rows(const Numbers& rows, const ContactSetup& setup) {
   const auto numbers = rows.unchecked<2>();
   for (py::ssize_t r = 0; r < rows.shape(0); ++r) {
@@ -122,7 +123,7 @@ void bind_mountings(py::module_& m, py::class_<PairValue>& pair) {
            py::arg("modifications") = py::none(), py::arg("threads") = 0,
            "Transmission error in rad, (n, positions), over one pitch from half a pitch before the "
            "centre line on, of n mountings: errors has the columns of gearwright.ERRORS, mm and "
-           "rad, the first 6 or all 8. NaN where contact is lost. All cores, without the GIL");
+           "rad, the first 6 or all 8. NaN if contact is lost. All cores, without the GIL");
   py::list names;
   for (const ErrorEntry& e : error_entries()) names.append(std::string(e.name()));
   m.attr("ERRORS") = py::tuple(names);

@@ -1,7 +1,7 @@
-// How values show themselves in a notebook: the report's own pictures and tables, and whole pages.
+// Display of values in a notebook: the pictures and tables of the report, and whole pages.
 //
-// A picture stands in a frame of its own, so that its style and the notebook's do not meet; the page's colours follow
-// the reader's preference, dark or light.
+// A picture has its own frame, so its style and that of the notebook do not interfere. The colours
+// follow the user's preference, dark or light.
 #include <fmt/format.h>
 
 #include "apps/python/model.hpp"
@@ -9,10 +9,10 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/load_report.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// Ends as high as its content, where the notebook lets scripts of its own run; else it scrolls.
+// A frame as high as its content if the notebook permits scripts; otherwise it scrolls.
 std::string framed(const std::string& title, const std::string& body) {
   const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
                            body + "</main>\n</body>\n</html>\n";
@@ -57,16 +57,15 @@ std::string gear_html(const GearValue& g) {
 
 std::string pair_html(const PairValue& p) {
   const Pair& pair = p.pair();
-  const InvolutePair* involute = pair.involute();
-  const bool picture =
-      involute && !pair.crossed() && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
+  const ParallelPair* parallel = pair.parallel();
+  const bool picture = parallel && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
   return framed(fmt::format("Gear pair {} / {}", pair.gear(1).spec.teeth, pair.gear(2).spec.teeth),
                 definitions({&pair.gear(1), &pair.gear(2)}) + verdict_line(judge(p.model->job)) +
-                    (picture ? mesh_figures(*involute, kShapes) : std::string()) +
+                    (picture ? mesh_figures(*parallel, kShapes) : std::string()) +
                     pair_table(pair));
 }
 
-// A part of the report, made while the interpreter may interrupt.
+// A part of the report, made in an interruptible way.
 template <class Part>
 Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
   return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });

@@ -142,9 +142,8 @@ PairValue pair_of(const Found& found, py::ssize_t i) {
 py::dict counts_of(const Found& found) {
   const SearchCounts& counts = found.run.answer.counts;
   py::dict rejected;
-  for (int i = 0; i < found.search->problem().limit_count(); ++i)
-    rejected[py::str(std::string(name(static_cast<Limit>(i))))] =
-        counts.rejected[static_cast<std::size_t>(i)];
+  for (const Limit limit : found.search->problem().rejecting_limits())
+    rejected[py::str(std::string(name(limit)))] = counts.rejected[static_cast<std::size_t>(limit)];
   py::dict all;
   all["tested"] = counts.tested;
   all["feasible"] = counts.feasible;
@@ -152,7 +151,7 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
-// What a pickle keeps of a run, which may have taken hours, as it is; designs and changes are packed.
+// A pickle contains the finished run, which may have taken hours. Designs and changes are packed.
 template <class Run>
 auto plain_members(Run& run) {
   auto& answer = run.answer;

@@ -1,4 +1,5 @@
-// One pair with columns of numbers in place of some of its own: a row of quantities for each.
+// One pair with columns of numbers in place of some of its own. The result has a row of quantities
+// for each.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ struct Swept {
   int gear;  ///< 1 or 2; 0 of the pair
   std::string path;
   Numbers numbers;
-  double unit;  ///< what one of the numbers is in the key's unit
+  double unit;  ///< value of one of the numbers in the key's unit
 
   double at(std::size_t row) const { return numbers.data()[row] * unit; }
 };
@@ -72,7 +73,7 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   return all;
 }
 
-// The error of a number that its key does not allow, as of a file with it.
+// The error of a number that its key does not allow, as for a file with this number.
 std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   const double x = s.at(row);
   if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};
@@ -114,7 +115,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
       const auto job = solved_row(pair.model->job.spec, keys, r);
       if (job) return array.fill(r, pair_quantities().of(*job->pair));
       refuse(r, job.error().message());
-    } catch (const ContractViolation& e) {  // the other rows go on
+    } catch (const ContractViolation& e) {  // the other rows are still computed
       refuse(r, e.what());
     }
   });
@@ -127,8 +128,8 @@ void bind_sweep(py::class_<PairValue>& pair) {
   pair.def("sweep", &sweep, py::arg("threads") = 0,
            "The pair with arrays in place of some of its numbers: "
            "sweep(center_distance=distances), sweep(gear1={\"profile_shift\": shifts}). A "
-           "structured array, a row for each, a column for each quantity by key; where there is no "
-           "such pair, NaN and the sentence in `error`. All cores, without the GIL");
+           "structured array, a row for each, a column for each quantity by key; if there is no "
+           "such pair, NaN and the message in `error`. All cores, without the GIL");
 }
 
 }  // namespace gearwright::python

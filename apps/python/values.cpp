@@ -18,7 +18,7 @@ py::object type_of(const char* module, const char* name) {
 
 struct ToPython {
   bool by_name;       // as an attribute: in mm and rad, lists as tuples, records as Records
-  double unit = 1.0;  // of the numbers of an attribute
+  double unit = 1.0;  // unit of the numbers of an attribute
 
   py::object operator()(std::monostate) const { return py::none(); }
   py::object operator()(bool flag) const { return py::bool_(flag); }
@@ -68,7 +68,8 @@ Json whole_of(py::handle value, const std::string& path) {
   return whole;
 }
 
-// A time or an array of times, of which numpy's tolist() makes whole numbers where they are in ns.
+// A time or an array of times, which numpy's tolist() would convert to whole numbers if they are in
+// ns.
 bool is_time(py::handle value) {
   const py::object type = py::getattr(value, "dtype", py::none());
   const std::string kind = py::str(py::getattr(type, "kind", py::none()));
@@ -78,7 +79,7 @@ bool is_time(py::handle value) {
 Json mapping_of(py::handle value, const std::string& path) {
   Json tree = Json::object();
   const py::object keys =
-      value.attr("keys")();  // all that dicts, Records and tables have in common
+      value.attr("keys")();  // the only method that dicts, Records and tables have in common
   for (const auto& name : keys) {
     const std::string key = py::str(name);
     const py::object member = value[name];
@@ -91,7 +92,7 @@ Json mapping_of(py::handle value, const std::string& path) {
 }  // namespace
 
 std::string name_of(const QuantityInfo& info) {
-  if (info.key == "from") return "from_";  // a word of Python's own
+  if (info.key == "from") return "from_";  // a keyword of Python
   if (info.unit == Unit::m_per_s) return info.key;
   const std::string_view suffix = unit_suffix(info.unit);
   const std::string_view key = info.key;
@@ -139,7 +140,7 @@ py::object by_name(const Value& without_unit) {
 
 namespace {
 
-// A tree that has itself in it ends in a RecursionError.
+// A tree that contains itself leads to a RecursionError.
 struct Depth {
   Depth() {
     if (Py_EnterRecursiveCall(" in a spec") != 0) throw py::error_already_set();
@@ -174,7 +175,7 @@ Json tree_of(py::handle value, const std::string& path) {
   }
   if (py::hasattr(value, "__float__") && !numpy)
     return number_of(value.attr("__float__")().cast<double>(), path);
-  throw py::type_error(path + ": a spec has no place for " + std::string(py::repr(value)));
+  throw py::type_error(path + ": a spec cannot contain " + std::string(py::repr(value)));
 }
 
 bool is_path(py::handle value) {
@@ -199,7 +200,7 @@ std::optional<std::filesystem::path> path_or_none(py::handle value, const std::s
 }
 
 int threads_in_range(int threads) {
-  constexpr int kMostThreads = 1024;  // as batch and search take
+  constexpr int kMostThreads = 1024;  // the same as for batch and search
   if (threads < 0 || threads > kMostThreads)
     raise(refused("threads", threads,
                   "must lie between 1 and " + std::to_string(kMostThreads) +

@@ -1,6 +1,6 @@
-// Values between Python and the house: trees of specs, values of the catalogue, errors.
+// Conversion of values between Python and C++: trees of specs, values of the catalogue, errors.
 //
-//   by key    "tip_diameter_mm", the unit that the key names: what JSON has
+//   by key    "tip_diameter_mm", in the unit of the key, as in JSON
 //   by name   "tip_diameter", mm and rad: an attribute
 #pragma once
 
@@ -20,15 +20,15 @@ namespace gearwright::python {
 
 namespace py = pybind11;
 
-/// The key without a unit that has a place in mm and rad: "tip_diameter" of tip_diameter_mm,
-/// "transmission_error" of transmission_error_arcsec; others stay.
+/// The key without its unit if it has a form in mm and rad: "tip_diameter" for tip_diameter_mm,
+/// "transmission_error" for transmission_error_arcsec. Other keys are unchanged.
 std::string name_of(const QuantityInfo& info);
-/// What one unit of the key is in mm or rad.
+/// Value of one unit of the key in mm or rad.
 double house_unit(Unit unit);
-/// "m_n, mm: normal module, as in the spec": what help() prints of an attribute.
+/// "m_n, mm: normal module, as in the spec": the text that help() prints for an attribute.
 std::string docstring(const QuantityInfo& info);
 
-/// As JSON has it: null is None, lists are lists, records are dicts by key.
+/// In the form of JSON: null is None, lists are lists, records are dicts by key.
 py::object by_key(const Value& value);
 py::object to_python(const Json& tree);
 /// As an attribute: numbers in mm and rad, lists are tuples, records are Records.
@@ -36,7 +36,8 @@ py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
 
 /// A tree of dicts, lists, numbers and texts; numpy's numbers and arrays, paths and Gears too. `path` names
-/// it in errors.   Throws  SpecError for what is not finite, TypeError for what has no place in a spec
+/// it in errors.   Throws  SpecError for a number that is not finite, TypeError for a type that a
+/// spec cannot contain
 Json tree_of(py::handle value, const std::string& path);
 
 /// A text, bytes or a path object.
@@ -44,12 +45,12 @@ bool is_path(py::handle value);
 /// The path of a file or folder; `name` names it in errors.   Throws  SpecError, TypeError
 std::filesystem::path path_of(py::handle value, const std::string& name);
 std::optional<std::filesystem::path> path_or_none(py::handle value, const std::string& name);
-/// So many threads, 0: as many as the machine has.   Throws  SpecError
+/// The number of threads; 0 means as many as the machine has.   Throws   SpecError
 int threads_in_range(int threads);
 
 /// Raises gearwright.SpecError.
 [[noreturn]] void raise(const Error& error);
-/// The same of a gear by itself: "teeth", not "gear1.teeth".
+/// The same for a single gear: "teeth", not "gear1.teeth".
 [[noreturn]] void raise_of_gear(Error error);
 
 template <class T>
@@ -58,7 +59,8 @@ T value_or_raise(Result<T> result) {
   return std::move(result).take();
 }
 
-/// copy, deepcopy and pickle of a value that never changes: itself, and what `keep` and `make_again` make of it.
+/// copy, deepcopy and pickle of an immutable value: a copy is the value itself, and a pickle uses
+/// `keep` and `make_again`.
 template <class Type, class Keep, class MakeAgain>
 void bind_copies(Type& type, const Keep& keep, const MakeAgain& make_again) {
   type.def("__copy__", [](const py::object& self) { return self; })

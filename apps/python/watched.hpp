@@ -1,7 +1,8 @@
-// A long work on a thread of its own, while Python's main thread looks for Ctrl-C and reports how far it is.
+// A long computation on a separate thread, while Python's main thread checks for Ctrl-C and reports
+// the progress.
 //
-// Python hears a signal only between two of its own instructions, so that a call of seconds would not. The thread that
-// called waits here, without the GIL but for a look every kLook.
+// Python handles a signal only between two of its own instructions, so it would not during a call
+// of seconds. The calling thread waits here without the GIL, except for a check every kLook.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,7 +23,7 @@ namespace gearwright::python {
 
 constexpr std::chrono::milliseconds kLook{50};
 
-/// A work that counts its steps, or looks at `stop`, ends at the next one after end().
+/// A computation that counts its steps, or checks `stop`, ends at the next one after end().
 struct Watched {
   std::atomic<bool> stop{false};
   Progress progress;
@@ -33,8 +34,8 @@ struct Watched {
   }
 };
 
-/// Runs it to its end and hands on what it throws. On Ctrl-C, and when `look` raises, the work is ended, and then the
-/// exception is raised.
+/// Runs it to its end and passes on its exceptions. On Ctrl-C, and if `look` raises, the
+/// computation is ended and then the exception is raised.
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
   std::exception_ptr raised;
@@ -58,7 +59,7 @@ inline void watch(Watched& watched, const std::function<void()>& work,
   ended.get();
 }
 
-/// What the work, work(progress), finds.   Throws  SpecError in the keys of the spec
+/// Returns the result of work(progress).   Throws  SpecError in the keys of the spec
 template <class Work>
 auto watched_result(const GivenKeys& given, const Work& work) {
   std::optional<decltype(work(static_cast<Progress*>(nullptr)))> found;
@@ -68,7 +69,7 @@ auto watched_result(const GivenKeys& given, const Work& work) {
   return std::move(*found).take();
 }
 
-/// row(0) … row(n − 1) from so many threads; 0: as many as the machine has.
+/// Calls row(0) … row(n − 1) from this number of threads; 0: as many as the machine has.
 template <class Row>
 void watched_rows(std::size_t n, int threads, const Row& row) {
   Watched watched;

@@ -68,7 +68,7 @@ export default defineConfig(({ mode }) => ({
     },
   },
   plugins: [engineModule(), ...(mode === "single" ? [single()] : [])],
-  // A page from disk may not start a worker that is a module.
+  // A page from disk cannot start a worker that is a module.
   worker: { format: mode === "single" ? "iife" : "es", plugins: () => [engineModule()] },
   server: { fs: { allow: [root, engine] } },
   build: {

@@ -29,7 +29,7 @@ Figure crossed_figure() {
   const auto least_angle = transverse_angle_at_min_distance(gears);
   if (!least_angle) throw std::logic_error("the figure's teeth are too thin");
   const CrossedPlace least = crossed_place(gears, *least_angle);
-  const auto mounted = mount_involutes(
+  const auto mounted = mount_as<CrossedPair>(
       one, two, {.center_distance = least.center_distance, .shaft_angle = least.shaft_angle});
   if (!mounted) throw std::logic_error(mounted.error().message());
   const auto range = contact_ratio_range(mounted->input);

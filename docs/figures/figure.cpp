@@ -2,76 +2,47 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
-#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright::figures {
 
 namespace {
 
-// What a class paints: {name, property, light, dark}. Colours as in the report, which people tell
-// apart whatever their colour vision.
-struct Paint {
-  const char *rule, *property, *light, *dark;
-};
-constexpr std::array kPaints{
-    Paint{".ground", "fill", "#ffffff", "#14181c"},
-    Paint{"text", "fill", "#1a1f24", "#e4e8ec"},
-    Paint{"text.soft", "fill", "#57606a", "#a2acb6"},
-    Paint{"text.g1", "fill", "#0067a6", "#6cb6ee"},
-    Paint{"text.g2", "fill", "#b54708", "#f2a06a"},
-    Paint{"text.action", "fill", "#8b1a7c", "#e58bd8"},
-    Paint{"text.green", "fill", "#00796b", "#4fd1c0"},
-    Paint{".ink", "stroke", "#1a1f24", "#e4e8ec"},
-    Paint{".soft", "stroke", "#57606a", "#a2acb6"},
-    Paint{".rule", "stroke", "#d5dadf", "#39424b"},
-    Paint{".grey", "stroke", "#9aa3ab", "#6b757f"},
-    Paint{".g1", "stroke", "#0067a6", "#6cb6ee"},
-    Paint{".g2", "stroke", "#b54708", "#f2a06a"},
-    Paint{".action", "stroke", "#8b1a7c", "#e58bd8"},
-    Paint{".green", "stroke", "#00796b", "#4fd1c0"},
-    Paint{".yellow", "stroke", "#b8860b", "#e3b341"},
-    Paint{".body1", "fill", "#d4e6f3", "#1d3a50"},
-    Paint{".body2", "fill", "#f8e1d0", "#4a2d1a"},
-    Paint{".cutter", "fill", "#e9ecef", "#262d34"},
-    Paint{".band", "fill", "#e6f4ea", "#1c3226"},
-    Paint{".fill-ink", "fill", "#1a1f24", "#e4e8ec"},
-    Paint{".fill-soft", "fill", "#57606a", "#a2acb6"},
-    Paint{".fill-g1", "fill", "#0067a6", "#6cb6ee"},
-    Paint{".fill-g2", "fill", "#b54708", "#f2a06a"},
-    Paint{".fill-action", "fill", "#8b1a7c", "#e58bd8"},
-    Paint{".fill-green", "fill", "#00796b", "#4fd1c0"},
-    Paint{"text.halo", "stroke", "#ffffff", "#14181c"},
-};
-
-std::string style_sheet() {
-  std::string css =
-      "path,circle,polyline,polygon,rect{fill:none;stroke-width:1.2;stroke-linejoin:round}\n"
-      "text{font:14px system-ui,-apple-system,\"Segoe UI\",Roboto,\"Noto Sans\",\"DejaVu Sans\","
-      "sans-serif;stroke:none}\n"
-      "tspan.v{font-style:italic;font-family:\"STIX Two Text\",Cambria,\"DejaVu Serif\",serif}\n"
-      "tspan.s{font-size:10px}text.m,text.m tspan{text-anchor:middle}text.e{text-anchor:end}\n"
-      "text.small,text.tick{font-size:12px}text.bold{font-weight:650}\n"
-      "text.halo{paint-order:stroke;stroke-width:4px;stroke-linejoin:round}\n"
-      ".thin{stroke-width:.8}.thick{stroke-width:2.2}.heavy{stroke-width:3}\n"
-      ".dash{stroke-dasharray:7 4}.dashdot{stroke-dasharray:12 4 2 4}.dot{stroke-dasharray:1.5 3}\n"
-      ".grid{stroke-width:1}.axis{stroke-width:1}\n"
-      "text.soft,text.g1,text.g2,text.action,text.green{stroke:none}\n";
-  const auto colour = [&](bool dark) {
-    std::string rules;
-    for (const Paint& p : kPaints)
-      rules += fmt::format("{}{{{}:{}}}", p.rule, p.property, dark ? p.dark : p.light);
-    return rules;
-  };
-  return css + colour(false) + "\n@media (prefers-color-scheme:dark){" + colour(true) + "}\n";
+// The colours of all figures, light and dark: the first rules of figure_style.css.
+std::string_view palette() {
+  const std::string_view style = figure_style();
+  const std::size_t begin = style.find(":root{"), end = style.find("\n.key{");
+  GW_EXPECTS(begin != style.npos && end != style.npos && begin < end);
+  return style.substr(begin, end - begin);
 }
+
+constexpr std::string_view kRules = R"(
+path,circle,polyline,polygon,rect{fill:none;stroke-width:1.2;stroke-linejoin:round}
+text{font:14px system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif;fill:var(--ink);stroke:none}
+tspan.v{font-style:italic;font-family:"STIX Two Text",Cambria,"DejaVu Serif",serif}
+tspan.s{font-size:10px}text.m,text.m tspan{text-anchor:middle}text.e{text-anchor:end}
+text.small,text.tick{font-size:12px}text.bold{font-weight:650}
+.thin{stroke-width:.8}.thick{stroke-width:2.2}.heavy{stroke-width:3}
+.dash{stroke-dasharray:7 4}.dashdot{stroke-dasharray:12 4 2 4}.dot{stroke-dasharray:1.5 3}
+.grid,.axis{stroke-width:1}
+.ink{stroke:var(--ink)}.soft{stroke:var(--soft)}.rule{stroke:var(--rule)}.grey{stroke:var(--grey-ink)}
+.g1{stroke:var(--g1)}.g2{stroke:var(--g2)}.action{stroke:var(--action)}.green{stroke:var(--trailing)}.yellow{stroke:var(--beta)}
+.ground{fill:var(--paper)}.body1{fill:var(--g1-fill)}.body2{fill:var(--g2-fill)}.cutter{fill:var(--faint)}
+.band{fill:var(--trailing);fill-opacity:.12}
+.fill-ink{fill:var(--ink)}.fill-soft{fill:var(--soft)}.fill-g1{fill:var(--g1)}.fill-g2{fill:var(--g2)}
+.fill-action{fill:var(--action)}.fill-green{fill:var(--trailing)}
+text.soft{fill:var(--soft)}text.g1{fill:var(--g1)}text.g2{fill:var(--g2)}text.action{fill:var(--action)}text.green{fill:var(--trailing)}
+text.soft,text.g1,text.g2,text.action,text.green{stroke:none}
+text.halo{paint-order:stroke;stroke:var(--paper);stroke-width:4px;stroke-linejoin:round}
+)";
 
 }  // namespace
 
@@ -104,7 +75,8 @@ std::string Figure::str() const {
   };
   replace("<svg class=\"zoom\" ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ");
   replace(" tabindex=\"0\"", "");
-  replace("</desc>\n", "</desc>\n<style>\n" + style_sheet() + "</style>\n");
+  replace("</desc>\n",
+          "</desc>\n<style>\n" + std::string(palette()) + std::string(kRules) + "</style>\n");
   return text;
 }
 
@@ -162,17 +134,16 @@ void Figure::dot(const Viewport& view, const Vec2& mm, std::string_view style, d
 void draw_frame(Figure& figure, const Plot& plot, std::string_view foot, std::string_view head,
                 int columns, int rows) {
   Svg& svg = figure.svg();
-  const auto number = [](double v, int decimals) { return escaped(fixed(v, decimals)); };
   const Ticks across = columns > 0 ? round_ticks(plot.x.lo, plot.x.hi, columns) : Ticks{{}, 0};
   for (const double v : across.values) {
     svg.line({plot.x(v), plot.y.from}, {plot.x(v), plot.y.to}, "rule grid");
-    svg.text({plot.x(v), plot.y.from + 17}, number(v, across.decimals), Anchor::middle,
+    svg.text({plot.x(v), plot.y.from + 17}, tick_text(v, across.decimals), Anchor::middle,
              "soft tick");
   }
   const Ticks up = round_ticks(plot.y.lo, plot.y.hi, rows);
   for (const double v : up.values) {
     svg.line({plot.x.from, plot.y(v)}, {plot.x.to, plot.y(v)}, "rule grid");
-    svg.text({plot.x.from - 7, plot.y(v) + 4}, number(v, up.decimals), Anchor::end, "soft tick");
+    svg.text({plot.x.from - 7, plot.y(v) + 4}, tick_text(v, up.decimals), Anchor::end, "soft tick");
   }
   svg.line({plot.x.from, plot.y.from}, {plot.x.to, plot.y.from}, "soft axis");
   svg.line({plot.x.from, plot.y.from}, {plot.x.from, plot.y.to}, "soft axis");

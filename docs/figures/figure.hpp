@@ -1,8 +1,7 @@
 // One figure of the theory pages: an SVG file of its own, drawn by the engine's geometry.
 //
-// The shapes are those of the report (report/svg.hpp). A file has its own style: concrete colours,
-// light, and dark for readers who prefer that, on a ground of its own, so that it can be read on
-// any page. Words may hold symbols in braces, "radius {r_b}", which get real indices.
+// The shapes and the colours are those of the report (figure/svg.hpp, figure_style.css): light, and dark
+// for readers who prefer that, on a ground of its own, so that it can be read on any page. Words may hold symbols in braces, "radius {r_b}", which get real indices.
 //
 //   px    pixels of the picture, y down        mm    the plane of a Viewport, y up
 #pragma once

@@ -24,7 +24,7 @@ Figure frames_figure() {
   const Gear two = gear_of(spec);
   const double a = tight_center_distance(12, 18, 10.0, spec.normal_pressure_angle.rad(),
                                          spec.normal_pressure_angle.rad(), 1.0, 0.4);
-  const auto mounted = mount_involutes(one, two, {.center_distance = a});
+  const auto mounted = mount_as<ParallelPair>(one, two, {.center_distance = a});
   if (!mounted) throw std::logic_error(mounted.error().message());
   const InvolutePair& pair = *mounted;
   const Viewport view{860, 540, {93, 0}, 2.5};

@@ -25,7 +25,7 @@ Figure mesh_triangle_figure() {
   const Gear two = gear_of(spec);
   const double alpha_0 = spec.normal_pressure_angle.rad();
   const double a = tight_center_distance(17, 23, 10.0, alpha_0, alpha_0, 1.0, 0.5);
-  const auto mounted = mount_involutes(one, two, {.center_distance = a});
+  const auto mounted = mount_as<ParallelPair>(one, two, {.center_distance = a});
   if (!mounted) throw std::logic_error(mounted.error().message());
   const InvolutePair& pair = *mounted;
   const Mesh<double>& m = pair.mesh;

@@ -24,7 +24,7 @@ void draw_section(Figure& f) {
   const Gear gear = gear_of(spec);
   const auto mounted = mount(gear, gear);
   if (!mounted) throw std::logic_error(mounted.error().message());
-  const auto pair = rated_pair(*mounted->involute());
+  const auto pair = rated_pair(*mounted);
   if (!pair) throw std::logic_error(pair.error().message());
   const auto section = critical_section(*pair, pair->gears[0]);
   if (!section) throw std::logic_error("the figure's tooth has no critical section");

@@ -25,7 +25,7 @@ int main() {
   const Result<Pair> pair = mount(*gear_1, *gear_2);
   if (!pair) return fail(pair.error());
 
-  const Result<RatedPair> rated = rated_pair(*pair->involute());
+  const Result<RatedPair> rated = rated_pair(*pair);
   if (!rated) return fail(rated.error());
   RatingInput input;
   input.torque = 480;  // N m on gear 1

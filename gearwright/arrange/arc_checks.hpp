@@ -1,4 +1,4 @@
-// What is possible with racks of circular arcs, and what is not.
+// Checks which inputs are possible with racks of circular arcs.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace gearwright {
 
-/// The gear's rack, or that of its cutter, consists of arcs.
+/// True if the gear's rack, or that of its cutter, consists of arcs.
 bool has_arcs(const GearInput& gear);
 
-/// One of the gears has arcs.
+/// True if one of the gears has arcs.
 bool has_arcs(const GivenPair& given);
 
-/// What has no meaning for circular-arc teeth: a gear cut by one of them, tips shortened by profile
-/// shifts, crossed axes.
+/// Rejects inputs without meaning for circular-arc teeth: a gear cut by one of them, tips shortened
+/// by profile shifts, crossed axes.
 std::optional<Error> check_arcs(const GivenPair& given);
 
 }  // namespace gearwright

@@ -12,6 +12,7 @@
 #include "gearwright/arrange/given_errors.hpp"
 #include "gearwright/arrange/nominal.hpp"
 #include "gearwright/arrange/notes.hpp"
+#include "gearwright/arrange/relief_start.hpp"
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
@@ -55,7 +56,7 @@ void collect_warnings(Arranged& arranged) {
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 
-// The gears' shifts as far as they are given, and whether a tip is to keep a clearance.
+// The given shifts of the gears. Returns true if a tip has to keep a clearance.
 Result<bool> begin_gears(GivenPair& given) {
   bool clear_tips = false;
   for (const int which : {1, 2}) {
@@ -125,13 +126,16 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
     arranged.gears.push_back(std::move(gear).take());
     arranged.gears.back().bore = given.gear(which).bore;
   }
-  if (want_pair) {
+  const bool starts_follow = lacks_relief_start(given);
+  if (starts_follow && !two) return missing_relief_start(given);
+  if (want_pair || starts_follow) {
     const PairSpec at{place ? place->center_distance : given.pair.center_distance,
                       place ? place->shaft_angle : std::nullopt, given.pair.friction_coefficient,
                       given.pair.speed_rpm};
     auto pair = mount(arranged.gears[0], arranged.gears[1], at);
     if (!pair) return arcs ? pair.error() : unplaced(of_distance(pair.error(), given));
-    arranged.pair = std::move(pair).take();
+    if (auto error = place_reliefs(given, *pair)) return *error;
+    if (want_pair) arranged.pair = std::move(pair).take();
     if (arcs && given.pair.friction_coefficient)
       given.notes.push_back(not_read("pair.friction_coefficient of circular-arc gears"));
   }

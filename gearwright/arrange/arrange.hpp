@@ -1,5 +1,5 @@
-// From one gear or two as a drawing gives them to gears and a pair: what is absent follows, and what
-// contradicts itself is an error.
+// Computes gears and a pair from one or two gears as a drawing gives them. Absent values follow
+// from the others, and contradictions are errors.
 //
 // Shifts and centre distance complete each other, a cutter's numbers become those of the gear that it
 // cuts, a backlash sets the thickness of the teeth, absent face widths are 10 m_n with a warning.
@@ -16,32 +16,32 @@ namespace gearwright {
 
 struct ArrangedEnds;
 
-/// With a pair its gears are the pair's.
+/// With a pair, its gears are those of the pair.
 struct Arranged {
-  GivenPair completed;              ///< the input with what follows: shifts, thickness, tips
-  std::vector<Gear> gears{};        ///< one or two
-  std::optional<Pair> pair{};       ///< of two gears, where the pair was wanted
-  std::vector<Warning> warnings{};  ///< of gears and pair, with the gear's number
-  std::shared_ptr<const ArrangedEnds> ends{};  ///< of its tolerances; none: it has none
-  std::shared_ptr<const GivenPair> given{};    ///< the input as it was
+  GivenPair completed;         ///< the input with the values that follow: shifts, thickness, tips
+  std::vector<Gear> gears{};   ///< one or two
+  std::optional<Pair> pair{};  ///< of two gears, if a pair was requested
+  std::vector<Warning> warnings{};             ///< of gears and pair, with the gear's number
+  std::shared_ptr<const ArrangedEnds> ends{};  ///< both ends of its tolerances; none if it has none
+  std::shared_ptr<const GivenPair> given{};    ///< the unchanged input
 
-  /// Gear 1 or 2.   Domain  there is such a gear (contract)
+  /// Gear 1 or 2.   Domain  this gear exists (contract)
   const Gear& gear(int which) const {
     GW_EXPECTS(which >= 1 && which <= static_cast<int>(gears.size()));
     return gears[static_cast<std::size_t>(which - 1)];
   }
 };
 
-/// The same at both ends of its tolerances. `lower`: the thinnest teeth, and with them the centre
-/// distance with the most backlash; `upper`: the thickest, and the least. What is made, and contact,
-/// is that of the mean of the allowances.
+/// The same at both ends of its tolerances. `lower` has the thinnest teeth and the centre distance
+/// with the most backlash. `upper` has the thickest teeth and the least backlash. The manufactured
+/// gears, and contact, use the mean of the allowances.
 struct ArrangedEnds {
   Arranged lower, upper;
 };
 
 enum class Scope {
-  gears,       ///< each gear by itself; the pair is used only to find an absent profile shift
-  pair,        ///< the mounted pair is wanted: gear 2 must be there
+  gears,       ///< each gear separately; the pair is used only to compute an absent profile shift
+  pair,        ///< the mounted pair is requested, so gear 2 must exist
   everything,  ///< the pair if there are two gears
 };
 

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNear = 1e-12;  // mm or degrees: the answer prints what was asked for
-constexpr double kSame = 1e-9;   // beyond it there is no such thickness
+constexpr double kNear = 1e-12;  // mm or degrees, so that the result prints as the requested value
+constexpr double kSame = 1e-9;   // a larger difference means that no such thickness exists
 constexpr int kMostSteps = 12;   // secants; involute teeth need one
 
 struct Wanted {
@@ -28,7 +28,8 @@ Wanted wanted_of(const PairInput& p) {
   return {"pair.backlash_angle", p.backlash_angle->deg()};
 }
 
-// How much thinner both teeth are together, in mm of the normal section, split onto the two.
+// The sum of the reductions of both tooth thicknesses, in mm of the normal section, is split
+// between the two gears.
 void thin(GivenPair& given, double thinning) {
   const double share = given.pair.backlash_split;
   const std::array<double, 2> shares{share, 1.0 - share};
@@ -36,7 +37,8 @@ void thin(GivenPair& given, double thinning) {
     given.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
 }
 
-// Of the pair with teeth thinned so; fillets and tips do not matter to it.
+// The backlash of the pair with teeth thinned by this amount. Fillets and tips have no influence on
+// it.
 Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& place,
                            double thinning) {
   thin(given, thinning);
@@ -66,7 +68,7 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   GW_EXPECTS(given.pair.wants_backlash() && given.gears[0] && given.gears[1]);
   const Wanted wanted = wanted_of(given.pair);
   const auto asked = [&](const Error& error) {
-    return following_from(wanted.field, format_number(wanted.value), "it asks for", error);
+    return following_from(wanted.field, format_number(wanted.value), "it requires", error);
   };
   double before = 0.0;
   auto at_before = backlash_at(given, place, before);

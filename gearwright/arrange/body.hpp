@@ -1,4 +1,4 @@
-// What a gear's body is inside its teeth: its bore, or of an internal gear its rim.
+// The body of a gear inside its teeth: its bore, or the rim of an internal gear.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@ namespace gearwright {
 /// The rim of an internal gear: as given, or one of 2.5 modules around its roots.
 Bore rim(const Gear& ring);
 
-/// No material between bore and roots, of an internal gear between roots and rim.
+/// A warning if there is no material between bore and roots, or between roots and rim of an
+/// internal gear.
 std::optional<Warning> body_warning(const Gear& gear, int which);
 
 }  // namespace gearwright

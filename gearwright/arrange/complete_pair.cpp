@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright {
 
 namespace {
 
-// Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
+// True if the axes cross. The helices decide this, and the shaft angle has been checked against
+// them.
 bool axes_cross(const GivenPair& given) {
   return !axes_are_parallel(
       nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical));
@@ -37,8 +39,8 @@ ShiftProblem shift_problem(const GivenPair& given) {
   return p;
 }
 
-// Shifts and centre distances are completed between gears cut by the same rack angle and module,
-// on parallel axes with the same |β| too.
+// Shifts and centre distances are completed for gears cut with the same rack angle and module, on
+// parallel axes also with the same |β|.
 bool share_a_rack(const GivenPair& given) {
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
   const CylindricalSpec& c2 = given.gears[1]->cylindrical;
@@ -47,11 +49,11 @@ bool share_a_rack(const GivenPair& given) {
          near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
 }
 
-// Tips cut back so that the racks' clearance is kept at this distance: k m_n = σ (a − a_ext).
-// [T2.21]
+// Tips shortened so that the clearance of the racks is kept at this distance: k m_n = σ (a −
+// a_ext). [T2.21]
 void shorten_tips(GivenPair& given, double a) {
   double extended = 0.0;
-  const double side = given.gears[1]->cylindrical.teeth > 0 ? 1.0 : -1.0;
+  const double side = side_of(given.gears[1]->cylindrical.teeth);
   const auto reference_radius = [](const CylindricalSpec& c) {
     return c.normal_module / std::cos(c.helix_angle.rad()) * std::abs(c.teeth) / 2;
   };
@@ -60,18 +62,19 @@ void shorten_tips(GivenPair& given, double a) {
     extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
     extended += side * c.normal_module * c.profile_shift;
   }
-  // Never outward: further apart than that the clearance is larger than the racks' anyway.
+  // Tips are never extended, because at a greater distance the clearance exceeds that of the racks
+  // anyway.
   const double k_m = std::min(0.0, side * (a - extended));
   for (auto& gear : given.gears) {
     CylindricalSpec& c = gear->cylindrical;
     if (c.tip_diameter) continue;
-    const double sign = c.teeth > 0 ? 1.0 : -1.0;
+    const double sign = side_of(c.teeth);
     c.tip_diameter = 2 * reference_radius(c) +
                      sign * 2 * (c.normal_module * (addendum_of(c.rack) + c.profile_shift) + k_m);
   }
 }
 
-// What cannot be had from gears of different racks: x means something else in each of them.
+// Rejects inputs that need gears of one rack, because x has a different meaning for each rack.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "needs two gears of the same module and pressure angle; for different racks, give both "
@@ -85,7 +88,8 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   return std::nullopt;
 }
 
-// A sum of two shifts is refused by the shift that was given; of two, by the larger one.
+// An invalid sum of two shifts is attributed to the given shift, or to the larger one if both are
+// given.
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (error.field != "profile_shift") return error;
   const auto size = [&](std::size_t i) {
@@ -98,8 +102,8 @@ Error of_given_shift(const Error& error, const GivenPair& given) {
           format_number(*given.gears[i]->profile_shift), error.rule};
 }
 
-// Two helices of one hand and angle cross at twice that angle. Without a shaft angle a sign has more
-// often been forgotten than meant.
+// Two helices of one hand and angle cross at twice that angle. Without a given shaft angle, a
+// missing sign is more likely than crossed axes.
 std::optional<Error> check_hands(const GivenPair& given) {
   if (given.pair.shaft_angle) return std::nullopt;
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
@@ -108,7 +112,7 @@ std::optional<Error> check_hands(const GivenPair& given) {
   const double b2 = c2.helix_angle.deg();
   const bool one_angle = b1 != 0.0 && std::abs(b1 - b2) <= 1e-9 * std::abs(b1);
   if (!one_angle || c1.teeth < 0 || c2.teeth < 0) return std::nullopt;
-  // Base cylinders have no helix angle whose sign could be forgotten.
+  // The helix angle of a base cylinder cannot lack its sign.
   if (given.gears[0]->basic || given.gears[1]->basic) return std::nullopt;
   const std::string opposite =
       given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
@@ -134,7 +138,7 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // Neither shifts nor angle: the pair whose minimum centre distance this is.
+    // Neither shifts nor angle are given: the pair for which this is the minimum centre distance.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
@@ -147,7 +151,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     given.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     given.shaft_angle_found = true;
   }
-  // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
+  // Gears of one rack on parallel axes have a centre distance in closed form, exact to the last
+  // digit.
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
   std::optional<double> a = given.pair.center_distance;
   if (by_shifts) {

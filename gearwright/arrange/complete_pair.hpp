@@ -12,8 +12,8 @@ namespace gearwright {
 /// and follow from the centre distance.
 ///
 /// Domain    two gears (contract)
-/// Errors    `gear2.helix_angle` where a sign seems forgotten; as check_partners, complete_shifts and
-///           complete_place
+/// Errors    `gear2.helix_angle` if a sign seems to be missing; as check_partners, complete_shifts
+///           and complete_place
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
 }  // namespace gearwright

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Who cuts whom must be possible at all.
+// Checks that the cutters named by the gears are possible.
 std::optional<Error> check_cutters(const GivenPair& given) {
   for (const int which : {1, 2}) {
     const GearInput* const gear = given.find(which);
@@ -42,7 +42,7 @@ std::optional<Error> check_cutters(const GivenPair& given) {
   return std::nullopt;
 }
 
-// What was said of the gear although it is the cutter's must be the same.
+// Data given for a gear although the cutter determines them must agree with the cutter.
 std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, int which) {
   const auto differs = [](const std::optional<double>& given, double value) {
     return given && std::abs(*given - value) > 1e-9 * std::max(1.0, std::abs(value));
@@ -62,8 +62,8 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// A gear with a cutter of its own that names neither shift nor e meets its mating gear at the
-// pair's distance without backlash.
+// A gear with its own cutter that names neither shift nor e meshes with its mating gear at the
+// pair's centre distance without backlash.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -117,7 +117,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   const Gear& cutter = own ? *own : *made[static_cast<std::size_t>(cut.gear - 1)];
   if (!cutter.exists()) {
     return Error{gear_field(which, "cut_by"), "",
-                 "the cutter is no gear. " + cutter.warnings.back().message};
+                 "the cutter is not a possible gear. " + cutter.warnings.back().message};
   }
   auto distance = distance_of(given, cutter, which);
   if (!distance) return of_given_gear(distance.error(), given, which);
@@ -130,7 +130,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   if (!result) {
     const Error& error = result.error();
     if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
-    // The pair's distance is the generating one here.
+    // The centre distance of the pair is the generating distance here.
     return Error{"pair.center_distance", error.value, "the gear is cut there: " + error.rule};
   }
   if (auto error = check_agreement(gear, *result, which)) return error;
@@ -153,7 +153,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
   if (!is_cut(1) && !is_cut(2)) return std::nullopt;
   if (given.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
-                 fmt::format("has no place beside `{}`; give `gear1.tip_diameter` and "
+                 fmt::format("cannot be combined with `{}`; give `gear1.tip_diameter` and "
                              "`gear2.tip_diameter`",
                              gear_field(is_cut(1) ? 1 : 2, "cut_by"))};
   }
@@ -164,7 +164,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
                  "a gear cut by its mating gear is mounted at the generating distance; give "
                  "`pair.center_distance` for another one"};
   }
-  // First the one that waits for no other.
+  // The gear that does not depend on the other one is made first.
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;
   const std::array<int, 2> order = second_first ? std::array{2, 1} : std::array{1, 2};
   for (const int which : order) {
@@ -208,7 +208,7 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
     }
     const double clearance =
         gear->tip_clearance.value_or(default_tip_clearance(gear->cylindrical.normal_module));
-    const double side = mate->cylindrical.teeth < 0 ? -1.0 : 1.0;
+    const double side = side_of(mate->cylindrical.teeth);
     gear->cylindrical.tip_fillet =
         TipFilletSpec{TipFilletSpec::By::end_radius, side * (*center_distance - root) - clearance};
   }

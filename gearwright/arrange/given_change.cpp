@@ -13,7 +13,7 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// A helix angle sets the normal module too, where the transverse one is given.
+// A helix angle also sets the normal module if the transverse module is given.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);

@@ -1,5 +1,4 @@
-// A change that the verdict tries, made in the input as a user would make it.
-// Internal to arrange/.
+// A change that the verdict tries, made in the input as a user would make it. Internal to arrange/.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
@@ -7,7 +6,8 @@
 
 namespace gearwright {
 
-/// Sets the number; false: the input gives it in another way, or leaves it to another gear.
+/// Sets the number. Returns false if the input gives it in another form, or leaves it to another
+/// gear.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 }  // namespace gearwright

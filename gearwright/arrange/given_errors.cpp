@@ -61,7 +61,7 @@ Error of_distance(const Error& error, const GivenPair& given) {
         given.gear(which).profile_shift)
       continue;
     return not_placed(following_from(
-        "pair.center_distance", format_number(*given.pair.center_distance), "it asks for", error));
+        "pair.center_distance", format_number(*given.pair.center_distance), "it requires", error));
   }
   return error;
 }

@@ -1,22 +1,23 @@
-// Errors of a gear or a pair, put to the number that was given and not to one that follows from it.
-// Internal to arrange/.
+// Errors of a gear or a pair, attributed to the given number instead of a number that follows from
+// it. Internal to arrange/.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
 
 namespace gearwright {
 
-/// The error of a gear as one of gear 1 or 2. The numbers of a rack are not those of a gear that is
-/// given by its base cylinder: the error names the rack that describes this gear.
+/// The error of a gear as an error of gear 1 or 2. If a gear is given by its base cylinder, the
+/// numbers of a rack are not its own, so the error names the rack that describes the gear.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// A pair names its gears' racks; the numbers of a gear given by its base cylinder are its own.
+/// An error of a pair names the racks of its gears. A gear given by its base cylinder has its own
+/// numbers instead.
 Error of_basic(const Error& error, const GivenPair& given);
 
-/// A tip with a clearance: the radius at which it ends was not given.
+/// For a tip with a clearance, the radius of the end was not given.
 Error of_clearance(const Error& error, const GivenPair& given, int which);
 
-/// An absent shift cannot be wrong: it followed from the centre distance.
+/// An absent shift cannot be wrong, because it follows from the centre distance.
 Error of_distance(const Error& error, const GivenPair& given);
 
 /// An error of placing the gears, with that kind if it has no other.

@@ -1,7 +1,7 @@
-// A gear as a drawing gives it, for arrange() to complete: what is absent here follows from the rest.
+// A gear as a drawing gives it, which arrange() completes. Absent values follow from the others.
 //
-// Beside the numbers of the gear itself a drawing gives how the teeth are cut, measured and
-// toleranced, what they are made of, and what is removed from their flanks.
+// Apart from the numbers of the gear itself, a drawing gives the cutting method, measurements,
+// tolerances, material and flank modifications.
 #pragma once
 
 #include <array>
@@ -24,16 +24,16 @@ struct GearInput;
 /// From, to.
 using Ends = std::array<double, 2>;
 
-/// The pinion cutter, and how deep it goes.
+/// The pinion cutter, and its cutting depth.
 struct CutByInput {
-  int gear = 0;                             ///< 1 or 2: that gear, finished; 0: a cutter of its own
-  std::shared_ptr<const GearInput> cutter;  ///< the cutter of its own
+  int gear = 0;                              ///< 1 or 2: that finished gear; 0: a separate cutter
+  std::shared_ptr<const GearInput> cutter;   ///< the separate cutter
   std::optional<double> profile_shift_pair;  ///< e: shift of the cutter and of the gear together
-  std::optional<double> module;              ///< mm; given though it is the cutter's
-  std::optional<Angle> pressure_angle;       ///< α_n; given though it is the cutter's
+  std::optional<double> module;              ///< mm; given although the cutter determines it
+  std::optional<Angle> pressure_angle;       ///< α_n; given although the cutter determines it
 };
 
-/// The measuring tools, and where they touch.
+/// The measuring tools, and their contact diameters.
 struct MeasureInput {
   std::optional<int> span_teeth{};         ///< k
   std::optional<double> ball_diameter{};   ///< D_M  mm
@@ -42,15 +42,15 @@ struct MeasureInput {
 };
 
 /// The grade of the flanks, the thickness allowances in another form, and the deviations of the tip
-/// diameter that the gear is given or gets.
+/// diameter, whether given or computed.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< of ISO 1328-1
   std::optional<std::string> series;                    ///< of DIN 3967, "cd25"
   std::optional<Ends> span;                             ///< W_k  mm
   std::optional<Ends> over_balls;                       ///< M_d  mm
-  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, of a ring the
-  /// shorter one.
+  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, or the shorter
+  /// one of an internal gear.
   std::optional<Ends> tip_deviations;
 
   bool says_thickness() const { return series || span || over_balls; }

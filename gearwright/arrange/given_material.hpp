@@ -1,4 +1,4 @@
-// The material of a gear as a drawing gives it, and the material that follows.
+// The material of a gear as a drawing gives it, and the resulting material.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@
 
 namespace gearwright {
 
-/// As given. A name of the shipped table brings the rest; whatever stands beside it counts instead.
+/// The given data. A name of the shipped table provides the others, and values given with the name
+/// take precedence.
 struct MaterialInput {
   std::optional<std::string> name;
   std::optional<MaterialKind> kind;
@@ -22,14 +23,14 @@ struct MaterialInput {
   std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
   std::optional<double> surface_hardness;  ///< HV
   std::optional<double> yield_strength;    ///< R_e      N/mm²
-  std::vector<double> temperatures;        ///< °C, of the lists of a plastic
+  std::vector<double> temperatures;        ///< °C, for the lists of a plastic
   ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
 };
 
-/// The material of `owner`, "gear1.material": the named row of the shipped table first, then whatever
-/// stands beside the name.
+/// The material of `owner`, "gear1.material": the named row of the shipped table, overridden by
+/// values given with the name.
 ///
-/// Errors    a member of `owner` where a strength is not known, or the standard has no such material
+/// Errors    a member of `owner` if a strength is unknown, or if the standard has no such material
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 

@@ -1,4 +1,4 @@
-// One gear or two as a drawing gives them, for arrange() to complete.
+// One or two gears as a drawing gives them, which arrange() completes.
 #pragma once
 
 #include <array>
@@ -17,29 +17,30 @@ struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
   Mounting mounting = Mounting::tight;
-  bool choose_profile_shifts = true;  ///< absent ones, at a given centre distance
-  bool shorten_tips = false;          ///< tips cut back by k m_n, where no tip diameter is given
+  bool choose_profile_shifts = true;  ///< computes absent ones at a given centre distance
+  bool shorten_tips = false;          ///< tips are shortened by k m_n if no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
-  // The backlash that the teeth are thinned for, in one of three forms.
+  // The backlash for which the teeth are thinned, in one of three forms.
   std::optional<double> backlash;                  ///< j_n  mm, normal
   std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
-  std::optional<Angle> backlash_angle;             ///< of gear 1, gear 2 held
+  std::optional<Angle> backlash_angle;             ///< of gear 1, with gear 2 held
   std::optional<Ends> backlash_ends;               ///< j_n  mm, least and greatest
   double backlash_split = 0.5;                     ///< gear 1's share of it
   std::optional<Ends> distance_deviations;         ///< lower, upper  mm, of the centre distance
   std::optional<std::string> distance_tolerance;   ///< of ISO 286, "JS7"
   std::optional<double> bearing_span;              ///< L  mm, for the tolerances of the axes
 
-  /// Whether the teeth are to be thinned for a backlash.
+  /// True if the teeth are to be thinned for a backlash.
   bool wants_backlash() const { return backlash || backlash_circumferential || backlash_angle; }
 };
 
 struct GivenPair {
   std::array<std::optional<GearInput>, 2> gears;  ///< one gear alone is the first
   PairInput pair;
-  bool shaft_angle_found = false;  ///< it was not given: it followed from the centre distance
-  std::vector<Warning> notes;      ///< on the input itself; they go on into the answer's warnings
+  bool shaft_angle_found = false;  ///< it was not given but follows from the centre distance
+  std::vector<Warning> notes;      ///< on the input itself; they are added to the warnings of the
+                                   ///< result
 
   /// Gear 1 or 2; null: there is none.
   GearInput* find(int which) {

@@ -31,13 +31,13 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The rating of the same load on changed gears; none: the standard has none of them.
+// The rating of the same load on changed gears; none if the standard does not cover them.
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
 };
 std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRating& nominal) {
-  const auto pair = rated_pair(*arranged.pair->involute());
+  const auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
   auto rating = rate(*pair, *nominal.input);
   if (!rating) return std::nullopt;
@@ -62,7 +62,7 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// The corner with every tolerance at its nominal value that makes no difference to the finding.
+// The corner in which every tolerance without influence on the finding is at its nominal value.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,
@@ -79,7 +79,8 @@ ToleranceCorner what_matters(const Arranged& arranged,
   return corner;
 }
 
-// As drawn, and what is of a worse level at an end of the tolerances.
+}  // namespace
+
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with) {
   std::vector<Finding> findings = findings_of(judged_of(arranged, with));
   const std::vector<TolerancedNumber> tolerances = tolerances_of(arranged);
@@ -115,6 +116,8 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const 
   return findings;
 }
 
+namespace {
+
 std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& with,
                                   const SpecChange& change, TryDepth depth) {
   GivenPair given = *arranged.given;
@@ -133,9 +136,8 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   state.findings = depth == TryDepth::as_drawn ? findings_of(judged_of(changed, of_changed))
                                                : findings_within_tolerances(changed, of_changed);
   if (changed.pair) {
-    state.contact_ratio = true_contact_ratio(*changed.pair);
-    const InvolutePair* p = changed.pair->involute();
-    state.backlash = p ? p->mesh.backlash.normal : changed.pair->arcs()->backlash_normal;
+    state.contact_ratio = changed.pair->contact_ratio_true();
+    state.backlash = changed.pair->normal_backlash();
   }
   return state;
 }

@@ -8,21 +8,27 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
-/// What was computed beside the pair. All outlive the call.
+/// Results computed in addition to the pair. All must outlive the call.
 struct JudgedWith {
   const ContactResult* contact = nullptr;  ///< of the working flanks; null: not computed
-  bool errors = false;                     ///< the contact is under errors
-  std::optional<JudgedRating> rating{};    ///< none: not computed
-  /// The contact of a changed pair under the same errors; it may add warnings. None: there is none.
-  /// Without this function findings of the contact have no remedy.
+  bool errors = false;                     ///< true if the contact is under errors
+  std::optional<JudgedRating> rating{};    ///< none if not computed
+  /// The contact of a changed pair under the same errors; it may add warnings. None if there is no
+  /// contact. Without this function, findings about the contact have no remedy.
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
 };
+
+/// All findings for the nominal values, and those that get worse at an end of the tolerances,
+/// without remedies.
+std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
+                                                const JudgedWith& with = {});
 
 /// Messages name members of the input, "`gear1.profile_shift`".
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});

@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// A load on one tooth, and where its deflection is read.
+/// A load on one tooth, and the place at which its deflection is computed.
 struct LoadProbeInput {
   int gear = 1;
   double diameter = 0.0;                     ///< mm
@@ -19,13 +19,13 @@ struct LoadProbeInput {
   std::vector<double> read_z{};              ///< mm
 };
 
-/// The load of a pair, and how finely its teeth are looked at.
+/// The load of a pair, and the resolution of the computation.
 struct LoadInput {
-  bool given = false;             ///< there is a load, or a probe
+  bool given = false;             ///< true if there is a load or a probe
   std::vector<double> torques{};  ///< N m, on gear 1
   int driver = 1;
   int positions = 64;              ///< per pitch
-  std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
+  std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
   std::optional<int> slices{};     ///< absent: fair_slices
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFullLineLoad = 100;  // N/mm: below it the standard softens the teeth
+constexpr double kFullLineLoad = 100;  // N/mm: the standard reduces the stiffness below it
 
 // σ_F0 under a tangential force of 1, of gears 1 and 2.
 std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
@@ -30,7 +30,7 @@ std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
 
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer) {
   if (answer.contact->regime == LoadRegime::point) return {};
-  const auto rated = rated_pair(*arranged.pair->involute(), {});
+  const auto rated = rated_pair(*arranged.pair, {});
   if (!rated) return {};
   const auto& [one, two] = answer.compliance->bodies;
   const double elasticity = relative_elasticity(one.youngs_modulus, two.youngs_modulus);

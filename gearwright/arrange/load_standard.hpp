@@ -7,7 +7,7 @@
 
 namespace gearwright {
 
-/// The values of ISO 6336 at each torque of an answer with contact, of solid discs; empty if the
+/// The values of ISO 6336 at each torque of a result with contact, for solid discs; empty if the
 /// standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 

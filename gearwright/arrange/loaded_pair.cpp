@@ -7,6 +7,7 @@
 
 #include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/stiffness_reasons.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/rating/material.hpp"
@@ -15,8 +16,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
-constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
+constexpr double kMostPoisson = 0.49;  // at 0.5, like a liquid, plane strain has no stiffness
+                                       // matrix
+constexpr double kHertzRatio = 0.1;    // half width over radius, above which the error of Hertz
+                                       // reaches a percent
 
 Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<Warning>& warnings) {
   const GearInput& input = arranged.completed.gear(which);
@@ -51,7 +54,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   return body;
 }
 
-// Why teeth of this kind are not looked at under load, if so.
+// The reason why teeth of this kind are not computed under load, if there is one.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
@@ -73,11 +76,11 @@ std::optional<Error> not_made_for(const Arranged& arranged) {
 }
 
 LoadRegime regime_of(const Arranged& arranged) {
-  const bool lines = arranged.pair->involute() && !arranged.pair->crossed();
-  return lines ? LoadRegime::line : LoadRegime::point;
+  return arranged.pair->parallel() ? LoadRegime::line : LoadRegime::point;
 }
 
-// Deflections bend lines; where a point of contact goes is for the errors of mounting to say.
+// Deflections apply to line contact. For point contact, errors of mounting describe the
+// displacement.
 std::optional<Error> not_for_points(const LoadInput& input) {
   for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
                                      std::pair("load.deflection_bow", input.deflection_bow)})
@@ -88,7 +91,8 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
-// The rotations of gear 1 at positions of a kind, as many as a sentence holds; empty: there are none.
+// The rotations of gear 1 at positions of one kind, as many as fit into a sentence; empty if there
+// are none.
 template <class Is>
 std::string rotations_where(const LoadedTorque& t, Is is) {
   constexpr int kMostNamed = 8;
@@ -104,7 +108,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // Whether anything touches does not depend on the torque.
+  // Whether teeth touch does not depend on the torque.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(
@@ -114,7 +118,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                      where),
          0});
   for (const LoadedTorque& t : contact.torques) {
-    const std::string torque = format_number(t.torque / kMmPerM);
+    const std::string torque = format_number(newton_metres(t.torque));
     if (const std::string where =
             rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
         !where.empty())
@@ -179,7 +183,7 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   request.regime = regime_of(arranged);
   if (request.regime == LoadRegime::point)
     if (auto error = not_for_points(input)) return *error;
-  for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
+  for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
   request.positions = input.positions;
   request.rotations = input.rotations;
   request.slices =
@@ -238,7 +242,7 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   for (const LoadedTorque& t : found.torques)
     if (std::none_of(t.positions.begin(), t.positions.end(),
                      [](const LoadedPosition& p) { return p.solved(); }))
-      return refused("load.torques", t.torque / kMmPerM,
+      return refused("load.torques", newton_metres(t.torque),
                      "leaves no position at which the forces of these teeth converge; accuracy = "
                      "\"full\", another number of slices or less torque may help");
   warn_about(found, warnings);
@@ -297,7 +301,7 @@ Warning edge_carries_at(double torque) {
   return {WarningCode::edge_carries,
           fmt::format("At {} N m an edge of a tooth carries load; the pressure there is a lower "
                       "bound.",
-                      format_number(torque / kMmPerM)),
+                      format_number(newton_metres(torque))),
           0};
 }
 
@@ -310,7 +314,7 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  task.request.torques = {torque * kMmPerM};
+  task.request.torques = {from_newton_metres(torque)};
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   return contact_of(warnings, task, *compliance);

@@ -1,5 +1,5 @@
-// A pair under torque, and probes of its teeth: what its bodies are, how finely it is looked at, and
-// whether the answer can be used.
+// A pair under torque, and probes of its teeth: its bodies, the resolution, and whether the result
+// can be used.
 #pragma once
 
 #include <optional>
@@ -14,39 +14,39 @@
 
 namespace gearwright {
 
-/// The pair as contact takes it, with the modifications of its input.
+/// The pair for contact analysis, with the modifications of its input.
 ///
 /// Domain    a pair (contract)
 /// Errors    as ContactSetup::of
 Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& errors);
 
 struct LoadAnalysis {
-  std::optional<LoadedContact> contact;      ///< none: there are probes only
+  std::optional<LoadedContact> contact;      ///< none if there are probes only
   std::optional<PairCompliance> compliance;  ///< of its teeth
   std::vector<ProbeAnswer> probes;           ///< of LoadInput::probes
 };
 
-/// Of the root diameter: where a gear without a bore is held.
+/// Fraction of the root diameter at which a gear without a bore is held.
 inline constexpr double kShaft = 0.5;
 
-/// The pair under each of the torques, and its probes. `warnings` gets how the
-/// answer has to be read.
+/// The pair under each of the torques, and its probes. Limits of the result are added to
+/// `warnings`.
 ///
 /// Domain    torques or probes, with torques a pair (contract)
-/// Errors    `pair.…` and `gearN.…` where loaded contact is not made for such gears;
+/// Errors    `pair.…` and `gearN.…` if loaded contact does not support such gears;
 ///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` too many,
 ///           `load.probe[i].…`; as setup_of
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr);
 
-/// The same under this one torque on gear 1, N m, with the other numbers of `input`.
+/// The same under this single torque on gear 1, N m, with the other numbers of `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
                                     std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The part of loaded() with a torque, ready to be taken in steps: tables of the teeth, positions,
-/// and at last judge_load.
+/// The part of loaded() with a torque, divided into steps: tables of the teeth, positions, and
+/// finally judge_load.
 struct LoadTask {
   ContactSetup setup;
   LoadRequest request;  ///< without progress
@@ -54,7 +54,7 @@ struct LoadTask {
   bool with_errors = false;  ///< or deflections
 
   ContactPair pair() const { return setup.pair(gear2_drives); }
-  /// The same without errors, for K_Hα; none: there are none.
+  /// The same pair without errors, for K_Hα; none if there are no errors.
   std::optional<ContactPair> perfect_pair() const;
   Result<PairCompliance> compliance() const;
   LoadedContact contact(const PairCompliance& compliance) const;
@@ -64,11 +64,11 @@ struct LoadTask {
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings);
 
-/// Why an answer cannot be used; `warnings` gets what it has to be read with.
+/// The reason why a result cannot be used. Limits of a usable result are added to `warnings`.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
 
-/// That an edge of a tooth carries under a torque, N mm.
+/// The warning that an edge of a tooth carries load under a torque, N mm.
 Warning edge_carries_at(double torque);
 
 }  // namespace gearwright

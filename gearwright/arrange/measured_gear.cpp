@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// The usual place: the reference diameter if there is usable flank, else the flank's middle.
+// The default diameter: the reference diameter if it is on the usable flank, otherwise the middle
+// of the flank.
 double default_chord_diameter(const Gear& g) {
   const double d = g.reference_diameter;
   const double end = 2 * g.tip_form_radius();
@@ -23,9 +24,9 @@ double default_chord_diameter(const Gear& g) {
   return d >= lo && d <= hi ? d : 0.5 * (lo + hi);
 }
 
-constexpr int kMostSpans = 31;  // more are of gears with hundreds of teeth
+constexpr int kMostSpans = 31;  // gears with more have hundreds of teeth
 
-// With a given tool, a thing that cannot be measured is an error, else a warning.
+// If a given tool cannot measure the gear, this is an error. Otherwise it is a warning.
 class Measuring {
  public:
   Measuring(const Arranged& arranged, const MeasureRequest& request, std::vector<Warning>& warnings)
@@ -96,7 +97,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // The given diameter, or the usual one: the standard size, and the ideal where that does not fit.
+  // The given diameter, or the default one: the standard size, or the ideal size if that does not
+  // fit.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);
     if (!m.sizes) return std::nullopt;
@@ -176,8 +178,7 @@ class Measuring {
                      "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
     }
     ToleranceSubject subject = tolerance_subject(gear_);
-    const InvolutePair* const mounted =
-        request_.pair && !request_.pair->crossed() ? request_.pair->involute() : nullptr;
+    const ParallelPair* const mounted = request_.pair ? request_.pair->parallel() : nullptr;
     if (mounted && mounted->flanks_meet()) subject.contact_ratio = mounted->contact_ratio();
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
@@ -188,7 +189,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // The axes of the pair, by the coarser of both gears; the mating gear without a grade has this one's.
+  // The axes of the pair, by the coarser of both gears. A mating gear without a grade has that of
+  // this gear.
   void set_axes(FlankToleranceValues& t) {
     if (!request_.bearing_span) return;
     const int mate = 3 - which_;
@@ -228,13 +230,14 @@ Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools) {
 
 ToleranceSubject tolerance_subject(const Gear& gear) {
   const CylindricalSpec& s = gear.spec;
-  return {gear.reference_diameter,
-          s.normal_module,
-          s.face_width,
-          std::abs(s.teeth),
-          s.helix_angle.rad(),
-          of_involute(gear, &ReferenceGeometry<double>::transverse_pressure_angle),
-          {}};
+  return {
+      gear.reference_diameter,
+      s.normal_module,
+      s.face_width,
+      std::abs(s.teeth),
+      s.helix_angle.rad(),
+      gear.involute() ? std::optional(gear.reference().transverse_pressure_angle) : std::nullopt,
+      {}};
 }
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// All that a workshop measures of a gear: span, balls, pins, chords, the flanks' tolerances.
+// The dimensions of a gear that a workshop measures: span, balls, pins, chords, and flank
+// tolerances.
 //
 //   const auto measures = measure(*gear, {.span_teeth = 3});
 //   if (measures && measures->span) use(measures->span->length);
@@ -42,7 +43,7 @@ struct ThicknessAt {
   double helix;       ///< β_y  rad, signed
 };
 
-/// All that is measured of one gear; what it does not have is none.
+/// All measurements of one gear; a missing one is none.
 struct GearMeasures {
   std::optional<Span> span;
   std::vector<Span> spans;  ///< usable ones
@@ -57,25 +58,26 @@ struct GearMeasures {
   std::optional<FlankToleranceValues> tolerances;  ///< with a grade
 };
 
-/// Which gear, with which tools, and what is known besides.
+/// The gear, the tools, and additional data.
 struct MeasureRequest {
   int which = 1;
-  MeasureInput tools{};                  ///< absent: the usual ones
-  const Pair* pair = nullptr;            ///< as mounted, for the active flank; null: alone
+  MeasureInput tools{};        ///< absent tools are the usual ones
+  const Pair* pair = nullptr;  ///< as mounted, for the active flank; null for a single gear
   std::optional<double> bearing_span{};  ///< L  mm, for the tolerances of the axes
-  /// Words of an error inside a warning; empty: its message.
+  /// Converts an error to words inside a warning; if empty, its message is used.
   std::function<std::string(const Error&)> words{};
 };
 
-/// What a gear does not have is none and, where its tool was not given, a warning: `no_chord`,
-/// `no_span`, `no_balls`; a contact that is off the usable flank is a warning too.
+/// A measurement that a gear does not have is none and, if its tool was not given, causes a
+/// warning: `no_chord`, `no_span`, `no_balls`; a contact that is off the usable flank is a warning
+/// too.
 ///
-/// Errors    `gearN.measure.…`: a tool that was given and does not fit
+/// Errors    `gearN.measure.…` if a given tool does not fit
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,
                              std::vector<Warning>& warnings);
 Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools = {});
 
-/// What tolerances of flanks depend on; without the mating gear.
+/// The data on which flank tolerances depend, without the mating gear.
 ToleranceSubject tolerance_subject(const Gear& gear);
 
 }  // namespace gearwright

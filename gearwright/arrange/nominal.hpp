@@ -1,4 +1,4 @@
-// The gears and the pair at the mean of their tolerances, which need not be known.
+// The gears and the pair at the mean of their tolerances, which need not be given.
 // Internal to arrange/.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// As arrange(), without `ends` and `given`; allowances that follow from a series or a reading count
-/// only once they are numbers (with_allowances).
+/// As arrange(), without `ends` and `given`; allowances that follow from a series or a reading must
+/// have been converted to numbers before (with_allowances).
 Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
 
 }  // namespace gearwright

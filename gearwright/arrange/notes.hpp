@@ -1,5 +1,5 @@
-// Notes on what an input leaves out: profile shifts that follow from the centre distance, parts of
-// the input that were not read.
+// Notes on absent or unsupported parts of an input: profile shifts that follow from the centre
+// distance, parts of the input that were not read.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,14 @@
 
 namespace gearwright {
 
-/// One or both profile shifts are absent and follow from the given centre distance.
+/// True if one or both profile shifts are absent and follow from the given centre distance.
 bool shifts_follow(const GivenPair& given);
 
-/// The shifts that were chosen; none: there are none, or they are 0. `cylindrical` has them.
+/// A note on the computed shifts; none if there are none or all are 0. `cylindrical` contains them.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
-/// Where `pair.choose_profile_shifts` is false: which are missing, and what they would be.
+/// An error if `pair.choose_profile_shifts` is false and shifts are missing, with their names and
+/// possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);
 
 /// `what`: a key or a table.

@@ -9,19 +9,19 @@
 #include <vector>
 
 #include "gearwright/arrange/load_standard.hpp"
-#include "gearwright/base/units.hpp"
+#include "gearwright/base/torque.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr double kWorthANote = 0.25;  // of c_γα
-constexpr double kFactor = 0.03;      // nearer to 1 than that a factor is not named
-constexpr double kMuchLeft = 0.1;     // from 1: what faces and bodies are looked at for
-constexpr double kOverlap = 2.0;      // of a helical face that is not narrow
-constexpr double kWidest = 12.0;      // modules of face: wider ones take long and tell no more
+constexpr double kFactor = 0.03;      // a factor nearer to 1 than this is not named
+constexpr double kMuchLeft = 0.1;     // difference from 1 above which faces and bodies are examined
+constexpr double kOverlap = 2.0;      // overlap ratio of a helical face that is not narrow
+constexpr double kWidest = 12.0;  // modules of face; wider faces take long without further insight
 constexpr double kLeastWider = 1.2;
-constexpr double kThickRim = 8.0;  // modules around a ring
+constexpr double kThickRim = 8.0;  // modules, rim of an internal gear
 constexpr int kPositions = 8, kMostSlices = 16;
 
 struct StiffnessFactor {
@@ -48,7 +48,7 @@ bool has_modifications(const ContactSetup& setup) {
   return false;
 }
 
-// Of the pair without errors and modifications.
+// The pair without errors and modifications.
 ContactPair bare_pair(const LoadTask& task, const Gear& gear_1, const Gear& gear_2) {
   ContactMount place = task.setup.place();
   place.errors = ContactErrors();
@@ -61,8 +61,8 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// Of the bare pair with faces so much wider, under the same line load; coarse, for ratios. NaN: there
-// is no such pair.
+// The stiffness of the bare pair with faces wider by this factor, under the same line load, with
+// coarse accuracy, for ratios. NaN if there is no such pair.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
   LoadRequest request = task.request;
@@ -82,7 +82,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// What new tables show: a narrow helical face, and bodies that are held near to their teeth or thin.
+// Effects that need new tables: a narrow helical face, and bodies that are thin or held close to
+// their teeth.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};
@@ -127,7 +128,8 @@ std::vector<StiffnessFactor> factors_of(const Arranged& arranged, const LoadTask
     without("modifications of the flanks", bare_pair(task, one, two));
   if (standard.low_load > 1.0)
     factors.push_back(
-        {"a load below 100 N/mm, under which the standard softens the teeth", standard.low_load});
+        {fmt::format("a load below {} N/mm, under which the standard softens the teeth", 100),
+         standard.low_load});
   double left = t.without_twist.mean / standard.stiffness;
   for (const StiffnessFactor& f : factors) left /= f.value;
   if (!(std::abs(left - 1) <= kMuchLeft))
@@ -160,11 +162,11 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
              ? fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
                            "as stiff as c_γα of ISO 6336-1. The difference comes from the teeth "
                            "themselves{}, not from errors, modifications, face or bodies.",
-                           format_number(t.torque / kMmPerM), ratio, ring)
+                           format_number(newton_metres(t.torque)), ratio, ring)
              : fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
                            "as stiff as c_γα of ISO 6336-1. This includes a factor of {}; a factor "
                            "of {:.2f} comes from the teeth themselves{}.",
-                           format_number(t.torque / kMmPerM), ratio, list, left, ring),
+                           format_number(newton_metres(t.torque)), ratio, list, left, ring),
          0});
   }
 }

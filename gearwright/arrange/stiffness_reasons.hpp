@@ -1,13 +1,13 @@
-// Why teeth under load are softer or stiffer than the standard has them: the same pair once more
-// without its errors, without its modifications, with a wider face, with solid bodies.
+// Explains why teeth under load are softer or stiffer than in the standard, by computing the same
+// pair without its errors, without its modifications, with a wider face, with solid bodies.
 #pragma once
 
 #include "gearwright/arrange/loaded_pair.hpp"
 
 namespace gearwright {
 
-/// Where the mean stiffness is more than a quarter off c_γα: a note, with the
-/// factor that each of these makes and what is left.
+/// Adds a note if the mean stiffness differs by more than a quarter from c_γα, with the factor of
+/// each cause and the remaining factor.
 ///
 /// Domain    an answer of this task with contact (contract)
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,

@@ -38,7 +38,7 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // A gear that another one has cut has the thickness which that one gives it.
+    // A gear cut by another one has the thickness that its cutter determines.
     if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);
@@ -65,7 +65,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
                            const ToleranceCorner& corner) {
   GivenPair given = nominal.completed;
   PairInput& pair = given.pair;
-  pair.backlash.reset();  // the teeth have been thinned for it
+  pair.backlash.reset();  // the teeth have already been thinned for it
   pair.backlash_circumferential.reset();
   pair.backlash_angle.reset();
   pair.backlash_ends.reset();

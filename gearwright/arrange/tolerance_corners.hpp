@@ -1,4 +1,4 @@
-// A nominal at the combinations of the ends of its tolerances.
+// A nominal state at the combinations of the ends of its tolerances.
 //
 // Backlash, contact ratio, clearances, tip thickness and safeties are monotonic in each toleranced
 // number over its small range, so that the worst of each lies at a corner of the box of tolerances.
@@ -21,16 +21,16 @@ struct TolerancedNumber {
   Ends ends;  ///< mm: thickness allowance, tip diameter, centre distance
 };
 
-/// Empty: there are no tolerances.
+/// The tolerances; empty if there are none.
 std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
 
-/// For each tolerance the end at which it stands, 0 or 1; none: its nominal value.
+/// For each tolerance the end that applies, 0 or 1; none: its nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 
 /// All combinations of ends.
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances);
 
-/// The nominal there.   Errors  as arrange()
+/// The nominal state at this corner.   Errors  as arrange()
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 

@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// E_sn of a tooth that is thicker by so much on the base cylinder, in its transverse section.
+// E_sn of a tooth that is thicker by this amount on the base cylinder, in its transverse section.
 // [T10.19]
 double allowance_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
@@ -39,7 +39,8 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
     return gear.spec.thickness_allowance + (length - span->length) * per;
   };
   Ends ends{allowance(read[0]), allowance(read[1])};
-  std::sort(ends.begin(), ends.end());  // of an internal gear the greater span is the thinner tooth
+  std::sort(ends.begin(), ends.end());  // the greater span of an internal gear belongs to the
+                                        // thinner tooth
   return ends;
 }
 
@@ -84,7 +85,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   return std::optional<Ends>({-*half, *half});
 }
 
-// d_a at one end: 0 the shorter tooth, 1 the longer one, which of an internal gear has the lesser d_a.
+// d_a at one end: 0 is the shorter tooth and 1 the longer one, which has the lesser d_a on an
+// internal gear.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
 }
@@ -100,8 +102,8 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
-// The input at one end: 0 the thinnest and shortest teeth and the most backlash, 1 the thickest and
-// longest and the least.
+// The input at one end. 0 is the thinnest and shortest teeth and the most backlash, and 1 is the
+// thickest and longest teeth and the least backlash.
 GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<Ends>& deviations) {
   GivenPair given = nominal.completed;
   for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
@@ -110,14 +112,14 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
     if (gear.tolerance.tip_deviations)
       gear.cylindrical.tip_diameter =
           tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
-    // What follows from the centre distance is that of the drawing.
+    // Values that follow from the centre distance are those of the drawing.
     if (nominal.gears[i].involute() && !gear.cut_by)
       gear.profile_shift = nominal.gears[i].spec.profile_shift;
   }
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
   } else if (given.pair.wants_backlash()) {
-    // One backlash is that of the drawing: the teeth thinned for it stay as they are.
+    // A given backlash is that of the drawing, so the teeth thinned for it are unchanged.
     given.pair.backlash.reset();
     given.pair.backlash_circumferential.reset();
     given.pair.backlash_angle.reset();
@@ -125,7 +127,7 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
       given.gears[i]->cylindrical.thickness_allowance = nominal.gears[i].spec.thickness_allowance;
   }
   if (deviations) {
-    const bool wider_is_looser = nominal.pair->kind() != PairKind::parallel_internal;
+    const bool wider_is_looser = nominal.pair->mounted().side() > 0.0;
     given.pair.center_distance =
         nominal.pair->center_distance() + (*deviations)[(end == 0) == wider_is_looser ? 1 : 0];
     given.pair.shaft_angle = nominal.pair->shaft_angle();

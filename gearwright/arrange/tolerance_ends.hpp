@@ -1,4 +1,4 @@
-// Tolerances: thickness allowances in other forms than numbers, and the gears at both ends.
+// Tolerances: thickness allowances that are not given as numbers, and the gears at both ends.
 // Internal to arrange/.
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace gearwright {
 
-/// The input with allowances as numbers: of DIN 3967, of a span, of a dimension over balls.
+/// The input with allowances converted to numbers from DIN 3967, a span, or a dimension over balls.
 ///
 /// Errors    `gearN.tolerance.…`: no such series; a reading that no tooth has; no tool to read it
 Result<GivenPair> with_allowances(const GivenPair& given);
 
-/// Both ends; none: there are no tolerances.
+/// Both ends; none if there are no tolerances.
 ///
-/// Errors    as arrange() at that end; `pair.backlash`, where the tolerance of the centre distance
-///           alone takes more; `pair.distance_tolerance`
+/// Errors    as arrange() at that end; `pair.backlash` if the tolerance of the centre distance
+///           alone exceeds it; `pair.distance_tolerance`
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 
 }  // namespace gearwright

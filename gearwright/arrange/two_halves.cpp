@@ -11,23 +11,24 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSameLength = 1e-9;  // relative: two ways to compute one length
+constexpr double kSameLength = 1e-9;  // relative, for two ways to compute one length
 
 std::optional<Error> check_half(const GivenPair& given, int which, const DoubleHelical& halves) {
   const GearInput& gear = given.gear(which);
   const CylindricalSpec& c = gear.cylindrical;
   if (!gear.face_width_given) {
     return absent_input(gear_field(which, "face_width"),
-                        "; of a double-helical gear it holds both halves and the gap");
+                        "; for a double-helical gear it includes both halves and the gap");
   }
   if (!(halves.gap < c.face_width)) {
-    return refused(gear_field(which, "double_helical.gap"), halves.gap, {c.face_width},
-                   "must be less than the face width {} mm, which holds both halves and the gap");
+    return refused(
+        gear_field(which, "double_helical.gap"), halves.gap, {c.face_width},
+        "must be less than the face width {} mm, which includes both halves and the gap");
   }
   return std::nullopt;
 }
 
-// The halves of a pair meet over the whole of the narrower one, or they are no halves of one pair.
+// The halves of a pair must have equal faces up to the width of the narrower one.
 std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& halves) {
   if (halves[0].has_value() != halves[1].has_value()) {
     const int lacking = halves[0] ? 2 : 1;
@@ -46,11 +47,12 @@ std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& h
   const double common = (std::min(b_1, b_2) - std::max(one->gap, two->gap)) / 2;
   const double narrower = std::min(b_1 - one->gap, b_2 - two->gap) / 2;
   if (common >= narrower * (1 - kSameLength)) return std::nullopt;
-  return refused(gear_field(2, "double_helical.gap"), two->gap,
-                 fmt::format("the halves do not stand opposite: {:.6g} mm of a half touch, and the "
-                             "narrower half has {:.6g} mm; a wider gap belongs to the narrower "
-                             "gear",
-                             common, narrower));
+  return refused(
+      gear_field(2, "double_helical.gap"), two->gap,
+      fmt::format("the halves are not opposite each other: {:.6g} mm of a half touch, and the "
+                  "narrower half has {:.6g} mm; a wider gap belongs to the narrower "
+                  "gear",
+                  common, narrower));
 }
 
 }  // namespace
@@ -94,8 +96,8 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
     return refused("double_helical.hob_diameter", d, {2 * h},
                    "must be greater than {} mm, twice the depth of the teeth");
   }
-  // One hob cuts both hands: it is swivelled by |β| − γ_0 for the half of its own hand, and by
-  // |β| + γ_0 for the other one. The gap serves both.
+  // One hob cuts both hands: it is swivelled by |β| − γ_0 for the half of its own hand, and by |β|
+  // + γ_0 for the other one. The gap must suffice for both.
   double run_out = 0.0;
   for (const double side : {-1.0, 1.0}) {
     const double eta = beta + side * given.hob_lead_angle.rad();

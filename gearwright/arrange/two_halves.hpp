@@ -1,7 +1,7 @@
 // Double-helical gears: two halves of opposite hands on one body, with a gap or without one.
 //
 // A half is a helical gear like any other, and two halves mesh as a helical pair of their own face:
-// what is arranged and mounted is the half at z > 0.
+// the half at z > 0 is arranged and mounted.
 //
 //   b      whole face with the gap, mm     b_B  face of one half, (b − gap)/2, mm
 //   d_a0   outer diameter of the hob, mm   l_0  half its cutting length, mm     γ_0  its lead angle
@@ -15,11 +15,11 @@
 
 namespace gearwright {
 
-/// As a drawing gives it; its whole face is that of the gear.
+/// The input as a drawing gives it. Its whole face width is that of the gear.
 struct DoubleHelical {
   double gap = 0.0;                      ///< mm, between the halves
-  double stagger_pitches = 0.0;          ///< s, of the half at z < 0 against the other one
-  std::optional<double> hob_diameter{};  ///< d_a0  mm; none: no run-out is computed
+  double stagger_pitches = 0.0;          ///< s, of the half at z < 0 relative to the other one
+  std::optional<double> hob_diameter{};  ///< d_a0  mm; none: the run-out is not computed
   Angle hob_lead_angle{};                ///< γ_0
   double hob_half_length = 0.0;          ///< l_0   mm
 };
@@ -27,21 +27,22 @@ struct DoubleHelical {
 /// By gears.
 using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
 
-/// One gear of two halves, with what follows.
+/// One gear of two halves, with the values that follow.
 struct Halves {
   DoubleHelical given;
   double face_width = 0.0;             ///< b    mm
   double half_face_width = 0.0;        ///< b_B  mm
-  std::optional<double> hob_run_out;   ///< mm: the least gap for the hob's run-out
-  double axial_shift_per_index_error;  ///< Δz/e, by which floating shares an index error
+  std::optional<double> hob_run_out;   ///< mm, the least gap for the run-out of the hob
+  double axial_shift_per_index_error;  ///< Δz/e, the axial shift by which floating distributes an
+                                       ///< index error
 };
 
-/// Puts the half in the place of each double-helical gear.
+/// Replaces each double-helical gear by its half.
 ///
 /// Formula   [T2.42]
 /// Errors    `gearN.face_width` that is absent, `gearN.double_helical.gap` that leaves no half,
 ///           `gearN.double_helical` that is absent while the mating gear has one,
-///           `gear2.double_helical.gap` where the halves do not stand opposite,
+///           `gear2.double_helical.gap` if the halves are not opposite each other,
 ///           `gear2.double_helical.stagger_pitches` that differ
 std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves);
 
@@ -51,7 +52,7 @@ std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves);
 ///           as the teeth are deep
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
 
-/// A warning that the hob's run-out needs a wider gap; none: it does not, or no hob is given.
+/// A warning that the hob's run-out needs a wider gap; none if it does not, or if no hob is given.
 std::optional<Warning> run_out_warning(const Halves& halves, int which);
 
 }  // namespace gearwright

@@ -1,7 +1,7 @@
 // The error of an input, with the information that its author needs to correct it.
 //
 //   field   the member of the library's structs, "tip_diameter", "rack.dedendum", "gear1.teeth"
-//   value   its value, with the digits that a person uses
+//   value   its value, with the digits that a user needs
 //   rule    one sentence: the fault, the allowed range with its reason, and a remedy. Other members
 //           are in backticks, `pair.center_distance`
 //

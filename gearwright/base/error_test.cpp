@@ -23,10 +23,10 @@ TEST(Error, has_one_shape) {
 TEST(Error, of_a_part_is_one_of_the_whole) {
   EXPECT_EQ(within("gear1", {"rack.dedendum", "9", "no"}).field, "gear1.rack.dedendum");
   EXPECT_EQ(within("gear1", {"", "", "no"}).field, "gear1");
-  const Error e = following_from("pair.center_distance", "30", "it asks for",
+  const Error e = following_from("pair.center_distance", "30", "it requires",
                                  {"gear1.profile_shift", "-3", "the tooth is severed"});
   EXPECT_EQ(e.message(),
-            "pair.center_distance = 30: it asks for `gear1.profile_shift` = -3: the tooth is "
+            "pair.center_distance = 30: it requires `gear1.profile_shift` = -3: the tooth is "
             "severed");
 }
 

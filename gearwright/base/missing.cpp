@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The rule without "is missing", with which absent_input() begins it.
+// The rule without its beginning "is missing", which absent_input() adds.
 std::string_view what_is_wanted(const Error& error) {
   std::string_view rule = error.rule;
   rule.remove_prefix(std::string_view("is missing").size());

@@ -15,16 +15,17 @@ std::string short_decimals(double x, int most);
 
 inline constexpr int kUsualDigits = 6;  ///< in sentences
 
-/// So many significant digits, or fewer if the number has no more: 0.1, not 0.100000.
+/// The number with this many significant digits, or fewer if the number has no more: 0.1, not
+/// 0.100000.
 std::string with_digits(double x, int digits);
 
-/// With how many significant digits x and `other` read differently, six at least; six if nothing
-/// tells them apart.
+/// Number of significant digits at which x and `other` read differently, at least six; six if they
+/// never differ.
 int digits_between(double x, double other);
 
 /// A number in a sentence: six digits.
 std::string format_number(double x);
-/// As many more digits as tell it from `other`.
+/// A number with as many more digits as distinguish it from `other`.
 std::string format_number(double x, double other);
 
 }  // namespace gearwright

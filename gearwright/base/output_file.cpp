@@ -1,11 +1,10 @@
 #include "gearwright/base/output_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+
+#include "gearwright/base/system.hpp"
 
 namespace gearwright {
 
@@ -18,10 +17,10 @@ namespace {
 }
 
 fs::path beside(const fs::path& path) {
-  // The temporary file is in the same folder, so that renaming stays on one file system. The
+  // The temporary file is in the same folder, so renaming stays on one file system. The
   // process id separates two runs.
   return path.parent_path() /
-         ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
+         ("." + path.filename().string() + "." + std::to_string(process_id()) + ".part");
 }
 
 void rename_into_place(const fs::path& from, const fs::path& to) {
@@ -42,23 +41,10 @@ struct Target {
 
 Target target_of(const fs::path& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);  // of what a link leads to
+  const fs::file_status status = fs::status(path, error);  // status of the target of a link
   if (fs::is_directory(status)) fail(path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) return {path, true};
   return {fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path, false};
-}
-
-// Writes all of `content` and gives 0 or the system's error number.
-int write_all(int file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(file, content.data(), content.size());
-    if (written >= 0) {
-      content.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
 }
 
 }  // namespace
@@ -66,12 +52,13 @@ int write_all(int file, std::string_view content) {
 void write_file(const fs::path& path, std::string_view content) {
   const Target target = target_of(path);
   const fs::path part = target.straight ? target.path : beside(target.path);
-  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) fail(path, errno);
-  int error = write_all(file, content);
-  if (::close(file) != 0 && error == 0) error = errno;
+  FileHandle file = FileHandle::create(part);
+  if (!file.is_open()) fail(path, file.error());
+  int error = file.write(content);
+  if (const int closing = file.close(); error == 0) error = closing;
   if (error != 0) {
-    if (!target.straight) ::unlink(part.c_str());
+    std::error_code ignored;
+    if (!target.straight) fs::remove(part, ignored);
     fail(path, error);
   }
   if (!target.straight) rename_into_place(part, target.path);

@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kQuality = 8;              // candidates for a match; 5 is the least, more is slower
+constexpr int kQuality = 8;  // candidates for a match; 5 is the minimum, larger values are slower
 constexpr std::size_t kZlibHeader = 2;   // before the deflate stream
 constexpr std::size_t kZlibTrailer = 4;  // Adler-32, after it
 
@@ -44,7 +44,7 @@ std::uint32_t crc32_of(std::string_view bytes) {
 std::string deflated(std::string_view content) {
   GW_EXPECTS(content.size() <= INT_MAX);
   int length = 0;
-  // It does not write to its input.
+  // The function does not write to its input.
   auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(content.data()));
   unsigned char* packed =
       stbi_zlib_compress(data, static_cast<int>(content.size()), &length, kQuality);

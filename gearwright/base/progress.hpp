@@ -31,7 +31,7 @@ class Progress {
     if (stopped_.load(std::memory_order_relaxed)) throw WorkStopped();
     done_.fetch_add(1, std::memory_order_relaxed);
   }
-  /// From any thread.
+  /// Requests a stop, from any thread.
   void stop() { stopped_ = true; }
   State state() const { return {stage_, done_, of_}; }
 

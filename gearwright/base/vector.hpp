@@ -1,4 +1,4 @@
-// Plane and space vectors, mm unless said otherwise.
+// Plane and space vectors, in mm unless stated otherwise.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,9 +2,9 @@
 //
 //   L    length of one piece, mm      T    unit tangent of the exact curve
 //
-// Each piece has its handles L/3 along the exact tangents at its ends: run at unit speed, the cubic
-// then meets the curve to the fourth order in L, and neighbours share their tangent. Pieces are as
-// long as the tolerance allows.
+// Each piece has its handles L/3 along the exact tangents at its ends: at unit speed, the cubic
+// then agrees with the curve to the fourth order in L, and neighbours share their tangent. Pieces
+// are as long as the tolerance allows.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ struct BezierChain {
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract)
-/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² pieces suffice: the caller looks
+/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² pieces suffice, which the caller must check
 /// Laws      the ends are the arc's, bit for bit
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
 

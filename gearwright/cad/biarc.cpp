@@ -13,12 +13,12 @@ namespace {
 constexpr double kStraight = 1e-9;   // mm of sagitta, below which an arc is a line
 constexpr double kOneCircle = 1e-9;  // rad between the tangents that make two arcs one
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // of the arc's parameter
-constexpr int kVouching = 256;  // points per biarc that vouch for the tolerance
+constexpr int kVouching = 256;  // points per biarc at which the tolerance is verified
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Half the angle from the tangent at the start to the chord has this tangent; so the bulge of the
-// arc that starts in direction t and ends at the chord's end.
+// Half the angle from the tangent at the start to the chord has this tangent, and so has the bulge
+// of the arc that starts in direction t and ends at the chord's end.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
@@ -47,11 +47,11 @@ Biarc join(const End& a, const End& b) {
   // The positive root without cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
-  // The second arc is the first of the pair run backwards.
+  // The second arc is computed as the first arc of the reversed pair.
   return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
 }
 
-// A circle where the arc (from, bulge, to) touches it.
+// The circle of the arc (from, bulge, to), given by a point, the normal there and the curvature.
 struct Touch {
   Vec2 from;
   Vec2 normal;
@@ -138,7 +138,8 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // A large excess is not due to the samples: 4096 steps are too few, or rounding is too coarse.
+    // A large excess is not due to the samples. Then 4096 steps are too few, or rounding is too
+    // coarse.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;

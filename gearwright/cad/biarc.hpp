@@ -29,7 +29,7 @@ struct BiarcChain {
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent everywhere
-/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² biarcs suffice: the caller looks;
+/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² biarcs suffice, which the caller must check;
 ///           tangents of neighbours agree to 1e-9 rad, or to 4e-9 mm over the arc's length where an
 ///           arc of less than 1e-9 mm sagitta became a line
 /// Laws      (1) arcs as long as the tolerance allows: about tolerance^(−1/3) of them
@@ -50,7 +50,7 @@ struct BiarcContour {
 
 /// Lands are one arc each, the other pieces the biarcs of their arc, fitted once for all teeth.
 ///
-/// Facts     `tolerance_mm`: an arc that does not meet it
+/// Errors    `tolerance_mm`: an arc that does not meet it
 /// Domain    tolerance_mm > 0 (contract)
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm);

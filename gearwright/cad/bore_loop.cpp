@@ -101,7 +101,7 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 
   std::vector<Column> columns = right;
   const auto mirror = [](const Vec2& v) { return Vec2(-v.x(), v.y()); };
-  const std::size_t on_axis = bore.has_keyway() ? 0 : 1;  // the top point is its own image
+  const std::size_t on_axis = bore.has_keyway() ? 0 : 1;  // the top point is its own mirror image
   for (std::size_t i = right.size() - on_axis; i-- > 1;) {
     columns.push_back({mirror(right[i].point), mirror(right[i].after), mirror(right[i].before)});
   }
@@ -119,7 +119,7 @@ Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) 
   const double half = bore.keyway_width / 2.0;
   if (half == 0.0) return circle(radius);
   const double bottom = radius + bore.keyway_depth;
-  // The slot's sides are faces; shorter than a sliver they, and with them the slot, are left out.
+  // The slot's sides are faces. If they are shorter than a sliver, the slot is omitted.
   const double mouth = std::sqrt((radius - half) * (radius + half));
   if (bottom - mouth < kShortestArc_mm) return circle(radius);
   return circle_with_keyway(radius, half, bottom);

@@ -29,9 +29,9 @@ std::optional<Error> rim_error(const ToothedBody& body, double room);
 /// Domain    a bore without bore_error (contract)
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn);
 
-/// The loop of walls. A slot so narrow and shallow that its sides would be slivers is left out.
+/// The loop of walls, without a slot whose sides would be slivers.
 ///
-/// Facts     those of bore_error and rim_error
+/// Errors    those of bore_error and rim_error
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer);
 
@@ -46,8 +46,8 @@ struct BoreContour {
 
 /// None without a bore.
 ///
-/// Facts     refused as make_walls refuses them (cad/walls.hpp): a bore or keyway that leaves the
-///           root, an internal gear's rim that does not go round it
+/// Errors    rejected as by make_walls (cad/walls.hpp): a bore or keyway that crosses the root, an
+///           internal gear's rim that does not enclose it
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
                                                 double outer);

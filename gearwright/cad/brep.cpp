@@ -22,7 +22,7 @@ struct Corner {
 
 struct Edge {
   Id edge;
-  Ids poles;  // from its begin to its end; none of circles and of lines in a level
+  Ids poles;  // from its begin to its end; none for circles, and none for lines in a level
 };
 
 using Corners = std::vector<Corner>;
@@ -33,7 +33,7 @@ struct Rims {
   Edges top;
 };
 
-// Does a face look where its surface does?
+// Direction of a face relative to its surface.
 enum class Side { along, against };
 
 const char* word(Side side) { return side == Side::along ? ".T." : ".F."; }
@@ -71,7 +71,7 @@ class ShellWriter {
  public:
   explicit ShellWriter(Part21& out) : out_(out) {}
 
-  /// One face per wall and slice; `side` is along where the metal is inside the loop.
+  /// One face per wall and slice. `side` is `along` if the metal is inside the loop.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width, Side side) {
     const std::vector<WallLevel> levels = levels_of(loop, face_width);
     Corners below = corners(loop, levels.front());
@@ -264,7 +264,7 @@ class ShellWriter {
     return out_.add(text + ")");
   }
 
-  // Counter-clockwise round the face, seen from where its surface looks.
+  // Counter-clockwise around the face, seen from the side to which its surface normal points.
   Id wall_bound(const Sides& sides) {
     return edge_loop({oriented(sides.bottom.edge, ".T."), oriented(sides.right.edge, ".T."),
                       oriented(sides.top.edge, ".F."), oriented(sides.left.edge, ".F.")});
@@ -276,8 +276,9 @@ class ShellWriter {
     return edge_loop(uses);
   }
 
-  // The first loop is the outer one, all run counter-clockwise seen from where the surface looks. A
-  // bound turns about the way the face looks, and the other way about a hole.
+  // The first loop is the outer one. All run counter-clockwise, seen from the side to which the
+  // surface normal points. A bound runs counter-clockwise about the face normal, and the other way
+  // about a hole.
   void add_face(const Ids& loops, Id surface, Side side) {
     std::string text = "ADVANCED_FACE('',";
     Ids bounds;

@@ -8,10 +8,10 @@
 //   line      plane                              line
 //
 // Upright edges are lines, or B-splines that climb with the helix. Every vertex, edge and pole is
-// written once: the boundary poles of a face are the very points of its edges, and those of its
-// neighbours. What deviates at all is the spline of the helix from a true cylinder, by less than
-// kHelixTarget_mm. A circle's x direction points away from the middle of its wall, so that the seam at
-// u = 0 is where no wall less than a turn wide can meet it.
+// written once: the boundary poles of a face are identical to the points of its edges and of its
+// neighbours. The only deviation is that of the helix spline from a true cylinder, which is less
+// than kHelixTarget_mm. A circle's x direction points away from the middle of its wall, so no wall
+// of less than a turn meets the seam at u = 0.
 //
 //   Law   every edge is used twice, once each way
 #pragma once
@@ -23,12 +23,13 @@
 
 namespace gearwright {
 
-/// To which points, edges and faces of a solid agree, mm: the uncertainty that a file states.
+/// The distance to which points, edges and faces of a solid agree, mm. The file states it as its
+/// uncertainty.
 inline constexpr double kBrepUncertainty_mm = 1e-7;
 static_assert(kHelixTarget_mm <= kBrepUncertainty_mm / 2);
 
 struct Brep {
-  Part21Id solid;  ///< a MANIFOLD_SOLID_BREP, outside out
+  Part21Id solid;  ///< a MANIFOLD_SOLID_BREP, with normals pointing out
   std::size_t face_count;
   std::size_t edge_count;  ///< each shared edge once
 };

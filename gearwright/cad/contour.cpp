@@ -15,7 +15,7 @@ namespace {
 constexpr double kShortestArc = 1e-6;   // mm, a hundredth of what any machine resolves
 constexpr double kOnItsRay = 1e-6;      // mm
 constexpr double kCircleRadius = 1e-8;  // mm, by which the radius of a land may vary
-constexpr int kArcLooks = 32;           // points per arc that are looked at
+constexpr int kArcLooks = 32;           // points per arc that are examined
 
 // Adding zero turns −0 into 0, so that equal points are equal text.
 Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
@@ -33,7 +33,7 @@ bool is_land(const Arc& arc) {
   return true;
 }
 
-// An arc of the half outline that makes pieces, its ends moved over the slivers left out.
+// An arc of the half outline that makes pieces, with its ends moved over omitted slivers.
 struct Link {
   std::size_t arc;
   Vec2 begin;
@@ -46,7 +46,7 @@ std::vector<Link> links_of(const Outline& outline) {
   for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     GW_EXPECTS(i == 0 || arc.begin_point == outline.arcs[i - 1].end_point);
-    // By the middle too: a closed arc is no sliver.
+    // The middle counts too, because a closed arc is no sliver.
     const double reach = std::max((arc.point(0.5) - arc.begin_point).norm(),
                                   (arc.end_point - arc.begin_point).norm());
     if (reach < kShortestArc) continue;

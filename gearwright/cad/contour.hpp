@@ -27,24 +27,25 @@ namespace gearwright {
 struct ContourPiece {
   std::size_t arc;  ///< index into Outline::arcs
   int tooth;        ///< k; of a root land, the tooth before it
-  bool mirrored;    ///< lower half of the tooth, run from root to tip; else upper half, tip to root
+  bool mirrored;    ///< lower half of the tooth, run from root to tip; otherwise upper half, tip to
+                    ///< root
   bool land;        ///< a circle about the axis, both halves of it, run by `sweep`
   Vec2 begin;       ///< mm
   Vec2 end;         ///< mm
-  double sweep;     ///< rad, > 0 of a land; else 0
+  double sweep;     ///< rad, > 0 for a land; otherwise 0
 };
 
 struct Contour {
   int teeth;  ///< |z|
   std::vector<ContourPiece> pieces;
-  double inner_radius;  ///< smallest radius of the outline, mm (of the points looked at)
+  double inner_radius;  ///< smallest radius of the examined points of the outline, mm
   double outer_radius;  ///< greatest radius of the outline, mm
 };
 
 /// Chains the teeth. Arcs shorter than 1e-6 mm give no piece, and the next piece begins at their
 /// start.
 ///
-/// Facts     refused: an outline that crosses the middle of the tooth or of the space (severed)
+/// Errors    an outline that crosses the middle of the tooth or of the space (severed)
 /// Domain    teeth ≠ 0, at least one arc, arcs joined bit for bit, the first point on the ray π/|z|
 ///           and the last one on the x axis within 1e-6 mm (contract)
 Result<Contour> closed_contour(const Outline& outline);

@@ -2,7 +2,8 @@
 // and the fits of its arcs.
 //
 // A drawing is the section z = 0 in the gear frame, in millimetres; `body.pose` does not apply. It
-// is returned as text with the numbers a program prints beside it ("320 segments, within 0.9 µm").
+// is returned as text with the numbers that a program prints with it ("320 segments, within 0.9
+// µm").
 #pragma once
 
 #include <algorithm>
@@ -22,12 +23,12 @@ struct ContourOptions {
     splines,  ///< one B-spline per arc of the outline, lands as circles: for CAD
   };
   Style style = Style::biarcs;
-  /// Normal distance allowed; absent: the default of the style.
+  /// Permitted normal distance; absent: the default of the style.
   std::optional<double> tolerance_mm = std::nullopt;
 };
 
-/// A tenth of the finest tolerance of cut parts, a few µm; wire cutting machines resolve 1 µm or
-/// so.
+/// A tenth of the finest tolerance of cut parts, which is a few µm. Wire cutting machines resolve
+/// about 1 µm.
 inline constexpr double kBiarcTolerance_mm = 0.001;
 /// A drawing that is measured in CAD agrees in all digits that CAD shows.
 inline constexpr double kSplineTolerance_mm = 1e-6;
@@ -39,7 +40,7 @@ struct Drawing {
   int segments;      ///< arcs, lines, splines and Bézier pieces of profile and bore together
   double
       deviation_mm;  ///< greatest normal distance measured between the drawing and the exact curve
-  double tolerance_mm;  ///< what was allowed
+  double tolerance_mm;  ///< permitted distance
 };
 
 /// The closed outline of a body and its bore.
@@ -52,22 +53,22 @@ struct BodyContour {
   }
 };
 
-/// Facts     those of closed_contour and bore_contour
+/// Errors    those of closed_contour and bore_contour
 Result<BodyContour> body_contour(const ToothedBody& body);
 
 /// The error of an arc that cannot be drawn within the requested tolerance.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
-/// A fit of each arc of the outline that makes pieces of other kind than lands, one for all teeth.
+/// A fit of each arc of the outline that makes pieces other than lands, shared by all teeth.
 template <class Fit>
 struct ArcFits {
   std::vector<std::optional<Fit>> arcs;  ///< as Outline::arcs
   double deviation_mm = 0.0;             ///< greatest of all
 };
 
-/// `fit` of an arc and the tolerance returns a result with `deviation_mm`.
+/// `fit(arc, tolerance)` returns a result with `deviation_mm`.
 ///
-/// Facts     `tolerance_mm`: an arc that does not meet it
+/// Errors    `tolerance_mm`: an arc that does not meet it
 template <class Fit>
 Result<ArcFits<Fit>> fit_arcs(const Outline& outline, const Contour& contour, double tolerance_mm,
                               Fit (*fit)(const Arc&, double)) {

@@ -8,7 +8,7 @@
 //             of neighbouring splines are equal text
 //
 // Numbers are the shortest decimals that read back to the same double, so equal points are equal
-// text. A bore without keyway is a CIRCLE, else a closed LWPOLYLINE.
+// text. A bore without keyway is a CIRCLE, and one with a keyway is a closed LWPOLYLINE.
 #pragma once
 
 #include "gearwright/cad/drawing.hpp"
@@ -19,7 +19,7 @@ namespace gearwright {
 ///
 /// Units     mm ($INSUNITS 4)
 /// Domain    tolerance_mm > 0; the outline's laws hold within 1e-6 mm (contract)
-/// Facts     a severed tooth; a bore that leaves the root; an arc that does not meet the tolerance
+/// Errors    a severed tooth; a bore that leaves the root; an arc that does not meet the tolerance
 /// Accuracy  deviation_mm ≤ tolerance_mm
 /// Laws      (1) same body, same options, same bytes   (2) segments grow in proportion to |z|
 Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options = {});

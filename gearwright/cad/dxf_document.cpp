@@ -44,7 +44,7 @@ void header(DxfPairs& out, int handle_seed, const SheetBox& extent) {
   out.word(0, "ENDSEC");
 }
 
-// Lengths of dashes, of gaps as negative numbers.
+// Lengths of dashes; gaps are negative numbers.
 void line_types(DxfPairs& out, bool chain) {
   begin_table(out, "LTYPE", kLtypes, chain ? 4 : 3);
   for (const auto& [handle, name] :

@@ -21,8 +21,8 @@ class DxfEntities {
   /// The position of the following entities: a rotation about z and a shift in the plane. Absent:
   /// unchanged.
   void place(const Eigen::Isometry3d& pose);
-  /// LWPOLYLINE; bulges[i] leads from points[i] to the next. With as many bulges as points it is
-  /// closed, the last one leads to the first; else it has one fewer.
+  /// LWPOLYLINE; bulges[i] leads from points[i] to the next. If there are as many bulges as points,
+  /// it is closed and the last bulge leads to the first point. Otherwise there is one bulge fewer.
   void polyline(const std::string& layer, const std::vector<Vec2>& points,
                 const std::vector<double>& bulges);
   void circle(const std::string& layer, double radius, const Vec2& center = Vec2::Zero());
@@ -49,24 +49,24 @@ class DxfEntities {
   void begin(const char* type, const std::string& layer, const char* subclass);
 
   std::string text_;
-  bool moved_ = false;  // false: points are written as they are, to the bit
+  bool moved_ = false;  // if false, points are written unchanged, to the bit
   Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
-  int handle_ = 0x100;  // below lies the frame
+  int handle_ = 0x100;  // smaller handles belong to the frame
   bool has_words_ = false;
 };
 
 struct DxfLayer {
   std::string name;
   int color;            ///< AutoCAD colour index
-  int line_width = -3;  ///< hundredths of a mm; -3: the reader's own
-  bool chain = false;   ///< of long dashes and dots, the line type CENTER
+  int line_width = -3;  ///< hundredths of a mm; -3: the reader's default
+  bool chain = false;   ///< line type CENTER, of long dashes and dots
 };
 
-/// The whole file; `extent` holds everything. Words are in the style SHEET, of Arial, whose letters
-/// are as wide as Helvetica's.
+/// The whole file; `extent` contains everything. Words use the style SHEET with Arial, whose
+/// letters are as wide as Helvetica's.
 std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
                          const SheetBox& extent);
-/// `reach`: half the side of the square about the origin that holds everything, mm.
+/// `reach`: half the side of the square about the origin that contains everything, mm.
 inline std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
                                 double reach) {
   return dxf_document(entities, layers, {{-reach, -reach}, {reach, reach}});

@@ -57,7 +57,8 @@ void DxfEntities::triangle(const std::string& layer, const Vec2& a, const Vec2& 
   begin("SOLID", layer, "AcDbTrace");
   DxfPairs out(text_);
   int code = 10;
-  for (const Vec2* corner : {&a, &b, &c, &c}) {  // the last one twice: three corners
+  for (const Vec2* corner : {&a, &b, &c, &c}) {  // the last corner is repeated, because there are
+                                                 // three
     const Vec2 p = at(*corner);
     out.point(code++, p.x(), p.y(), 0);
   }
@@ -84,7 +85,8 @@ void DxfEntities::text(const std::string& layer, const Vec2& where, const std::s
 
 void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point,
                                   const Vec2& end_point, double sweep) {
-  // Pieces of at most a quarter turn: P0, the corner of the tangents with weight cos(δ/2), P1.
+  // Pieces of at most a quarter turn. The poles are P0, the corner of the tangents with weight
+  // cos(δ/2), and P1.
   const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 2 + 1e-9)));
   const double half = sweep / (2 * pieces);
   const double weight = std::cos(half);

@@ -46,7 +46,7 @@ enum DxfHandle : int {
 
 inline constexpr const char* kWordStyle = "SHEET";
 
-// Writes pairs. Reals always show that they are real.
+// Writes pairs. Reals are always recognisable as reals.
 class DxfPairs {
  public:
   explicit DxfPairs(std::string& text) : text_(text) {}

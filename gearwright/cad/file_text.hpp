@@ -6,7 +6,7 @@
 
 namespace gearwright {
 
-/// With & < > " as references; control characters, of which XML 1.0 has none, become spaces.
+/// Writes & < > as references, and control characters, which XML 1.0 does not permit, as spaces.
 std::string xml_text(std::string_view text);
 
 }  // namespace gearwright

@@ -11,9 +11,9 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// Marching along an interval by steps that are each as long as a condition allows: where the condition
-// fails for every longer step once it has failed (an error that grows with the length), they are the
-// fewest that cover the interval.
+// An interval is covered by steps that are each as long as a condition allows. If the condition
+// fails for every longer step once it has failed (an error that grows with the length), these are
+// the fewest steps.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ inline double circle_distance(const Vec2& e, const Vec2& normal, double kappa) {
   return std::abs(q) / (1.0 + std::sqrt(std::max(0.0, 1.0 + kappa * q)));
 }
 
-/// Normal distance of p from a curve near the point w of it: from the osculating circle at w.
+/// Normal distance of p from a curve near its point w, computed from the osculating circle at w.
 ///
 /// Accuracy  third order in the distance from w along the curve
 inline double osculating_distance(const CurvePoint& w, const Vec2& p) {

@@ -16,7 +16,8 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// Twice the area over the square of the longest side times the next: grows with the smallest angle.
+// Twice the area over the square of the longest side times the next. It grows with the smallest
+// angle.
 double width(const Vec2& a, const Vec2& b, const Vec2& c) {
   std::array<double, 3> side{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
   std::sort(side.begin(), side.end());
@@ -89,7 +90,7 @@ class EarClipper {
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
   std::vector<double> quality_;
-  std::size_t last_ = 0;  // a corner that is still there
+  std::size_t last_ = 0;  // a corner that remains
 };
 
 double polar(const Vec2& p) { return std::atan2(p.y(), p.x()); }
@@ -112,7 +113,8 @@ std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector
   const std::size_t m = outer.size();
   GW_EXPECTS(n >= 3 && m >= 3);
 
-  // The outer corner at or just behind the first inner point begins; all angles count from it.
+  // The outer corner at or just behind the first inner point comes first. All angles are measured
+  // from it.
   const double start = polar(inner[0]);
   std::size_t first = 0;
   for (std::size_t j = 1; j < m; ++j) {

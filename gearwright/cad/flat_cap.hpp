@@ -25,8 +25,8 @@ std::optional<std::vector<Triangle>> clip_ears(const std::vector<Vec2>& polygon)
 ///
 /// The inner loop is a circle, or a circle with a rectangular slot. With δ the angle between two
 /// outer corners, R their radius and r the largest inner radius, R cos δ ≥ r makes every triangle
-/// turn counter-clockwise: an outer step never crosses the inner circle r, and an inner step waits
-/// until an outer corner stands over it, at most δ from either of its ends.
+/// turn counter-clockwise: an outer step never crosses the inner circle r, and an inner step is
+/// taken only when an outer corner lies at most δ from either of its ends.
 ///
 /// Returns   triangles of indices: i for inner[i], inner.size() + j for outer[j]
 /// Domain    the above, the first inner point on the circle and not in the slot (contract)

@@ -28,8 +28,8 @@ struct DataGroup {
 
 struct GearSheetInput {
   ToothedBody body;
-  double reference_diameter;    ///< d    mm
-  bool bore_given;              ///< else the rim of an internal gear is not of the drawing
+  double reference_diameter;  ///< d    mm
+  bool bore_given;            ///< if false, the rim of an internal gear is not part of the drawing
   std::vector<DataGroup> data;  ///< in their order
   DrawingInput words;           ///< of the title block
   std::string number;           ///< of the sheet, "1/2"
@@ -43,7 +43,7 @@ struct GearSheet {
 
 /// `tolerance_mm`: of the outline, in the gear's mm.
 ///
-/// Facts     refused as dxf_drawing refuses: a severed tooth, a bore that leaves the root, an arc
+/// Errors    as dxf_drawing: a severed tooth, a bore that leaves the root, an arc
 ///           that does not meet the tolerance
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm);
 

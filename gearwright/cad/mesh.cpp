@@ -55,7 +55,8 @@ std::vector<Column> pitch_columns(const std::vector<SectionPoint>& half, int cop
   return columns;
 }
 
-// The hub circle (or a ring's rim) as columns of one pitch: 2q points, the first on the ray −π/|z|.
+// The hub circle (or an internal gear's rim) as columns of one pitch: 2q points, the first on the
+// ray −π/|z|.
 std::vector<Column> circle_columns(double radius, int q, int copies) {
   std::vector<Column> columns;
   for (int i = -q; i < q; ++i) {
@@ -75,7 +76,7 @@ std::optional<std::vector<Triangle>> half_pitch_cap(const std::vector<SectionPoi
   for (std::size_t j = circle.size() / 2 + 1; j-- > 0;) {
     corners.push_back(mirrored(circle[j].point));
   }
-  // Clockwise around an external tooth's material, counter-clockwise around a ring's.
+  // Clockwise around an external tooth's material, counter-clockwise around an internal gear's.
   const std::size_t count = corners.size();
   if (!ring) std::reverse(corners.begin(), corners.end());
   auto triangles = clip_ears(corners);
@@ -121,20 +122,20 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// The circle between the teeth's caps and the hub's, or a ring's rim.
+// The circle between the teeth's caps and the hub's caps, or the rim of an internal gear.
 struct Circle {
   double radius;  // mm
   int q;          // points per half pitch
 };
 
-// Halfway between bore and root; its step δ satisfies R cos δ ≥ r, as zip_ring wants.
+// Halfway between bore and root. Its step δ satisfies R cos δ ≥ r, which zip_ring requires.
 Circle hub_circle(double bore_reach, double root_reach, int copies) {
   const double radius = 0.5 * (bore_reach + root_reach);
   const double step = std::min(std::acos(bore_reach / radius), kPi / 4.0);
   return {radius, std::max(1, static_cast<int>(std::ceil(kPi / (copies * step))))};
 }
 
-// By (M1) with d = a²/(8ρ), as the tip land of an external gear.
+// By (M1) with d = a²/(8ρ), as for the tip land of an external gear.
 Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance) {
   const double turn = tolerance.level_turn;
   const double slack = 8.0 * tolerance.chord - radius * turn * turn;

@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,13 +54,16 @@ struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< in the gear frame
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to the file's frame
+  std::optional<std::size_t> colour{};                     ///< of part_colour(); none: by its place
+  std::optional<std::size_t>
+      same_as{};  ///< an earlier part that has the mesh; then `mesh` is empty
 };
 
 /// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied.
 ///
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
-///           the caps are plane. Where bore (or rim) and root come closer than four tolerances,
-///           a quarter of their distance takes the tolerance's place
+///           the caps are plane. Where bore (or rim) and root are closer than four tolerances, a
+///           quarter of their distance replaces the tolerance
 /// Errors    bore.diameter_mm (names the largest that fits), bore.keyway_*, teeth when the outline
 ///           bounds no body (severed tooth, root beyond the axis), chord_tolerance_mm when the mesh
 ///           would have more than 2·10⁶ vertices or 20 000 points on half a tooth

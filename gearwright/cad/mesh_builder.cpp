@@ -15,7 +15,7 @@ bool is_crease(const Column& column) { return (column.before - column.after).nor
 
 SinCos sincos(double angle) { return {std::sin(angle), std::cos(angle)}; }
 
-// Normal of the screw surface: across the section's tangent and across the screw's, (τJP, 1).
+// Normal of the screw surface, perpendicular to the section's tangent and to the screw's, (τJP, 1).
 Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
   return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
 }
@@ -35,7 +35,8 @@ bool rising_diagonal(const Column& one, const Column& two, const Levels& levels)
   return std::abs(rising.dot(normal) - bulge) <= std::abs(falling.dot(normal) - bulge);
 }
 
-// Once per part: the screw carries the choice to every level and tooth.
+// The diagonals are chosen once per part, because the screw carries the choice to every level and
+// tooth.
 std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
                                    const Levels& levels) {
   Column beyond = part.front();
@@ -71,7 +72,7 @@ void MeshBuilder::add_rings(const std::vector<Column>& part, int copies, const L
   for (int level = 0; level <= levels.steps; ++level) {
     const double z = levels.z(level);
     const SinCos screw = sincos(levels.twist * z);
-    // The level of copy 0 once, then its turned copies.
+    // The level of copy 0, followed by its turned copies.
     struct Placed {
       Vec2 point;
       Vec3 before, after;
@@ -145,7 +146,8 @@ WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, cons
 
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,
                            const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward) {
-  // Corners counter-clockwise from the lower one seen with the material behind, if not inward.
+  // Corners counter-clockwise from the lower one, seen with the material behind them, if not
+  // inward.
   const std::array<std::size_t, 6> order = rising ? std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3}
                                                   : std::array<std::size_t, 6>{0, 1, 3, 1, 2, 3};
   for (std::size_t t = 0; t < order.size(); t += 3) {

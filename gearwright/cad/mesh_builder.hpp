@@ -1,4 +1,4 @@
-// Grows a triangle mesh from walls and caps, in step with its shaded twin.
+// Builds a triangle mesh from walls and caps, together with its shaded copy.
 //
 //   τ  twist, rad/mm     ζ  height, mm     column  a vertex per level     ring  a level's vertices
 //
@@ -54,7 +54,7 @@ class MeshBuilder {
   void begin_cap(bool up);
   /// The vertices first … first + count − 1 may be corners of this cap.
   void use_in_cap(std::uint32_t first, std::size_t count);
-  /// A triangle of the cap, counter-clockwise seen from +z, whichever way the cap faces.
+  /// A triangle of the cap, counter-clockwise seen from +z, also if the cap faces down.
   void add_cap_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   TriangleMesh take() && { return std::move(mesh_); }
@@ -66,7 +66,7 @@ class MeshBuilder {
     std::size_t count;
     std::uint32_t shaded;
   };
-  // Shaded columns of one part; `before` of a column ends the quad before it.
+  // Shaded columns of one part. `before` of a column belongs to the quad that ends at it.
   struct Shades {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> after;

@@ -25,7 +25,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// For the rounded triangle, which is the one in the file.
+// The normal of the rounded triangle, which is the one in the file.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();
@@ -70,7 +70,7 @@ void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
   xml += "</triangles></mesh></object>\n";
 }
 
-// 3MF multiplies row vectors: the images of the axes one after the other, then the origin's.
+// 3MF multiplies row vectors: the images of the three axes come first, then that of the origin.
 std::string transform(const Eigen::Isometry3d& pose) {
   std::string out;
   for (int column = 0; column < 4; ++column) {
@@ -103,7 +103,7 @@ std::string json_string(const std::string& text) {
   return out + "\"";
 }
 
-// Shortest decimal of the float itself: a reader gets the same float.
+// Shortest decimal of the float itself, from which a reader obtains the same float.
 std::string json_vector(const Eigen::Vector3f& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
@@ -121,7 +121,7 @@ std::string json_matrix(const Eigen::Isometry3d& pose) {
   return ",\"matrix\":[" + numbers + "]";
 }
 
-// The lists of the JSON chunk, grown part by part beside the binary chunk.
+// The lists of the JSON chunk, extended part by part together with the binary chunk.
 struct Lists {
   std::string nodes, roots, meshes, materials, accessors, views;
   int view_count = 0;
@@ -138,7 +138,20 @@ struct Lists {
   }
 };
 
-void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string& binary) {
+// The mesh of a part, or of the earlier part that it repeats.
+const TriangleMesh& mesh_of(const std::vector<MeshPart>& parts, std::size_t i) {
+  return parts[parts[i].same_as.value_or(i)].mesh;
+}
+
+void add_node(const MeshPart& part, std::size_t node, std::size_t mesh, Lists& lists) {
+  Lists::add(lists.roots, fmt::format("{}", node));
+  Lists::add(lists.nodes, fmt::format(R"({{"name":{},"mesh":{}{}}})", json_string(part.name), mesh,
+                                      json_matrix(part.pose)));
+}
+
+// The mesh of a part and its material, both with the number `index`.
+void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index, Lists& lists,
+              std::string& binary) {
   const TriangleMesh& mesh = part.mesh;
   const std::size_t corners = 3 * mesh.shaded_triangles.size();
   const std::size_t shaded = mesh.shaded_vertices.size();
@@ -177,10 +190,7 @@ void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string
                          normals, kFloat, shaded));
 
   const std::string name = json_string(part.name);
-  const std::array<double, 3>& colour = part_colour(index);
-  Lists::add(lists.roots, fmt::format("{}", index));
-  Lists::add(lists.nodes,
-             fmt::format(R"({{"name":{},"mesh":{}{}}})", name, index, json_matrix(part.pose)));
+  const std::array<double, 3>& colour = part_colour(colour_index);
   Lists::add(
       lists.meshes,
       fmt::format(
@@ -203,20 +213,21 @@ void append_chunk(std::string& out, const char (&type)[5], const std::string& co
 
 std::string stl_bytes(const std::vector<MeshPart>& parts) {
   std::size_t count = 0;
-  for (const MeshPart& part : parts) count += part.mesh.triangles.size();
+  for (std::size_t i = 0; i < parts.size(); ++i) count += mesh_of(parts, i).triangles.size();
   GW_EXPECTS(count <= 0xffffffffU);
 
   std::string out;
   out.reserve(kHeaderBytes + 4 + kTriangleBytes * count);
-  out = "Gearwright, binary STL, mm:";  // must not begin with "solid", the mark of a text STL
+  out = "Gearwright, binary STL, mm:";  // must not begin with "solid", which marks a text STL
   for (const MeshPart& part : parts) out += " " + part.name;
   out.resize(kHeaderBytes, ' ');
   append_u32(out, static_cast<std::uint32_t>(count));
-  for (const MeshPart& part : parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const TriangleMesh& mesh = mesh_of(parts, i);
     std::vector<Eigen::Vector3f> vertices;
-    vertices.reserve(part.mesh.vertices.size());
-    for (const Vec3& v : part.mesh.vertices) vertices.emplace_back((part.pose * v).cast<float>());
-    for (const Triangle& t : part.mesh.triangles) {
+    vertices.reserve(mesh.vertices.size());
+    for (const Vec3& v : mesh.vertices) vertices.emplace_back((parts[i].pose * v).cast<float>());
+    for (const Triangle& t : mesh.triangles) {
       const Eigen::Vector3f& a = vertices[t[0]];
       const Eigen::Vector3f& b = vertices[t[1]];
       const Eigen::Vector3f& c = vertices[t[2]];
@@ -233,11 +244,12 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
 std::string threemf_bytes(const std::vector<MeshPart>& parts) {
   GW_EXPECTS(!parts.empty());
   std::string xml = kModelHead;
-  for (std::size_t i = 0; i < parts.size(); ++i) append_object(xml, parts[i], i + 1);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!parts[i].same_as) append_object(xml, parts[i], i + 1);
   xml += "</resources>\n<build>\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    xml +=
-        fmt::format("<item objectid=\"{}\" transform=\"{}\"/>\n", i + 1, transform(parts[i].pose));
+    xml += fmt::format("<item objectid=\"{}\" transform=\"{}\"/>\n",
+                       parts[i].same_as.value_or(i) + 1, transform(parts[i].pose));
   }
   xml += "</build>\n</model>\n";
 
@@ -252,11 +264,21 @@ std::string glb_bytes(const std::vector<MeshPart>& parts) {
   GW_EXPECTS(!parts.empty());
   Lists lists;
   std::string binary;
+  std::vector<std::size_t> number(parts.size());  // of the mesh of each part
+  std::size_t meshes = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    GW_EXPECTS(!parts[i].mesh.triangles.empty());
-    add_part(parts[i], i, lists, binary);
+    const MeshPart& part = parts[i];
+    if (part.same_as) {
+      number[i] = number[*part.same_as];
+    } else {
+      GW_EXPECTS(!part.mesh.triangles.empty());
+      number[i] = meshes++;
+      add_mesh(part, number[i], part.colour.value_or(i), lists, binary);
+    }
+    add_node(part, i, number[i], lists);
   }
-  // All entries are 4 bytes wide: the binary chunk needs no padding, the text is padded by blanks.
+  // All entries are 4 bytes wide, so the binary chunk needs no padding. The text is padded by
+  // blanks.
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"Gearwright"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
       lists.roots, lists.nodes, lists.meshes, lists.materials, lists.accessors, lists.views,

@@ -9,11 +9,12 @@
 
 namespace gearwright {
 
-/// The bytes of a binary STL file: a heap of triangles, read by every printer and every mesh tool.
+/// The bytes of a binary STL file: an unordered list of triangles that every printer and mesh tool
+/// reads.
 ///
 /// 80 bytes of text, a count, then 50 bytes per triangle: normal, three corners, all float32 in mm,
-/// and two bytes of nothing. All parts go into one heap at their poses. Corners that are one vertex
-/// of the mesh are the same twelve bytes, so that readers find the mesh's own edges again.
+/// and two zero bytes. All parts are written into one list at their poses. Corners that are one
+/// vertex of the mesh are the same twelve bytes, so readers can restore the edges of the mesh.
 ///
 /// Units     mm, in the frame the poses lead to
 /// Accuracy  coordinates rounded to float32: 2 nm at a radius of 50 mm
@@ -23,18 +24,18 @@ std::string stl_bytes(const std::vector<MeshPart>& parts);
 /// The bytes of a 3MF file, the printers' format: XML in a ZIP, with units, names and places.
 ///
 /// Core specification 1.2: one mesh object per part in mm, and a build item that places it by its
-/// pose. Vertices are shared, so that a reader need not guess which ones are the same.
+/// pose. Vertices are shared, so a reader need not guess which ones are equal.
 ///
 /// Units     mm
 /// Accuracy  9 significant digits: 0.05 nm at a radius of 50 mm
 /// Domain    at least one part, an XML text below 2³² bytes (contract)
 std::string threemf_bytes(const std::vector<MeshPart>& parts);
 
-/// The bytes of a GLB file, glTF 2.0 in one binary file: what browsers and viewers show.
+/// The bytes of a GLB file, glTF 2.0 in one binary file, for browsers and viewers.
 ///
 /// One node per part with its pose as matrix, one mesh with smooth normals, one material of its own
-/// colour. Metres, as glTF wants. The gear axis stays z, which in glTF points at the viewer: a gear
-/// is seen from its face.
+/// colour. Lengths are in metres, as glTF requires. The gear axis remains z, which in glTF points
+/// at the viewer, so a gear is seen from its face.
 ///
 /// Accuracy  coordinates rounded to float32 metres: 2 nm at a radius of 50 mm
 /// Domain    at least one part, rigid poses, fewer than 2³² bytes in all (contract)

@@ -3,7 +3,8 @@
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
 // An instance refers to others by their numbers. Here every instance is written after those that it
-// names, so a file is one pass over the gears and its only memory is its text. Internal to cad/.
+// names, so a file is written in one pass over the gears and needs no memory except its text.
+// Internal to cad/.
 //
 //   Laws  (1) a real reads back to the same double and has the fewest digits that do (2) text reads
 //         back, because other characters than printable ASCII are escaped by the rules of the
@@ -22,14 +23,14 @@ namespace gearwright {
 /// Number of an instance; 0 is none.
 using Part21Id = std::uint32_t;
 
-/// A real as the standard wants it: a point always, the exponent after a capital E. −0 is 0.
-/// Domain    finite (contract)
+/// A real in the form of the standard: always with a point, and with a capital E before the
+/// exponent. −0 is written as 0.   Domain    finite (contract)
 void append_real(std::string& text, double value);
 
 /// A string in its apostrophes: ' and \ doubled, everything else outside ASCII 32 to 126 as
 /// \X2\03B1\X0\ (code points of 16 bits) or \X4\0001F600\X0\ (the others).
 ///
-/// Domain    any bytes: what is no UTF-8 becomes U+FFFD, byte by byte
+/// Domain    any bytes; each byte that is not UTF-8 becomes U+FFFD
 std::string part21_string(std::string_view utf8);
 
 /// A file: its header, then the instances of its data section, one a line.

@@ -148,7 +148,9 @@ void add_products(Part21& out, const StepProtocol& protocol, const std::vector<S
   ProductWriter writer(out, protocol);
   std::vector<ProductWriter::Product> products;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    products.push_back(writer.part(parts[i], part_colour(i)));
+    products.push_back(parts[i].same_as
+                           ? products[*parts[i].same_as]
+                           : writer.part(parts[i], part_colour(parts[i].colour.value_or(i))));
   const bool in_its_frame = parts[0].pose.matrix() == Eigen::Matrix4d::Identity();
   if (parts.size() > 1 || !in_its_frame) writer.assembly(assembly, parts, products);
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct StepPart {
   std::string name;
   Eigen::Isometry3d pose;  ///< mm
   Part21Id solid;
+  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place
+  std::optional<std::size_t> same_as{};  ///< an earlier part that it is another copy of
 };
 
 /// Domain    at least one part (contract)

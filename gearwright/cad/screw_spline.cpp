@@ -42,7 +42,7 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
   return poles;
 }
 
-// Abscissae between the knots, by rule none a Greville point: (k + ½)/24 of each span.
+// Abscissae between the knots, none of which is a Greville point: (k + ½)/24 of each span.
 std::vector<std::vector<double>> checks(const BSplineBasis& basis) {
   const std::vector<double> knots = basis.distinct_knots();
   std::vector<std::vector<double>> spans;
@@ -56,9 +56,10 @@ std::vector<std::vector<double>> checks(const BSplineBasis& basis) {
   return spans;
 }
 
-// Normal distance from q to the curve near its parameter t: what is left of q − W after the foot
-// point moved along the tangent, on the osculating circle. Third order in the way along; where that
-// way is not short against the radius of curvature the whole distance is taken, which is more.
+// Normal distance from q to the curve near its parameter t: the remainder of q − W after the foot
+// point has moved along the tangent, on the osculating circle. The error is of third order in that
+// movement. If the movement is not short compared with the radius of curvature, the whole distance
+// is returned, which is larger.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
   const Vec2 d = Vec2(q.real(), q.imag()) - w.point;
@@ -99,8 +100,8 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// Knots of `old`, with every span halved that misses the target; none, where all of those are
-// already shorter than kShortestSpan: the arc is torn there and no knot would mend it.
+// Knots of `old`, with every span halved that misses the target. None if all of those are already
+// shorter than kShortestSpan, because the arc is torn there and more knots do not help.
 std::optional<BSplineBasis> refined(const Candidate& old, double target) {
   std::vector<double> knots = old.basis.knots();
   const std::size_t before = knots.size();
@@ -115,7 +116,8 @@ std::optional<BSplineBasis> refined(const Candidate& old, double target) {
   return BSplineBasis(kDegree, std::move(knots));
 }
 
-// Fewest poles first: uniform knots up to 40 poles, then halving spans from 16 of them on.
+// The fewest poles are tried first: uniform knots up to 40 poles, then halved spans from 16 poles
+// on.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;
@@ -135,7 +137,7 @@ Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Com
   }
 }
 
-// Is the slowest speed over equal steps of the own parameter above kSlowest of the mean?
+// True if the slowest speed over equal steps of the own parameter exceeds kSlowest of the mean.
 bool runs_evenly(const Arc& arc) {
   constexpr int kSteps = 64;
   double slowest = 0.0;

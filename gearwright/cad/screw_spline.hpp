@@ -6,11 +6,11 @@
 //   C(u)   spline of the section, C ≈ W        H(v)   spline of the turn, H ≈ e^{iφ}, φ linear in v
 //   S      the surface: S_xy(u, v) = H(v) C(u), z linear in v; its poles are the products h_j c_i
 //
-// The exact surface is e^{iφ} W, so interpolating it on the grid of Greville points gives just the
-// product of the two interpolants: the section is fitted once, whatever the helix, and the distance
+// The exact surface is e^{iφ} W, so interpolating it on the grid of Greville points gives exactly
+// the product of the two interpolants. The section is fitted once for every helix, and the distance
 // to the exact surface is that of two plane curves. With H = e^{iφ}(1 + ε) a point of S, turned
 // back by φ, is C(1 + ε): its distance from W is at most e + |C||ε|, e the normal distance from C
-// to W; in space the distance is smaller still, the surface being steeper than its section.
+// to W; in space the distance is smaller, because the surface is steeper than its section.
 #pragma once
 
 #include <complex>
@@ -27,15 +27,15 @@ using Complex = std::complex<double>;
 /// in profile measurement of gears (1 µm). A surface beyond the greatest value is an error.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
-/// R|ε| aimed at, mm: half of 1e-7, the tolerance of every edge and vertex, since the spline of a
-/// helix is the common edge of a flank and of a true cylinder.
+/// Target of R|ε|, mm: half of 1e-7, the tolerance of every edge and vertex, because the spline of
+/// a helix is the common edge of a flank and of a true cylinder.
 inline constexpr double kHelixTarget_mm = 5e-8;
 
 struct SectionSpline {
   BSplineBasis basis;
   std::vector<Complex> poles;  ///< c_i  mm; the first and the last are the ends of the arc
   double deviation_mm;         ///< e, greatest of 24 points between neighbouring knots
-  bool by_length;              ///< u is the arc length over the whole, else the curve's parameter
+  bool by_length;              ///< u is the relative arc length; otherwise the curve's parameter
 
   Complex at(double u) const;
 };
@@ -50,9 +50,9 @@ struct SectionSpline {
 ///
 /// Units     mm
 /// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
-/// Accuracy  deviation_mm ≤ target, or the best that kMaxPoles gave: the caller looks. The error
-///           has at most 5 lobes between two knots; 24 points miss the top of a lobe by a half step
-///           of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
+/// Accuracy  deviation_mm ≤ target, or the best that kMaxPoles gave, which the caller must check.
+///           The error has at most 5 lobes between two knots; 24 points miss the top of a lobe by a
+///           half step of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
 SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
                           double target_mm = kSectionTarget_mm);
 
@@ -60,13 +60,14 @@ inline constexpr int kMaxPoles = 240;
 
 struct HelixSpline {
   BSplineBasis basis;          ///< degree 5; degree 1 without twist
-  std::vector<Complex> poles;  ///< h_j for φ from −Δ/2 to Δ/2; 1, 1 without twist
+  std::vector<Complex> poles;  ///< h_j for φ from −Δ/2 to Δ/2; without twist 1, 1
   double deviation;            ///< |ε|, greatest of 24 points between neighbouring knots
 
   Complex at(double v) const;
 };
 
-/// Spline of the turn by Δ over one slice, good to `target_mm` at the radius `radius`.
+/// Spline of the turn by Δ over one slice, with an error of at most `target_mm` at the radius
+/// `radius`.
 ///
 /// Units     Δ in rad, signed; mm
 /// Domain    |Δ| ≤ π, radius > 0 (contract)

@@ -60,7 +60,7 @@ double panel_area(const Rule& rule, const Arc& arc, double u0, double u1) {
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes; ++i) {
     Vec2 d = Vec2::Zero();
-    // The constant p_i drops out of a derivative; without it there is no cancellation.
+    // The constant p_i drops out of a derivative. It is omitted to avoid cancellation.
     for (std::size_t j = 0; j < kNodes; ++j) d += rule.derivative[i][j] * (p[j] - p[i]);
     sum += rule.weight[i] * (p[i].x() * d.y() - p[i].y() * d.x());
   }
@@ -89,7 +89,7 @@ double section_area(const Outline& outline) {
   GW_EXPECTS(!outline.arcs.empty());
   static const Rule rule = make_rule();
   double half = 0.0;
-  // Root to tip the half outline runs clockwise about the axis.
+  // From root to tip, the half outline runs clockwise about the axis.
   for (const Arc& arc : outline.arcs) half -= arc_area(rule, arc);
   return 2.0 * std::abs(outline.teeth) * half;
 }

@@ -5,9 +5,10 @@
 //   r    bore radius, w keyway width, t keyway depth from the bore circle, mm
 //
 // Green's theorem, A = ½ ∮ (x dy − y dx): the two rays that bound half a tooth pass through the
-// axis and give nothing, so A = 2|z| times the integral over the half outline. A curve gives points
-// but no speed; dy/dt and dx/dt are those of the polynomial through the points at 16 Gauss nodes,
-// for which the quadrature is exact, and the panels are halved until the sum stands still.
+// axis and contribute nothing, so A = 2|z| times the integral over the half outline. A curve
+// provides points but no speed. dy/dt and dx/dt are those of the polynomial through the points at
+// 16 Gauss nodes, for which the quadrature is exact, and the panels are halved until the sum
+// converges.
 #pragma once
 
 #include "gearwright/cad/toothed_body.hpp"
@@ -30,8 +31,8 @@ double section_area(const Outline& outline);
 /// Domain    0 ≤ w < 2r, t ≥ 0 (contract)
 double bore_area(const Bore& bore);
 
-/// Area of the metal in a transverse section: outline less bore; of an internal gear: rim less
-/// outline.
+/// Area of the metal in a transverse section: outline minus bore, or rim minus outline for an
+/// internal gear.
 ///
 /// Units     mm²
 /// Domain    an internal gear has a bore, its rim (contract)

@@ -11,8 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// Shares of ε. The density aims at 0.90 so that most segments pass the check at 0.95 unsplit; the
-// five points of the check see at least 0.97 of a parabola's height, and joining takes 0.02.
+// Shares of ε. The density aims at 0.90, so most segments pass the check at 0.95 without being
+// split. The five points of the check detect at least 0.97 of a parabola's height, and joining
+// takes 0.02.
 constexpr double kDensityShare = 0.90;
 constexpr double kCheckShare = 0.95;
 constexpr double kJoinShare = 0.02;
@@ -56,7 +57,8 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
   Vec2 before = arc.point(0.0);
   for (int i = 0; i < kCells; ++i) {
     const Vec2 after = arc.point((i + 1.0) / kCells);
-    // At the middle of the cell: an involute's curvature is infinite at its base circle.
+    // The density is evaluated at the middle of the cell, because an involute's curvature is
+    // infinite at its base circle.
     const double curvature = std::abs(arc.at((i + 0.5) / kCells).curvature);
     const double density = std::max((turn + std::sqrt(turn * turn + curvature * slack)) / slack,
                                     curvature / tolerance.facet_turn);
@@ -65,7 +67,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
     before = after;
   }
 
-  // A whole number up to rounding is that number, not the next one.
+  // A number that is whole up to rounding is not rounded up.
   const double wanted = std::min(std::ceil(count.back() - 1e-9), static_cast<double>(most) + 1.0);
   const int segments = std::max(1, static_cast<int>(wanted));
   std::vector<double> parameters{0.0};
@@ -106,7 +108,7 @@ std::vector<SectionPoint> section_points(const Outline& outline, const SectionTo
                                          std::size_t most) {
   GW_EXPECTS(!outline.arcs.empty() && outline.teeth != 0);
   GW_EXPECTS(tolerance.chord > 0.0 && tolerance.facet_turn > 0.0 && tolerance.level_turn >= 0.0);
-  const double side = outline.teeth > 0 ? 1.0 : -1.0;  // arcs run clockwise: material on the right
+  const double side = outline.side();  // arcs run clockwise: material on the right
 
   std::vector<SectionPoint> points;
   for (const Arc& arc : outline.arcs) {

@@ -30,8 +30,8 @@ struct SectionTolerance {
 
 /// Points from the middle of the space to the middle of the tooth. The first lies on the ray π/|z|
 /// and the last on the x axis to the last bit. No two neighbours are closer than chord/50: nearer
-/// ones are joined, which moves the boundary by less than that. Once they are more than `most`, the
-/// rest is left out.
+/// ones are joined, which moves the boundary by less than that. Points beyond the number `most` are
+/// omitted.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
 /// Domain    ρΔ² < 8ε, ends on their rays to 1e-6 ρ (contract)

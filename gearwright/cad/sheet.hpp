@@ -48,7 +48,7 @@ struct SheetText {
   Vec2 at;  ///< mm, left end of the base line
   std::string text;
   double height;         ///< h  mm
-  bool upright = false;  ///< turned by a quarter counter-clockwise: read from the right
+  bool upright = false;  ///< turned by a quarter counter-clockwise, to be read from the right
 };
 
 struct SheetBox {
@@ -67,11 +67,11 @@ struct Sheet {
   void line(SheetLayer layer, const Vec2& a, const Vec2& b);
   void rectangle(SheetLayer layer, const SheetBox& box);
   void circle(SheetLayer layer, const Vec2& center, double radius);
-  /// A filled arrow head: its point, and the direction that it points in.
+  /// A filled arrow head, given by its point and direction.
   void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
   void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
             Along along = Along::start);
-  /// Read from the right; `along` is meant upwards.
+  /// Text to be read from the right; `along` refers to the upward direction.
   void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
                     Along along = Along::start);
   /// "α_n" with its index.

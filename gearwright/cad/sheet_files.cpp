@@ -1,4 +1,4 @@
-// PDF 1.4 (Adobe, PDF Reference, third edition): the few operators that a drawing needs.
+// PDF 1.4 (Adobe, PDF Reference, third edition): the operators that a drawing needs.
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
   }
 }
 
-// Only what changes is said.
+// Writes only the settings that change.
 class Content {
  public:
   explicit Content(const Sheet& sheet) {
@@ -136,7 +136,7 @@ class Objects {
   std::vector<std::size_t> places_;
 };
 
-// One sheet in a group of its own; y is turned over here and nowhere else.
+// One sheet in its own group. Only this class reverses y.
 class SheetSvg {
  public:
   explicit SheetSvg(const Sheet& sheet) : sheet_(sheet) {

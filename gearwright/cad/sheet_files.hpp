@@ -25,7 +25,7 @@ struct SheetWords {
 /// Domain    at least one sheet (contract), here and below
 /// Accuracy  0.15 µm on paper
 std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words);
-/// Letters that no font of a PDF has and that are question marks there.
+/// Number of letters that no font of a PDF contains and that become question marks there.
 int letters_not_in_pdf(const std::vector<Sheet>& sheets);
 
 std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words);

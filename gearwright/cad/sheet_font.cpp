@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// Helvetica by WinAnsi codes from 32 on; codes that name no letter are as wide as the bullet.
+// Helvetica by WinAnsi codes from 32 on. Codes without a letter are as wide as the bullet.
 constexpr std::array<short, 224> kHelvetica{
     278,  278, 355, 556, 556, 889,  667,  191,  333, 333,  389, 584, 278,  333, 278, 278,  //
     556,  556, 556, 556, 556, 556,  556,  556,  556, 556,  278, 278, 584,  584, 584, 556,  //

@@ -15,7 +15,7 @@ struct SheetLetter {
   SheetFont font;
   unsigned char code;  ///< WinAnsi of Helvetica, Symbol's own
   int width;           ///< thousandths of the size
-  bool known;          ///< false: the question mark in its place
+  bool known;          ///< false: a question mark replaces it
 };
 
 SheetLetter letter_of(char32_t code);

@@ -17,7 +17,7 @@ constexpr double kHatch = 2.5;
 
 constexpr double kLine = 1.5;  // from line to line, in heights of capitals
 
-// Lines broken at spaces; a word alone may be wider than `width`.
+// Lines broken at spaces. A single word may be wider than `width`.
 std::vector<std::string> broken(std::string_view words, double height, double width) {
   std::vector<std::string> lines;
   while (!words.empty()) {
@@ -83,7 +83,7 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const Vec2 forward = at(1, 0);
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
-  // Upright words are to the left of their line, which is above it for the reader.
+  // Upright words are to the left of their line, which is above it when read from the right.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)
@@ -104,7 +104,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
 }
 
 void hatch(Sheet& sheet, const SheetBox& box) {
-  // Lines y = x + c; c in steps that do not depend on the box, so that parts of one body agree.
+  // Lines y = x + c. The steps of c do not depend on the box, so the hatching of all parts of a
+  // body agrees.
   const double step = kHatch * std::sqrt(2.0);
   const double least = box.lo.y() - box.hi.x(), most = box.hi.y() - box.lo.x();
   for (double n = std::ceil(least / step); n * step < most; ++n) {

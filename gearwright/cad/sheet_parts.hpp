@@ -24,12 +24,13 @@ struct TitleBlock {
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
 };
 
-/// At the lower right corner of `within`, 180 mm wide; returns the box that it covers.
+/// Draws the title block at the lower right corner of `within`, 180 mm wide; returns the box that
+/// it covers.
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
 
 /// Size of the data table with this number of columns, mm.
 Vec2 data_size(const std::vector<DataGroup>& groups, int columns);
-/// With its upper left corner at `corner`.
+/// Draws the table with its upper left corner at `corner`.
 void draw_data(Sheet& sheet, const Vec2& corner, const std::vector<DataGroup>& groups, int columns);
 
 enum class Direction { across, up };
@@ -38,8 +39,8 @@ enum class Direction { across, up };
 struct Dimension {
   Direction direction;
   double begin, end;            ///< mm, along the direction; begin < end
-  double edge_begin, edge_end;  ///< mm, where the edges are, across it
-  double line;                  ///< mm, where the dimension line lies, across it
+  double edge_begin, edge_end;  ///< mm, positions of the edges, across it
+  double line;                  ///< mm, position of the dimension line, across it
   std::string words;
 };
 
@@ -47,15 +48,15 @@ struct Dimension {
 /// end of a line that runs across, below one that runs up.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
-/// Words within a box, from the top: as large as they fit, in several lines if need be; what does not
-/// fit at all ends in an ellipsis.
+/// Words within a box, from the top. They are as large as fits, in several lines if necessary, and
+/// words that do not fit end in an ellipsis.
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 
-/// True if they fit completely into a box of that size.
+/// True if the words fit completely into a box of that size.
 bool words_fit(const Vec2& size, std::string_view words, double largest);
 
-/// Lines of 45° through a box, as the section of a body.
+/// Lines of 45° through a box, which mark the section of a body.
 void hatch(Sheet& sheet, const SheetBox& box);
 
 }  // namespace gearwright

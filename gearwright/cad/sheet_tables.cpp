@@ -9,14 +9,16 @@ namespace gearwright {
 
 namespace {
 
-// mm: a row, and its columns of words, symbol and value; between two columns of the table.
+// mm: height of a row; widths of its columns of words, symbol and value; distance between two
+// columns of the table.
 constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
-constexpr double kInset = 1.2, kBase = 1.4;  // of words from the left, of the base line from below
+constexpr double kInset = 1.2, kBase = 1.4;  // distance of words from the left, of the base line
+                                             // from below
 
 double rows_of(const DataGroup& group) { return 1.0 + static_cast<double>(group.rows.size()); }
 
-// The groups that begin a column: the split whose longest column is the shortest.
+// The number of groups in the first column, for the split whose longest column is shortest.
 std::size_t second_column(const std::vector<DataGroup>& groups) {
   double all = 0.0, before = 0.0, best = std::numeric_limits<double>::infinity();
   for (const DataGroup& g : groups) all += rows_of(g);
@@ -41,7 +43,7 @@ Columns split(const std::vector<DataGroup>& groups, int columns) {
   return result;
 }
 
-// In one line, smaller if it is too long.
+// Height at which the words fit in one line, reduced if they are too long.
 double fitted(double natural_width, double width) {
   return kUsual * std::min(1.0, width / natural_width);
 }
@@ -87,7 +89,7 @@ SheetBox room(const SheetBox& cell) {
           cell.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
 }
 
-// A row's height: taller where words would not fit, within limits.
+// Height of a row, increased within limits if words do not fit.
 double height_for(const std::vector<Cell>& cells, double height, double largest) {
   constexpr double kStep = 1, kMost = 24;
   const auto fits = [&](const Cell& cell) {

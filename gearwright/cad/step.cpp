@@ -17,7 +17,8 @@
 namespace gearwright {
 namespace {
 
-// A file names its content, not the time of its making: same gears, same bytes.
+// A file contains its content but not the time of its creation, so the same gears give the same
+// bytes.
 constexpr const char* kTime = "1970-01-01T00:00:00";
 
 // First edition of ISO 10303-242, third of ISO 10303-214.
@@ -74,6 +75,12 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
   std::vector<StepPart> parts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
+    if (body.same_as) {
+      report.volume_mm3 += metal_area(body) * body.face_width;
+      parts.push_back(
+          {body.name, body.pose, parts[*body.same_as].solid, body.colour, body.same_as});
+      continue;
+    }
     const auto walls = make_walls(body);
     if (!walls) return within(body.name, walls.error());
     const WallLoop& teeth = walls->teeth;
@@ -84,7 +91,7 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
     report.volume_mm3 += metal_area(body) * body.face_width;
     report.face_count += brep.face_count;
     report.edge_count += brep.edge_count;
-    parts.push_back({body.name, body.pose, brep.solid});
+    parts.push_back({body.name, body.pose, brep.solid, body.colour});
   }
   for (const StepFace& face : report.faces)
     report.max_deviation_mm = std::max(report.max_deviation_mm, face.max_deviation_mm);

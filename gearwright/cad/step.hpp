@@ -3,8 +3,8 @@
 // One named, coloured solid per body. Tip land, root land and bore are true cylinders, everything else
 // is a B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
 // faces share their edges. One body in its own frame is written as a part; several bodies, or one with
-// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: a gear's surfaces
-// are our own, and so is the text (cad/part21.hpp).
+// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: both the surfaces
+// and the text (cad/part21.hpp) are computed here.
 //
 //   Laws  (1) same bodies, same file name, same bytes: the header's time is fixed
 //         (2) hand and pose change neither the number of faces nor the volume
@@ -21,7 +21,7 @@
 namespace gearwright {
 
 /// The application protocol of the file. Solids, names, colours and assemblies are the same in both;
-/// ap214, which ap242 has replaced, is for systems that read nothing newer.
+/// ap214, which ap242 has replaced, is for older systems.
 enum class StepSchema { ap242, ap214 };
 
 /// "AP242"
@@ -35,19 +35,20 @@ struct StepOptions {
 struct StepFace {
   ArcName name;
   std::size_t body;  ///< index into the bodies
-  int degree_u;      ///< along the outline; 0 where the face is a true cylinder
+  int degree_u;      ///< along the outline; 0 if the face is a true cylinder
   int poles_u;
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
   double
-      max_deviation_mm;  ///< normal distance to the exact screw surface, between the fit's points
+      max_deviation_mm;  ///< normal distance to the exact screw surface, between the points of the
+                         ///< fit
 };
 
 struct StepReport {
   std::vector<StepFace> faces;    ///< root to tip of one half tooth, body by body
   double max_deviation_mm = 0.0;  ///< greatest of all faces
   double volume_mm3 = 0.0;        ///< exact: section area times face width, all bodies
-  std::size_t face_count = 0;     ///< of all solids
+  std::size_t face_count = 0;     ///< of all solids, each shape once
   std::size_t edge_count = 0;     ///< each shared edge once
 };
 
@@ -58,19 +59,20 @@ struct StepDocument {
   StepReport report;
 };
 
-/// The text of a STEP file; `file_name` is what its header calls it (UTF-8, without folders).
+/// The text of a STEP file; `file_name` is the name in its header (UTF-8, without folders).
 ///
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Facts     those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces
-/// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), 2e-5 aimed at; points, edges and faces agree
-///           within 1e-7 mm (kBrepUncertainty_mm), which the file states; reals read back to the bit
+/// Errors    those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces
+/// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), with the target 2e-5; points, edges and
+///           faces agree within 1e-7 mm (kBrepUncertainty_mm), which the file states; reals read
+///           back to the bit
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name, const StepOptions& options = {});
 
 /// Writes the text of step_document to `path`, whole or not at all.
 ///
-/// Throws    IoError naming the path, where the file cannot be written
+/// Throws    IoError with the path, if the file cannot be written
 Result<StepReport> write_step(const std::vector<ToothedBody>& bodies,
                               const std::filesystem::path& path, const StepOptions& options = {});
 

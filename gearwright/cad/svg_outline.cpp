@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMarginShare = 0.05;  // of the radius, so that the stroke is not cut off
 
-// The d attribute; y is turned over here and nowhere else.
+// The d attribute. Only this class reverses y.
 class Path {
  public:
   explicit Path(const Eigen::Isometry3d* pose) {
@@ -34,7 +34,7 @@ class Path {
     const Vec2 p = pose_ * at;
     add("L{} {}", p.x(), -p.y());
   }
-  // A counter-clockwise arc is one on the screen too: sweep flag 0.
+  // A counter-clockwise arc is counter-clockwise on the screen too: sweep flag 0.
   void arc(double radius, double sweep, const Vec2& at) {
     const Vec2 p = pose_ * at;
     add("A{0} {0} 0 {1} 0 {2} {3}", radius, sweep > std::numbers::pi ? 1 : 0, p.x(), -p.y());
@@ -115,7 +115,7 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
   const bool in_place = bodies.size() > 1;
   Drawing drawing{{}, 0, 0.0, options.tolerance_mm};
   std::string paths;
-  Eigen::AlignedBox2d box;  // y turned over, as on the screen
+  Eigen::AlignedBox2d box;  // with y reversed, as on the screen
   double margin = 0.0;
   for (const ToothedBody& body : bodies) {
     const auto drawn = draw(body, options, in_place);

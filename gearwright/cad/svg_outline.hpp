@@ -2,8 +2,9 @@
 //
 // The profile is the first subpath, bore or rim the second, filled by the even-odd rule: a gear
 // shows its bore, an internal gear its rim. Lands are elliptical arc commands (A), true circles;
-// other arcs cubic Bézier curves (C). SVG's y axis points down: y is written negated, so that the
-// picture stands up as the gear frame does, without a transformation that some readers leave out.
+// other arcs cubic Bézier curves (C). SVG's y axis points down, so y is written with the opposite
+// sign. The picture is then upright like the gear frame, without a transformation that some readers
+// ignore.
 #pragma once
 
 #include "gearwright/cad/drawing.hpp"
@@ -18,7 +19,7 @@ struct SvgOptions {
 ///
 /// Units     mm, written with ten decimals
 /// Domain    tolerance_mm > 0; the outline's laws hold within 1e-6 mm (contract)
-/// Facts     as dxf_drawing
+/// Errors    as dxf_drawing
 /// Accuracy  deviation_mm ≤ tolerance_mm
 Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options = {});
 

@@ -20,18 +20,27 @@
 namespace gearwright {
 
 struct ToothedBody {
-  std::string name;         ///< "gear1", the name a CAD tree shows
+  std::string name;         ///< "gear1", the name in a CAD tree
   Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
   double twist = 0.0;       ///< τ  rad/mm
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
+  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
+  std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
 };
 
 /// Colours that distinguish gears in contact wherever their file is opened.
-/// Linear RGB, far apart in lightness as well as hue: steel, bronze, blue, green.
-inline constexpr std::array<std::array<double, 3>, 4> kPartColours{
-    {{0.45, 0.49, 0.53}, {0.55, 0.34, 0.14}, {0.12, 0.26, 0.48}, {0.2, 0.42, 0.24}}};
+/// Linear RGB, far apart in lightness as well as hue: steel, bronze, blue, green, then ochre, purple,
+/// teal and dark grey for larger drives.
+inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49, 0.53},
+                                                                    {0.55, 0.34, 0.14},
+                                                                    {0.12, 0.26, 0.48},
+                                                                    {0.2, 0.42, 0.24},
+                                                                    {0.62, 0.5, 0.1},
+                                                                    {0.34, 0.12, 0.34},
+                                                                    {0.1, 0.4, 0.42},
+                                                                    {0.12, 0.13, 0.15}}};
 
 /// The colour of the part with this index; the colours repeat.
 constexpr const std::array<double, 3>& part_colour(std::size_t index) {

@@ -18,8 +18,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kRound_mm = 1e-8;  // a land is a circle about the axis
-constexpr double kLaw_mm = 1e-6;    // to which the outline keeps its own laws
-constexpr int kWallLooks = 64;      // points of an arc that are looked at for radius and side
+constexpr double kLaw_mm = 1e-6;    // tolerance for the laws of an outline
+constexpr int kWallLooks = 64;      // points of an arc that are examined for radius and side
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
@@ -71,7 +71,7 @@ struct Extent {
   double inner;
   double outer;
   bool tooth_crossed;  // the half outline crosses the middle of the tooth
-  bool space_crossed;  // or that of the space
+  bool space_crossed;  // the half outline crosses the middle of the space
 };
 
 Extent look_at(const Outline& outline, Complex space) {
@@ -105,7 +105,7 @@ Wall turned(Wall wall, long long k, long long n) {
   return wall;
 }
 
-// Spline walls of the lower (mirrored, root to tip) and the upper half (tip to root).
+// Spline walls of the lower half (mirrored, root to tip) and of the upper half (tip to root).
 struct SplinePair {
   Wall lower;
   Wall upper;
@@ -213,7 +213,7 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
   std::vector<ArcFit> fits;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Piece& piece = pieces[i];
-    // A circle has a mirror image to be one wall with only at the middle of tooth or space.
+    // A circle can form one wall with its mirror image only at the middle of a tooth or space.
     piece.circle =
         (i == 0 || i + 1 == pieces.size()) && is_circle(*piece.arc, piece.begin, piece.end);
     fits.push_back({piece.arc->name, std::nullopt});

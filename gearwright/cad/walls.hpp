@@ -1,4 +1,4 @@
-// The walls of a toothed body: its closed loops cut into pieces, each to become one face.
+// The walls of a toothed body: its closed loops cut into pieces, each of which becomes one face.
 //
 //   wall      a piece of a loop, counter-clockwise: a spline, a circle about the axis, or a line
 //   loop      walls in order, the end of each is the begin of the next, and the last closes on the
@@ -48,7 +48,7 @@ struct Wall {
   std::vector<Complex> poles;              ///< spline
   double radius = 0.0;                     ///< circle  mm
   double begin_angle = 0.0;                ///< circle  rad
-  double end_angle = 0.0;                  ///< circle  rad, > begin_angle, at most a turn more
+  double end_angle = 0.0;                  ///< circle  rad, > begin_angle, at most one turn more
 };
 
 struct WallLoop {
@@ -60,12 +60,12 @@ struct WallLoop {
 /// The result for one arc of the half outline.
 struct ArcFit {
   ArcName name;
-  std::optional<SectionSpline> spline;  ///< none: a true circle
+  std::optional<SectionSpline> spline;  ///< none for a true circle
 };
 
 struct BodyWalls {
   WallLoop teeth;
-  std::optional<WallLoop> bore;  ///< of a ring: its rim
+  std::optional<WallLoop> bore;  ///< the rim of an internal gear
   HelixSpline helix;             ///< turn of one slice of the teeth
   std::vector<ArcFit> arcs;      ///< half a tooth, root to tip, without the slivers
   double inner_radius;           ///< smallest radius of the outline, mm
@@ -74,18 +74,18 @@ struct BodyWalls {
 
 /// Cuts a body into walls.
 ///
-/// Facts     errors: a bore that bore_error rejects (`bore.diameter_mm` and the keys of its
+/// Errors    errors: a bore that bore_error rejects (`bore.diameter_mm` and the keys of its
 ///           keyway); a ring without a rim around its roots (its bore is the rim) or with a keyway;
 ///           flanks that cross or a root beyond the axis (`teeth`); an arc that no spline meets
 ///           within kSectionMax_mm
 /// Domain    face width > 0, outline.teeth ≠ 0, the outline's laws hold within 1e-6 mm (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 
-// The layers of a body: where its walls are cut across, and how a point of the section climbs through
-// one of them. A pole of a wall in a slice is h_j c_i at the height z_j: h_j and z_j are the slice's,
-// c_i the wall's.
+// The layers of a body: the planes at which its walls are cut, and the path of a section point
+// through one layer. A pole of a wall in a slice is h_j c_i at the height z_j, where h_j and z_j
+// belong to the slice and c_i to the wall.
 
-/// A plane z = const; the section in it is turned by e^{iτz}.
+/// A plane z = const, whose section is turned by e^{iτz}.
 struct WallLevel {
   double z;      ///< mm
   double angle;  ///< τz  rad

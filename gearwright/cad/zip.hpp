@@ -16,7 +16,7 @@ class ZipWriter {
   /// Domain    entries and archive below 2³² bytes, fewer than 65535 entries (contract)
   void add(std::string_view name, std::string_view content);
 
-  /// The archive with its directory; the writer is spent.
+  /// The archive with its directory. The writer cannot be used afterwards.
   std::string finish() &&;
 
  private:

@@ -1,4 +1,4 @@
-// What a contact of circular-arc teeth says of itself: `arc_contacts` of a pair.
+// The quantities of a contact of circular-arc teeth: `arc_contacts` of a pair.
 #include <cmath>
 
 #include "gearwright/catalogue/pair_parts.hpp"
@@ -7,9 +7,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMarking = 0.00635;  // mm: the ellipse is what a layer of marking compound shows
+constexpr double kMarking = 0.00635;  // mm: thickness of the marking compound that shows the
+                                      // ellipse
 
-// The semi-axis that a gap curvature leaves under the marking; none where the gap closes.
+// The semi-axis for a gap curvature under the marking; none if the gap closes.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -18,7 +19,7 @@ Value tensor(const Mat2& k) {
 
 bool convex_first(const ArcContactView& c) { return c.contact->convex_gear == 1; }
 
-// Of gear 1 and gear 2 what is of the convex and the concave flank.
+// Reorders values of the convex and the concave flank as gear 1 and gear 2.
 template <class T>
 std::array<T, 2> by_gear(const ArcContactView& c, const T& convex, const T& concave) {
   return convex_first(c) ? std::array{convex, concave} : std::array{concave, convex};
@@ -34,11 +35,11 @@ const Quantities<C>& tensor_quantities() {
         return tensor(by_gear(c, at.curvature_convex, at.curvature_concave)[i]);
       };
     };
-    q.add(Type::number, Unit::per_mm, "", "gear1", "curvature of gear 1", "K", "in (t, u) [T7.14]",
-          of_gear(0))
+    q.number("gear1", "curvature of gear 1", "K", "in (t, u) [T7.14]", of_gear(0))
+        .unit(Unit::per_mm)
         .list({2, 2});
-    q.add(Type::number, Unit::per_mm, "", "gear2", "curvature of gear 2", "K", "in (t, u) [T7.14]",
-          of_gear(1))
+    q.number("gear2", "curvature of gear 2", "K", "in (t, u) [T7.14]", of_gear(1))
+        .unit(Unit::per_mm)
         .list({2, 2});
   });
   return kAll;
@@ -47,16 +48,15 @@ const Quantities<C>& tensor_quantities() {
 const Quantities<ArcContact>& ellipse_quantities() {
   using A = ArcContact;
   static const Quantities<A> kAll("pair.arc_contacts ellipse", [](Quantities<A>& q) {
-    q.mm("", "marking_mm", "thickness of the marking compound", "δ", "that shows the ellipse",
-         [](const A&) { return Value(kMarking); })
+    q.number("marking_mm", "thickness of the marking compound", "δ", "that shows the ellipse",
+             [](const A&) { return Value(kMarking); })
         .doors(kJson);
-    q.mm("", "semi_major_mm", "semi-major axis of the contact ellipse", "", "null: the gap closes",
-         [](const A& a) { return semi_axis(a.gap[0]); });
-    q.mm("", "semi_minor_mm", "semi-minor axis of the contact ellipse", "", "null: the gap closes",
-         [](const A& a) { return semi_axis(a.gap[1]); });
-    q.deg("", "angle_deg", "major axis of the contact ellipse to the axis", "",
-          "about the normal, from the projection of axis 1",
-          [](const A& a) { return Value(a.angle.deg()); });
+    q.number("semi_major_mm", "semi-major axis of the contact ellipse", "", "null: the gap closes",
+             [](const A& a) { return semi_axis(a.gap[0]); });
+    q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "", "null: the gap closes",
+             [](const A& a) { return semi_axis(a.gap[1]); });
+    q.number("angle_deg", "major axis of the contact ellipse to the axis", "",
+             "about the normal, from the projection of axis 1", &A::angle);
   });
   return kAll;
 }
@@ -64,66 +64,62 @@ const Quantities<ArcContact>& ellipse_quantities() {
 const Quantities<ArcContact>& radius_quantities() {
   using A = ArcContact;
   static const Quantities<A> kAll("pair.arc_contacts radius", [](Quantities<A>& q) {
-    q.mm("", "convex", "radius of the transverse profile, convex", "ρ", "of the convex flank",
-         [](const A& a) { return Value(a.transverse_radius_convex); });
-    q.mm("", "concave", "radius of the transverse profile, concave", "ρ", "of the concave flank",
-         [](const A& a) { return Value(a.transverse_radius_concave); });
+    q.number("convex", "radius of the transverse profile, convex", "ρ", "of the convex flank",
+             &A::transverse_radius_convex)
+        .unit(Unit::mm);
+    q.number("concave", "radius of the transverse profile, concave", "ρ", "of the concave flank",
+             &A::transverse_radius_concave)
+        .unit(Unit::mm);
   });
   return kAll;
 }
 
 void say(Quantities<C>& q) {
   const auto at = [](auto get) { return [get](const C& c) { return Value(get(c.contact->at)); }; };
-  q.whole("", "convex_gear", "gear with the convex flank", "", "1 or 2", [](const C& c) {
-     return Value(c.contact->convex_gear);
+  q.whole("convex_gear", "gear with the convex flank", "", "1 or 2", [](const C& c) {
+     return c.contact->convex_gear;
    }).always();
-  q.deg("", "rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
-        at([](const ArcContact& a) { return a.theta.deg(); }));
-  q.deg("", "nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
-        "[T7.9]; null: no contact there", [](const C& c) {
-          const auto& theta = c.contact->nominal_theta;
-          return theta ? Value(theta->deg()) : Value();
-        });
-  q.mm("", "point_mm", "point of contact at rotation 0", "x, y, z", "in the housing frame",
-       at([](const ArcContact& a) { return a.point; }))
+  q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
+           at([](const ArcContact& a) { return a.theta.deg(); }));
+  q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
+           "[T7.9]; null: no contact there", [](const C& c) {
+             const auto& theta = c.contact->nominal_theta;
+             return theta ? Value(theta->deg()) : Value();
+           });
+  q.number("point_mm", "point of contact at rotation 0", "x, y, z", "in the housing frame",
+           at([](const ArcContact& a) { return a.point; }))
       .list({3});
-  q.pure("", "normal", "normal", "", "unit vector out of gear 1",
-         at([](const ArcContact& a) { return a.normal; }))
+  q.term("normal", "unit vector out of gear 1", at([](const ArcContact& a) { return a.normal; }))
       .list({3})
       .doors(kJson);
-  q.mm("", "contact_diameter_mm", "diameter of contact", "", "per gear", [](const C& c) {
+  q.number("contact_diameter_mm", "diameter of contact", "", "per gear", [](const C& c) {
      const ArcContact& a = c.contact->at;
      return Value(by_gear(c, 2 * a.radius_convex, 2 * a.radius_concave));
    }).per_gear();
-  q.deg("", "rotation2_offset_deg", "rotation of gear 2 at the contact", "",
-        "how far gear 2 is ahead when these flanks touch [T7.18]",
-        [](const C& c) {
-          const Angle offset = c.contact->at.rotation_offset;
-          return Value((convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg());
-        })
+  q.number("rotation2_offset_deg", "rotation of gear 2 at the contact", "",
+           "lead of gear 2 when these flanks touch [T7.18]",
+           [](const C& c) {
+             const Angle offset = c.contact->at.rotation_offset;
+             return Value((convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg());
+           })
       .doors(kJson);
-  q.record(
-       "", "curvature_per_mm", "of both flanks",
-       []() -> const QuantityTable& { return tensor_quantities().table(); },
-       [](const C& c) { return Value(tensor_quantities().of(c)); })
+  q.record<tensor_quantities>(
+       "curvature_per_mm", "of both flanks", [](const C& c) -> const auto& { return c; })
       .doors(kJson);
-  q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "relative curvatures", "k_1, k_2",
-        "k1 ≤ k2; ≤ 0: interference", at([](const ArcContact& a) { return a.gap; }))
+  q.term("gap_curvature_per_mm", "k1 ≤ k2; ≤ 0: interference",
+         at([](const ArcContact& a) { return a.gap; }))
+      .words("relative curvatures")
       .list({2});
-  q.record(
-      "", "ellipse", "the contact ellipse under the marking compound",
-      []() -> const QuantityTable& { return ellipse_quantities().table(); },
-      at([](const ArcContact& a) { return ellipse_quantities().of(a); }));
-  q.record(
-      "", "transverse_radius_mm", "of the transverse profiles",
-      []() -> const QuantityTable& { return radius_quantities().table(); },
-      at([](const ArcContact& a) { return radius_quantities().of(a); }));
-  q.mm("", "transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
-       "concave less convex", at([](const ArcContact& a) {
-         return a.transverse_radius_concave - a.transverse_radius_convex;
-       }));
-  q.mm("", "line_contact_radius_difference_mm", "difference that line contact would have", "",
-       "[T7.10]", at([](const ArcContact& a) { return a.line_contact_difference; }));
+  q.record<ellipse_quantities>("ellipse", "the contact ellipse under the marking compound",
+                               at([](const ArcContact& a) { return ellipse_quantities().of(a); }));
+  q.record<radius_quantities>("transverse_radius_mm", "of the transverse profiles",
+                              at([](const ArcContact& a) { return radius_quantities().of(a); }));
+  q.number("transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
+           "concave less convex", at([](const ArcContact& a) {
+             return a.transverse_radius_concave - a.transverse_radius_convex;
+           }));
+  q.number("line_contact_radius_difference_mm", "difference that line contact would have", "",
+           "[T7.10]", at([](const ArcContact& a) { return a.line_contact_difference; }));
 }
 
 }  // namespace
@@ -133,11 +129,9 @@ const Quantities<ArcContactView>& arc_contact_quantities() {
   return kAll;
 }
 
-std::vector<ArcContactView> arc_contacts_of(const Pair& v) {
+std::vector<ArcContactView> arc_contacts_of(const ArcPair& pair) {
   std::vector<ArcContactView> list;
-  if (v.arcs()) {
-    for (const ArcPairContact& c : v.arcs()->contacts) list.push_back({v.arcs(), &c});
-  }
+  for (const ArcPairContact& c : pair.contacts) list.push_back({&pair, &c});
   return list;
 }
 

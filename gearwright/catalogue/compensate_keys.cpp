@@ -8,12 +8,6 @@ namespace gearwright {
 
 namespace {
 
-std::vector<std::string_view> correction_words() {
-  std::vector<std::string_view> words;
-  for (const CorrectionEntry& c : kCorrections) words.push_back(c.key);
-  return words;
-}
-
 constexpr int kMaxRanges = 5;  // 32 corners
 
 std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
@@ -30,18 +24,26 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
 
 }  // namespace
 
+std::vector<std::string_view> correction_words() {
+  std::vector<std::string_view> words;
+  for (const CorrectionEntry& c : kCorrections) words.push_back(c.key);
+  return words;
+}
+
 const KeyTable& compensate_keys() {
   static const KeyTable table{
       "compensate",
-      "Which corrections the verb compensate may make, and against what",
-      {Key::word("corrections", correction_words(), &CompensateInput::corrections,
-                 "`tool_setting_mm` and `cutter_lead1_deg` of circular-arc pairs, else "
-                 "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
-                 "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
-                 "`cutter_lead1_deg`, `cutter_lead2_deg` (within ±0.5), and of either gear "
-                 "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
-                 "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50); each is "
-                 "added to what the spec has")
+      "Corrections that the verb compensate may make, and the errors",
+      {Key::word(
+           "corrections", correction_words(), &CompensateInput::corrections,
+           "`tool_setting_mm` and `cutter_lead1_deg` of circular-arc pairs, else "
+           "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
+           "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
+           "`cutter_lead1_deg`, `cutter_lead2_deg` (within ±0.5), and of either gear "
+           "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
+           "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
+           "`gear1.tip_relief_um`, `gear1.root_relief_um`, `gear1.end_relief_um` (0 to 50) of a "
+           "relief that the spec places; each is added to what the spec has")
            .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
@@ -54,20 +56,22 @@ const KeyTable& compensate_keys() {
            "centering_arcsec", "w", &CompensateInput::centering_arcsec,
            "a tenth of the transmission error without corrections, at least 0.1, and no correction "
            "that increases that error (less than 0.01 counts as none)",
-           "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, whose "
-           "contact runs along the face anyhow, at the end of the profile): with a given value the "
+           "cost of a pattern at the very end of the face [T8.24] (for circular arcs, whose "
+           "contact moves along the face in any case, at the end of the profile): with a given "
+           "value the "
            "transmission error may grow; if the total improvement is less than 0.001 arcsec, every "
            "correction is 0"),
-       Key::part("range", compensate_range_keys,
-                 KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
-                 "errors that the corrections must serve, up to five, each [least, greatest]")}};
+       Key::part(
+           "range", compensate_range_keys,
+           KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
+           "errors for which the corrections must work, up to five, each [least, greatest]")}};
   return table;
 }
 
 const KeyTable& compensate_range_keys() {
   static const KeyTable table = [] {
     KeyTable t{"compensate_range",
-               "Errors that the corrections must serve at every corner, each [least, greatest]",
+               "Errors for which the corrections must work at every corner, each [least, greatest]",
                {},
                check_ranges};
     for (std::size_t i = 0; i < kErrorCount; ++i) {

@@ -1,4 +1,4 @@
-// The keys of [compensate] and [compensate.range]: which corrections may be made, and against which
+// The keys of [compensate] and [compensate.range]: the permitted corrections, and the range of
 // errors.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// A correction, as specs and results name it.
+/// A correction, with its name in specs and results.
 struct CorrectionEntry {
   std::string_view key;  ///< as in the result, "gear1.lead_crowning_um"
   WorkshopCorrection correction;
@@ -28,7 +28,7 @@ struct CorrectionEntry {
   std::string_view own_key() const { return key.substr(key.find('.') + 1); }
 };
 
-constexpr std::size_t kCorrectionCount = 11;
+constexpr std::size_t kCorrectionCount = 17;
 
 inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{{
     {"tool_setting_mm", {CorrectionOf::tool_setting, 0}, "tool setting of rack F, Δb_F"},
@@ -40,30 +40,40 @@ inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{{
     {"gear1.profile_crowning_um",
      {CorrectionOf::profile_crowning, 1},
      "profile crowning of gear 1"},
+    {"gear1.tip_relief_um", {CorrectionOf::tip_relief, 1}, "tip relief of gear 1"},
+    {"gear1.root_relief_um", {CorrectionOf::root_relief, 1}, "root relief of gear 1"},
+    {"gear1.end_relief_um", {CorrectionOf::end_relief, 1}, "end relief of gear 1"},
     {"gear2.lead_slope_um", {CorrectionOf::lead_slope, 2}, "helix slope modification of gear 2"},
     {"gear2.lead_crowning_um", {CorrectionOf::lead_crowning, 2}, "helix crowning of gear 2"},
     {"gear2.profile_slope_um", {CorrectionOf::profile_slope, 2}, "profile slope of gear 2"},
     {"gear2.profile_crowning_um",
      {CorrectionOf::profile_crowning, 2},
      "profile crowning of gear 2"},
+    {"gear2.tip_relief_um", {CorrectionOf::tip_relief, 2}, "tip relief of gear 2"},
+    {"gear2.root_relief_um", {CorrectionOf::root_relief, 2}, "root relief of gear 2"},
+    {"gear2.end_relief_um", {CorrectionOf::end_relief, 2}, "end relief of gear 2"},
 }};
 
 /// The entry of a correction.
 const CorrectionEntry& entry_of(const WorkshopCorrection& correction);
 
-/// What corrections are to make least.
+/// The quantity that corrections minimise.
 enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
 constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::transmission_error; }
 
 struct CompensateInput {
-  bool given = false;  ///< the spec has [compensate]
+  bool given = false;  ///< true if the spec has [compensate]
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<std::size_t> corrections;    ///< places in kCorrections; empty: the pair's own
-  std::optional<double> centering_arcsec;       ///< what a pattern at the end of the face may cost
-  /// [compensate.range]: the least and the greatest value of an error, by its place in
+  std::vector<std::size_t> corrections;    ///< indices in kCorrections; empty: the usual ones of
+                                           ///< the pair
+  std::optional<double> centering_arcsec;  ///< cost of a pattern at the end of the face
+  /// [compensate.range]: the least and the greatest value of an error, by its index in
   /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};
 };
+
+/// The words of a list of corrections, in the order of kCorrections.
+std::vector<std::string_view> correction_words();
 
 const KeyTable& compensate_keys();
 const KeyTable& compensate_range_keys();

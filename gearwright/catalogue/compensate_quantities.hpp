@@ -11,16 +11,17 @@
 
 namespace gearwright {
 
-/// A correction found, by its key and its unit as keys end: "gear1.lead_crowning_um", "um".
+/// A correction that was found, with its key and the unit as in keys: "gear1.lead_crowning_um",
+/// "um".
 struct FoundCorrection {
   std::string key, unit;
   std::string words, shown_unit;  ///< for people: "helix crowning of gear 1", "µm"
   double value;
-  std::string spec_key;  ///< that holds it in the corrected spec
-  bool at_bound;         ///< at the end of what is looked for
+  std::string spec_key;  ///< key of the correction in the corrected spec
+  bool at_bound;         ///< true if at the end of the search range
 };
 
-/// A set of errors in words, and what they do before and after.
+/// A set of errors in words, with their effect before and after the correction.
 struct Scenario {
   std::string errors;
   ContactScore before, after;
@@ -34,17 +35,18 @@ struct CompensateView {
   std::vector<Scenario> scenarios;
   std::optional<SettingAnswer> setting;
   std::optional<LeadAnswer> lead;
-  Value spec;  ///< the whole spec with the corrections in it
+  Value spec;  ///< the whole spec with the corrections
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<AimedLoad> loads{};  ///< of an aim under load
+  std::vector<AimedLoad> loads{};  ///< for an aim under load
 };
 
-/// What nobody cares for less of: "0.001 ″".
+/// The smallest improvement worth making: "0.001 ″".
 const char* least_gain(CompensateAim aim);
 
 const Quantities<CompensateView>& compensate_quantities();
+const Quantities<FoundCorrection>& correction_quantities();
 const Quantities<LoadedScore>& loaded_score_quantities();
-/// Of one scenario, or of the worst of all.
+/// The score of one scenario, or of the worst of all.
 const Quantities<ContactScore>& score_quantities();
 
 }  // namespace gearwright

@@ -23,7 +23,7 @@ KeyPlace range(std::size_t i) {
 }
 
 std::optional<KeyFault> check_map(ContactMapInput& map, const KeyGiven&) {
-  if (map.key[0] == map.key[1]) return KeyFault{"y", "must be another error than x"};
+  if (map.key[0] == map.key[1]) return KeyFault{"y", "must be an error other than x"};
   for (const std::size_t i : {0, 1}) {
     const KeyRange& allowed = error_keys().keys[map.key[i]].range;
     for (const double v : map.range[i])
@@ -80,13 +80,13 @@ const KeyTable& contact_map_keys() {
        Key::number("x_range", "", {}, range(0), kRequired,
                    "the least and the greatest value, in the unit of the key")
            .with_list(kErrorRange),
-       Key::word("y", error_words(), axis(1), kRequired, "a key of [errors], another than x")
+       Key::word("y", error_words(), axis(1), kRequired, "a key of [errors], different from x")
            .with_form("a key of `[errors]`"),
        Key::number("y_range", "", {}, range(1), kRequired,
                    "the least and the greatest value, in the unit of the key")
            .with_list(kErrorRange),
        Key::number("points", "", Range::between(2, 1000), &ContactMapInput::points, "[21, 21]",
-                   "how many along x and along y, ends included")
+                   "numbers of values along x and along y, ends included")
            .with_list(KeyList{2, 2})},
       check_map};
   return table;

@@ -1,4 +1,4 @@
-// The keys of [contact] and [contact.map]: how finely the contact of a pair is looked at.
+// The keys of [contact] and [contact.map]: the resolution of the contact analysis of a pair.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace gearwright {
 
 /// [contact.map]: peak to peak over two errors.
 struct ContactMapInput {
-  std::array<std::size_t, 2> key{};              ///< of x and of y: place in error_entries
+  std::array<std::size_t, 2> key{};              ///< of x and of y: index in error_entries
   std::array<std::array<double, 2>, 2> range{};  ///< lo and hi of x and of y
   std::array<int, 2> points{21, 21};
 };
@@ -24,8 +24,8 @@ struct ContactInput {
   int pitches = 1;
   double marking = 0.00635;  ///< mm
   int driver = 1;
-  bool pattern = false;          ///< the raster of both flanks is wanted in the result
-  std::vector<Angle> rotations;  ///< of gear 1: these instead of positions
+  bool pattern = false;          ///< the raster of both flanks is included in the result
+  std::vector<Angle> rotations;  ///< rotations of gear 1, used instead of positions
   std::optional<ContactMapInput> map;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "gearwright/base/units.hpp"
 
@@ -16,106 +17,89 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const P& p) { return p.kind != TouchKind::none; }
 
-// What only a position with contact has.
+// Quantities that exist only at a position with contact.
 template <class F>
 auto touching(F get) {
-  return [get](const P& p) { return touches(p) ? Value(get(p)) : Value(); };
+  return [get](const P& p) { return touches(p) ? Value(std::invoke(get, p)) : Value(); };
 }
 
 const Quantities<ContactEllipse>& ellipse_quantities() {
   using E = ContactEllipse;
   static const Quantities<E> kAll("contact.positions ellipse", [](Quantities<E>& q) {
-    q.mm("", "semi_major_mm", "semi-major axis", "", "null of a line",
-         [](const E& e) { return Value(e.semi_major); });
-    q.mm("", "semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", [](const E& e) {
-       return Value(e.semi_minor);
-     }).always();
-    q.deg("", "angle_deg", "major axis to the axis", "",
-          "about the normal, from the projection of axis 1 to the major axis",
-          [](const E& e) { return Value(e.angle.deg()); })
+    q.number("semi_major_mm", "semi-major axis", "", "null of a line", &E::semi_major);
+    q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor).always();
+    q.number("angle_deg", "major axis to the axis", "",
+             "about the normal, from the projection of axis 1 to the major axis", &E::angle)
         .always();
   });
   return kAll;
 }
-const QuantityTable& ellipse_table() { return ellipse_quantities().table(); }
 
 const Quantities<ContactRidge>& ridge_quantities() {
   using R = ContactRidge;
   static const Quantities<R> kAll("contact.positions ridge", [](Quantities<R>& q) {
-    q.whole("", "gear", "gear", "", "whose flank has the ridge", [](const R& r) {
-       return Value(r.gear);
-     }).always();
-    q.add(Type::number, Unit::per_mm, "", "along_per_mm", "curvature of the gap along the ridge",
-          "", "the same from either side", [](const R& r) { return Value(r.along); })
+    q.term("gear", "whose flank has the ridge", &R::gear).always();
+    q.number("along_per_mm", "curvature of the gap along the ridge", "",
+             "the same from either side", &R::along)
         .always();
-    q.pure("", "slope", "slopes of the gap", "",
-           "away from the ridge, that towards the lesser diameter (height, of an end relief) first",
-           [](const R& r) {
-             return Value(ValueList{r.side[0].slope, r.side[1].slope});
-           })
+    q.number(
+         "slope", "slopes of the gap", "",
+         "away from the ridge, that towards the lesser diameter (height, of an end relief) first",
+         [](const R& r) {
+           return ValueList{r.side[0].slope, r.side[1].slope};
+         })
         .list({2})
         .always();
-    q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "curvatures of the gap",
-          "k_1, k_2", "of the flank on either side, in the same order",
-          [](const R& r) {
-            return Value(ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)});
-          })
+    q.term("gap_curvature_per_mm", "of the flank on either side, in the same order",
+           [](const R& r) {
+             return ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)};
+           })
         .list({2, 2})
         .always();
   });
   return kAll;
 }
-const QuantityTable& ridge_table() { return ridge_quantities().table(); }
 
 void say_position(Quantities<P>& q) {
-  q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
-     return Value(p.rotation1.deg());
-   }).always();
-  q.deg("", "rotation2_deg", "rotation of gear 2", "φ_2", "as it is driven",
-        touching([](const P& p) { return p.rotation2.deg(); }));
-  q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
-        "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0: gear 2 is ahead [T8.2]",
-        touching([](const P& p) { return p.te.arcsec(); }));
-  q.whole("", "tooth", "tooth pair", "k", "the pair that reaches the centre line k pitches later",
-          touching([](const P& p) { return p.pair; }));
-  q.word("", "kind", "where the flanks touch",
+  q.under("");
+  q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1).always();
+  q.number("rotation2_deg", "rotation of gear 2", "φ_2", "as it is driven",
+           touching([](const P& p) { return p.rotation2.deg(); }));
+  q.term("transmission_error_arcsec",
+         "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0: gear 2 is ahead [T8.2]",
+         touching([](const P& p) { return p.te.arcsec(); }));
+  q.whole("tooth", "tooth pair", "k", "the pair that reaches the centre line k pitches later",
+          touching(&P::pair));
+  q.term("kind",
          "in a point, along a line, or an edge; `form1`, `form2`: the end of the usable flank; "
          "`ridge`: where a linear relief begins",
          touching([](const P& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
-  q.mm("", "point_mm", "point of contact", "", "in the housing frame",
-       touching([](const P& p) { return p.point; }))
+  q.term("point_mm", "in the housing frame", touching(&P::point))
+      .words("point of contact")
       .list({3});
-  q.pure("", "normal", "normal", "", "in the housing frame, out of gear 1",
-         touching([](const P& p) { return p.normal; }))
-      .list({3});
-  q.mm("", "diameter_mm", "diameter of contact", "", "per gear",
-       touching([](const P& p) { return p.diameter; }))
+  q.term("normal", "in the housing frame, out of gear 1", touching(&P::normal)).list({3});
+  q.number("diameter_mm", "diameter of contact", "", "per gear", touching(&P::diameter)).per_gear();
+  q.number("height_mm", "height of contact", "z", "per gear, from the middle of the face",
+           touching(&P::height))
       .per_gear();
-  q.mm("", "height_mm", "height of contact", "z", "per gear, from the middle of the face",
-       touching([](const P& p) { return p.height; }))
-      .per_gear();
-  q.deg("", "rack_angle_deg", "normal angle of the rack", "θ",
-        "at the point, of the rack that cut gear 1; α_n on an involute",
-        [](const P& p) { return p.rack_angle ? Value(p.rack_angle->deg()) : Value(); });
-  q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "curvatures of the gap", "k_1, k_2",
-        "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge or a ridge",
-        [](const P& p) { return Value(p.gap_curvature); })
+  q.number("rack_angle_deg", "normal angle of the rack", "θ",
+           "at the point, of the rack that cut gear 1; α_n on an involute", &P::rack_angle);
+  q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge or a ridge",
+         &P::gap_curvature)
       .list({2});
-  q.record(
-      "", "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge or a ridge",
-      ellipse_table,
-      [](const P& p) { return p.ellipse ? Value(ellipse_quantities().of(*p.ellipse)) : Value(); });
-  q.record("", "ridge", "growth of the gap on either side of a ridge; absent for other kinds",
-           ridge_table, [](const P& p) { return Value(ridge_quantities().of(*p.ridge)); })
+  q.record<ellipse_quantities>(
+      "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge or a ridge",
+      &P::ellipse);
+  q.record<ridge_quantities>("ridge",
+                             "growth of the gap on either side of a ridge; absent for other kinds",
+                             [](const P& p) { return ridge_quantities().of(*p.ridge); })
       .when([](const P& p) { return p.ridge.has_value(); });
-  q.mm("", "line_mm", "contact line", "", "both its ends; null for other kinds", [](const P& p) {
+  q.number("line_mm", "contact line", "", "both its ends; null for other kinds", [](const P& p) {
      return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
    }).list({2, 3});
 }
-
-const QuantityTable& position_table() { return position_quantities().table(); }
 
 // The other flanks at the same positions.
 const Quantities<ContactResult>& non_working_quantities() {
@@ -124,32 +108,28 @@ const Quantities<ContactResult>& non_working_quantities() {
     const auto each = [](auto get) {
       return [get](const R& r) {
         ValueList list;
-        for (const P& p : r.positions) list.push_back(touches(p) ? Value(get(p)) : Value());
+        for (const P& p : r.positions)
+          list.push_back(touches(p) ? Value(std::invoke(get, p)) : Value());
         return Value(std::move(list));
       };
     };
-    q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
-          "at each position", each([](const P& p) { return p.te.arcsec(); }))
+    q.term("transmission_error_arcsec", "at each position",
+           each([](const P& p) { return p.te.arcsec(); }))
         .list({0})
         .doors(kJson);
-    q.word("", "kind", "where the flanks touch", "at each position",
-           each([](const P& p) { return to_string(p.kind); }))
+    q.term("kind", "at each position", each([](const P& p) { return to_string(p.kind); }))
         .list({0})
         .doors(kJson);
-    q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec",
-          "transmission error of the non-working flanks, peak to peak", "",
-          "over the positions with contact",
-          [](const R& r) { return Value(r.peak_to_peak.arcsec()); });
-    q.flag("", "contact_lost", "contact of the non-working flanks lost",
-           "at some position no tooth pair touches",
-           [](const R& r) { return Value(r.contact_lost); })
+    q.term("peak_to_peak_arcsec", "over the positions with contact", &R::peak_to_peak)
+        .words("transmission error of the non-working flanks, peak to peak");
+    q.flag("contact_lost", "contact of the non-working flanks lost",
+           "at some position no tooth pair touches", &R::contact_lost)
         .doors(kJson);
   });
   return kAll;
 }
-const QuantityTable& non_working_table() { return non_working_quantities().table(); }
 
-// How transmission error and contact point move with one unit, over the positions.
+// The change of transmission error and contact point per unit, over the positions.
 Value sensitivities(const V& v) {
   ValueMap all;
   for (std::size_t i = 0; i < v.slopes.size(); ++i) {
@@ -159,7 +139,7 @@ Value sensitivities(const V& v) {
       const TouchKind kind = v.working->positions[k].kind;
       te.push_back(kind == TouchKind::none ? Value()
                                            : Value(s.te * v.slopes[i].unit * kArcsecPerRad));
-      // Along a line of contact no point is the contact point.
+      // On a contact line, no point is the contact point.
       const bool point = kind != TouchKind::none && kind != TouchKind::line;
       points.push_back(point ? Value(Vec3(s.point * v.slopes[i].unit)) : Value());
     }
@@ -177,13 +157,14 @@ struct RasterView {
 const Quantities<RasterView>& raster_quantities() {
   using R = RasterView;
   static const Quantities<R> kAll("contact.pattern gear", [](Quantities<R>& q) {
-    q.mm("", "diameter_mm", "diameters", "", "of the rows", [](const R& r) {
-       return Value(r.raster->diameter);
+    q.number("diameter_mm", "diameters", "", "of the rows", [](const R& r) {
+       return r.raster->diameter;
      }).list({0});
-    q.mm("", "height_mm", "heights", "", "of the columns", [](const R& r) {
-       return Value(r.raster->height);
+    q.number("height_mm", "heights", "", "of the columns", [](const R& r) {
+       return r.raster->height;
      }).list({0});
-    q.mm("", "gap_mm", "gap", "",
+    q.number(
+         "gap_mm", "gap", "",
          "least normal gap over the mesh at each point; null where the mating gear never passes",
          [](const R& r) {
            ValueList rows;
@@ -198,17 +179,16 @@ const Quantities<RasterView>& raster_quantities() {
            return Value(std::move(rows));
          })
         .list({0, 0});
-    q.pure("", "marked", "share marked", "", "of the flank, that the marking compound would show",
-           [](const R& r) {
-             const auto& gap = r.raster->gap;
-             const auto n =
-                 std::count_if(gap.begin(), gap.end(), [&](double g) { return g <= r.marking; });
-             return Value(static_cast<double>(n) / static_cast<double>(gap.size()));
-           });
+    q.number("marked", "share marked", "", "of the flank, that the marking compound would show",
+             [](const R& r) {
+               const auto& gap = r.raster->gap;
+               const auto n =
+                   std::count_if(gap.begin(), gap.end(), [&](double g) { return g <= r.marking; });
+               return Value(static_cast<double>(n) / static_cast<double>(gap.size()));
+             });
   });
   return kAll;
 }
-const QuantityTable& raster_table() { return raster_quantities().table(); }
 
 const Quantities<V>& pattern_quantities() {
   static const Quantities<V> kAll("contact.pattern", [](Quantities<V>& q) {
@@ -217,81 +197,85 @@ const Quantities<V>& pattern_quantities() {
         return Value(raster_quantities().of({&(*v.pattern)[i], v.marking}));
       };
     };
-    q.record("", "gear1", "the flank of gear 1", raster_table, gear(0)).always();
-    q.record("", "gear2", "the flank of gear 2", raster_table, gear(1)).always();
+    q.record<raster_quantities>("gear1", "the flank of gear 1", gear(0)).always();
+    q.record<raster_quantities>("gear2", "the flank of gear 2", gear(1)).always();
   });
   return kAll;
 }
-const QuantityTable& pattern_table() { return pattern_quantities().table(); }
 
 const Quantities<V>& map_quantities() {
   static const Quantities<V> kAll("contact.map", [](Quantities<V>& q) {
-    q.word("", "x", "error of x", "a key of [errors]",
-           [](const V& v) { return Value(v.map_axes[0]); });
-    q.pure("", "x_values", "values of x", "", "in the key's unit", [](const V& v) {
-       return Value(v.map->x);
+    q.word("x", "error of x", "a key of [errors]", [](const V& v) { return v.map_axes[0]; });
+    q.number("x_values", "values of x", "", "in the key's unit", [](const V& v) {
+       return v.map->x;
      }).list({0});
-    q.word("", "y", "error of y", "a key of [errors]",
-           [](const V& v) { return Value(v.map_axes[1]); });
-    q.pure("", "y_values", "values of y", "", "in the key's unit", [](const V& v) {
-       return Value(v.map->y);
+    q.word("y", "error of y", "a key of [errors]", [](const V& v) { return v.map_axes[1]; });
+    q.number("y_values", "values of y", "", "in the key's unit", [](const V& v) {
+       return v.map->y;
      }).list({0});
-    q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec", "peak to peak", "",
-          "rows, one for each y; null where nothing touches",
-          [](const V& v) {
-            ValueList rows;
-            for (const auto& row : v.map->value) {
-              ValueList line;
-              for (const double te : row)
-                line.push_back(std::isnan(te) ? Value() : Value(te * kArcsecPerRad));
-              rows.push_back(std::move(line));
-            }
-            return Value(std::move(rows));
-          })
+    q.term("peak_to_peak_arcsec", "rows, one for each y; null where nothing touches",
+           [](const V& v) {
+             ValueList rows;
+             for (const auto& row : v.map->value) {
+               ValueList line;
+               for (const double te : row)
+                 line.push_back(std::isnan(te) ? Value() : Value(te * kArcsecPerRad));
+               rows.push_back(std::move(line));
+             }
+             return Value(std::move(rows));
+           })
+        .words("peak to peak")
         .list({0, 0});
   });
   return kAll;
 }
-const QuantityTable& map_table() { return map_quantities().table(); }
 
 void say(Quantities<V>& q) {
-  q.record("", "positions", "in the order of the rotations", position_table,
-           [](const V& v) { return Value(position_quantities().each(v.working->positions)); })
+  q.record<position_quantities>(
+       "positions", "in the order of the rotations",
+       [](const V& v) -> const auto& { return v.working->positions; })
       .list({0})
       .always()
       .doors(kJson);
-  q.add(Type::number, Unit::arcsec, kContact, "peak_to_peak_arcsec",
-        "transmission error, peak to peak", "", "over the positions with contact",
-        [](const V& v) { return Value(v.working->peak_to_peak.arcsec()); })
-      .always();
-  q.pure(kContact, "mean_slope", "mean slope of the transmission error", "",
-         "over the rotation of gear 1, by least squares, rad per rad",
-         [](const V& v) { return Value(v.working->mean_slope); })
+  q.under(kContact);
+  q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
+     return v.working->peak_to_peak;
+   }).always();
+  q.number("continuous_peak_to_peak_arcsec",
+           "transmission error, peak to peak of the continuous curve", "",
+           "between its extremes [T14.11], whatever the positions; null where contact is lost",
+           &V::continuous_span)
       .doors(kJson);
-  q.add(Type::number, Unit::arcsec, kContact, "harmonics_arcsec", "harmonics", "",
-        "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as `positions` "
-        "resolves "
-        "[T8.18]; empty with `rotation1_deg` and where contact is lost",
-        [](const V& v) {
-          ValueList list;
-          for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
-          return Value(std::move(list));
-        })
+  q.number("mean_slope", "mean slope of the transmission error", "",
+           "over the rotation of gear 1, by least squares, rad per rad",
+           [](const V& v) { return v.working->mean_slope; })
+      .doors(kJson);
+  q.term(
+       "harmonics_arcsec",
+       "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as `positions` "
+       "resolves "
+       "[T8.18]; empty with `rotation1_deg` and where contact is lost",
+       [](const V& v) {
+         ValueList list;
+         for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
+         return Value(std::move(list));
+       })
       .list({0})
       .always()
       .doors(kJson);
-  q.flag(kContact, "contact_lost", "contact lost", "at some position no tooth pair touches",
-         [](const V& v) { return Value(v.working->contact_lost); });
-  q.record(kContact, "non_working_flank", "the flanks that do not drive, at the same positions",
-           non_working_table,
-           [](const V& v) { return Value(non_working_quantities().of(*v.non_working)); })
+  q.term("contact_lost", "at some position no tooth pair touches",
+         [](const V& v) { return v.working->contact_lost; });
+  q.record<non_working_quantities>(
+       "non_working_flank", "the flanks that do not drive, at the same positions",
+       [](const V& v) { return non_working_quantities().of(*v.non_working); })
       .always();
-  q.deg(kContact, "least_play_deg", "minimum angular backlash of gear 2", "",
-        "between both flanks, over the positions; negative: the gears jam; null: both flanks never "
-        "touch",
-        [](const V& v) { return v.min_play ? Value(v.min_play->deg()) : Value(); })
+  q.number(
+       "least_play_deg", "minimum angular backlash of gear 2", "",
+       "between both flanks, over the positions; negative: the gears jam; null: both flanks never "
+       "touch",
+       &V::min_play)
       .digits(6);
-  q.add(Type::map, Unit::none, kContact, "sensitivity", "sensitivities", "",
+  q.add(Type::map, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] by each of [errors] and each modification placed, "
         "`center_distance_per_mm` and so on: two lists over the positions, "
         "`transmission_error_arcsec` and `point_mm`; null where nothing touches, `point_mm` also "
@@ -299,12 +283,13 @@ void say(Quantities<V>& q) {
         sensitivities)
       .always()
       .doors(kJson);
-  q.record(kContact, "pattern", "with `pattern = true`", pattern_table,
-           [](const V& v) { return Value(pattern_quantities().of(v)); })
+  q.record<pattern_quantities>(
+       "pattern", "with `pattern = true`", [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.pattern != nullptr; })
       .doors(kJson);
-  q.record(kContact, "map", "of [contact.map]: peak to peak over two errors", map_table,
-           [](const V& v) { return Value(map_quantities().of(v)); })
+  q.record<map_quantities>(
+       "map", "of [contact.map]: peak to peak over two errors",
+       [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.map != nullptr; })
       .doors(kJson);
 }

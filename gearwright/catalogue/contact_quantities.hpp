@@ -13,13 +13,13 @@
 
 namespace gearwright {
 
-/// A change whose effect was asked for, by the name that results give it.
+/// A change whose effect was requested, with its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
   double unit = 1.0;  ///< rad or mm per unit of the name
 };
 
-/// An analysis with what was asked besides.
+/// An analysis with additional requests.
 struct ContactView {
   const ContactResult* working;      ///< the flanks that the driver pushes
   const ContactResult* non_working;  ///< the others, at the same positions
@@ -28,7 +28,8 @@ struct ContactView {
   std::vector<NamedSlope> slopes{};  ///< one for each of the sensitivities
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
-  std::array<std::string, 2> map_axes{};  ///< names of x and y
+  std::array<std::string, 2> map_axes{};   ///< names of x and y
+  std::optional<Angle> continuous_span{};  ///< of TE, from extreme to extreme of the curve
 };
 
 const Quantities<ContactView>& contact_quantities();

@@ -1,6 +1,5 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
@@ -9,8 +8,8 @@
 namespace gearwright {
 
 double tidy_degrees(Angle angle) {
-  constexpr double kPlaces = 1e9;      // decimals of a degree that people write, 1/kPlaces
-  constexpr double kRounding = 1e-13;  // relative: what conversion to radians and back loses
+  constexpr double kPlaces = 1e9;      // decimals of a degree in usual input, 1/kPlaces
+  constexpr double kRounding = 1e-13;  // relative: error of the conversion to radians and back
   const double value = angle.deg();
   const double tidy = std::round(value * kPlaces) / kPlaces;
   return std::abs(value - tidy) < kRounding * (1.0 + std::abs(value)) ? tidy : value;
@@ -20,13 +19,13 @@ namespace {
 
 using V = DesignView;
 
-constexpr unsigned kColumns = 0;  // of CSV and Parquet alone
+constexpr unsigned kColumns = 0;  // given in CSV and Parquet only
 constexpr int kFewDigits = 3;     // of ratios and thicknesses in the page's table
 
 bool is_crossed(const V& v) { return v.problem->crossed(); }
 bool is_parallel(const V& v) { return !is_crossed(v); }
 
-// The value of an objective as people count it.
+// The value of an objective in the unit for users.
 Value objective_value(const V& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
   const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area ||
@@ -45,230 +44,226 @@ Value objective(const V& v) {
 
 const Quantities<V>& region_quantities() {
   static const Quantities<V> kAll("search.designs region", [](Quantities<V>& q) {
-    q.add(Type::map, Unit::none, "", "edges", "edges of the region", "",
+    q.add(Type::map, "edges", "edges of the region", "",
           "counterclockwise, {constraint, points}: points (x1, x2), two of a straight edge, 25 or "
           "more of a curved one",
           [](const V& v) { return v.edges(); })
         .when([](const V& v) { return static_cast<bool>(v.edges); })
         .list({0});
-    q.pure("", "lo", "middle of the slice of the least Σx", "", "[x1, x2]",
-           [](const V& v) { return Value(v.row->lo); })
+    q.number("lo", "middle of the slice of the least Σx", "", "[x1, x2]",
+             [](const V& v) { return v.row->lo; })
         .list({2})
         .always()
         .column("lo_x#");
-    q.pure("", "hi", "middle of the slice of the greatest Σx", "", "[x1, x2]",
-           [](const V& v) { return Value(v.row->hi); })
+    q.number("hi", "middle of the slice of the greatest Σx", "", "[x1, x2]",
+             [](const V& v) { return v.row->hi; })
         .list({2})
         .always()
         .column("hi_x#");
-    q.pure("", "area", "area of the feasible region", "", "modules²",
-           [](const V& v) { return Value(v.row->area); })
-        .always()
-        .column("area");
-    q.pure("", "shift_sum", "sums of the profile shifts", "Σx", "[least, greatest]",
-           [](const V& v) { return Value(v.row->sums); })
+    q.term("area", "modules²", [](const V& v) { return v.row->area; }).always().column("area");
+    q.number("shift_sum", "sums of the profile shifts", "Σx", "[least, greatest]",
+             [](const V& v) { return v.row->sums; })
         .ends()
         .always()
         .column("shift_sum_#");
   });
   return kAll;
 }
-const QuantityTable& region_table() { return region_quantities().table(); }
-const QuantityTable& gears_table() { return two_gears().table(); }
 
 void say_numbers(Quantities<V>& q) {
-  q.add(Type::index, Unit::none, "", "trial", "number of the trial", "",
-        "in the order of the loops", [](const V& v) { return Value(v.row->trial.index); })
+  q.add(Type::index, "trial", "number of the trial", "", "in the order of the loops",
+        [](const V& v) { return v.row->trial.index; })
       .always()
       .column("trial")
       .doors(kColumns);
-  q.mm("", "module_mm", "normal module", "m_n", "",
-       [](const V& v) { return Value(v.row->trial.module); })
+  q.number("module_mm", "normal module", "m_n", "", [](const V& v) { return v.row->trial.module; })
       .always()
       .column("module_mm")
       .digits(0);
-  q.whole("", "teeth", "number of teeth", "z", "[z1, z2]; negative: an internal gear",
-          [](const V& v) {
-            return Value(std::array{v.row->trial.z1, v.row->trial.z2});
-          })
+  q.term("teeth", "[z1, z2]; negative: an internal gear",
+         [](const V& v) {
+           return std::array{v.row->trial.z1, v.row->trial.z2};
+         })
       .per_gear()
       .always()
       .column("z#");
-  q.deg("", "helix_angle_deg", "helix angle", "β", "right hand positive",
-        [](const V& v) {
-          const auto& helix = v.row->trial.helix;
-          return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
-        })
+  q.term("helix_angle_deg", "right hand positive",
+         [](const V& v) {
+           const auto& helix = v.row->trial.helix;
+           return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
+         })
       .per_gear()
       .always()
       .column("helix#_deg")
       .digits(kFewDigits)
       .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
-  q.whole("", "rack", "rack", "", "number of the rack, from 1; only with several racks",
-          [](const V& v) { return Value(v.row->trial.rack + 1); })
+  q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
+          [](const V& v) { return v.row->trial.rack + 1; })
       .always()
       .column("rack")
       .when([](const V& v) { return v.problem->racks.size() > 1; });
 }
 
 void say_place(Quantities<V>& q) {
-  q.pure("", "profile_shift", "profile shift coefficient", "x", "[x1, x2]",
-         [](const V& v) { return Value(v.row->shift); })
+  q.term("profile_shift", "[x1, x2]", [](const V& v) { return v.row->shift; })
       .per_gear()
       .always()
       .column("x#")
       .digits(4);
-  q.word("", "point", "place of the shifts",
+  q.word("point", "place of the shifts",
          "position of the shifts in the region: `eq11` on the line of Eq. 11 and away from the "
          "borders, `lo_hi` in the middle if that line misses the region",
-         [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
+         [](const V& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
       .always()
       .column("point")
       .greater_first();
-  q.mm("", "center_distance_mm", "centre distance", "a", "of the design",
-       [](const V& v) { return Value(v.row->center_distance); })
+  q.term("center_distance_mm", "of the design", [](const V& v) { return v.row->center_distance; })
       .always()
       .column("center_distance_mm");
-  q.pure("", "ratio", "gear ratio", "u", "z2/z1", [](const V& v) { return Value(v.row->ratio); })
+  q.number("ratio", "gear ratio", "u", "z2/z1", [](const V& v) { return v.row->ratio; })
       .always()
       .column("ratio")
       .digits(4);
-  q.pure("", "ratio_error", "gear ratio less its target", "Δu", "the target is `target_ratio`",
-         [](const V& v) { return Value(v.row->ratio - v.problem->target_ratio); })
+  q.number("ratio_error", "gear ratio minus its target", "Δu", "the target is `target_ratio`",
+           [](const V& v) { return v.row->ratio - v.problem->target_ratio; })
       .always()
       .digits(4);
 }
 
 void say_contact(Quantities<V>& q) {
-  q.pure("", "contact_ratio", "transverse contact ratio", "ε_α", "of Eq. 10; crossed AE/p_bn",
-         [](const V& v) { return Value(v.row->contact_ratio); })
+  q.number("contact_ratio", "transverse contact ratio", "ε_α", "of Eq. 10; crossed AE/p_bn",
+           [](const V& v) { return v.row->contact_ratio; })
       .always()
       .column("contact_ratio")
       .greater_first()
       .digits(kFewDigits);
-  q.pure("", "contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
-         "the path clipped to the usable flanks, which begin at ρ_F of [T9.1]; not to the faces of "
-         "crossed gears",
-         [](const V& v) { return Value(v.row->contact_ratio_true); })
+  q.number(
+       "contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
+       "the path clipped to the usable flanks, which begin at ρ_F of [T9.1]; not to the faces of "
+       "crossed gears",
+       [](const V& v) { return v.row->contact_ratio_true; })
       .always()
       .column("contact_ratio_true")
       .greater_first()
       .digits(kFewDigits);
-  q.pure("", "overlap_ratio", "overlap ratio", "ε_β", "0 on crossed axes",
-         [](const V& v) { return Value(v.row->overlap_ratio); })
+  q.term("overlap_ratio", "0 on crossed axes", [](const V& v) { return v.row->overlap_ratio; })
       .always()
       .column("overlap_ratio")
       .greater_first()
       .digits(kFewDigits)
       .shown([](const V& v) { return is_parallel(v) && v.row->overlap_ratio != 0.0; });
   const auto angle = [](const V& v) { return Value(tidy_degrees(v.row->working_angle)); };
-  q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn",
-        "crossed axes only", angle)
+  q.term("working_normal_pressure_angle_deg", "crossed axes only", angle)
       .when(is_crossed)
       .digits(kFewDigits);
-  q.deg("", "working_transverse_pressure_angle_deg", "working transverse pressure angle", "α_wt",
-        "parallel axes only", angle)
+  q.term("working_transverse_pressure_angle_deg", "parallel axes only", angle)
       .when(is_parallel)
       .digits(kFewDigits);
-  q.deg("", "working_angle_deg", "working pressure angle", "", "transverse, crossed normal", angle)
+  q.number("working_angle_deg", "working pressure angle", "", "transverse, crossed normal", angle)
       .always()
       .column("working_angle_deg")
       .doors(kColumns);
 }
 
 void say_limits(Quantities<V>& q) {
-  q.mm("", "backlash_normal_mm", "normal backlash along the line of action", "j_bn",
-       "the pair's `backlash.normal_base_mm`",
-       [](const V& v) { return Value(v.row->backlash_normal); })
+  q.number("backlash_normal_mm", "normal backlash along the line of action", "j_bn",
+           "the pair's `backlash.normal_base_mm`",
+           [](const V& v) { return v.row->backlash_normal; })
       .always()
       .column("backlash_normal_mm");
-  q.mm("", "tip_thickness_mm", "normal tip tooth thickness", "s_an", "per gear",
-       [](const V& v) { return Value(v.row->tip_thickness); })
+  q.term("backlash_mm",
+         "at both ends of the tolerances of a design that is drawn: [least, greatest]",
+         [](const V& v) { return Value(v.row->backlash_ends); })
+      .ends()
+      .column("backlash_#_mm")
+      .when([](const V& v) {
+        return v.problem->allowances.thin_teeth() || v.problem->allowances.distance_tolerance;
+      })
+      .digits(kFewDigits);
+  q.number("tip_thickness_mm", "normal tip tooth thickness", "s_an", "per gear",
+           [](const V& v) { return Value(v.row->tip_thickness); })
       .per_gear()
       .always()
       .column("tip_thickness#_mm")
       .greater_first()
       .digits(kFewDigits);
-  q.mm("", "tip_clearance_mm", "tip clearance", "c",
-       "tip of gear 1 to root of gear 2, then the other",
-       [](const V& v) { return Value(v.row->tip_clearance); })
+  q.term("tip_clearance_mm", "tip of gear 1 to root of gear 2, then the other",
+         [](const V& v) { return v.row->tip_clearance; })
       .per_gear()
       .always()
       .column("tip_clearance#_mm")
       .greater_first()
       .digits(kFewDigits);
-  q.mm("", "form_clearance_path_mm", "form clearance along the line of action", "",
+  q.number(
+       "form_clearance_path_mm", "form clearance along the line of action", "",
        "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative: "
        "interference; null for an internal gear, whose flank end depends on its cutter",
-       [](const V& v) { return Value(v.row->form_clearance); })
+       [](const V& v) { return v.row->form_clearance; })
       .per_gear()
       .column("form_clearance_path#_mm")
       .doors(kJson);
-  q.mm("", "tip_alteration_mm", "tip alteration", "k m_n",
-       "applied value; 0 without "
-       "`shorten_tips`",
-       [](const V& v) { return Value(v.row->tip_alteration); })
+  q.number("tip_alteration_mm", "tip alteration", "k m_n",
+           "applied value; 0 without "
+           "`shorten_tips`",
+           [](const V& v) { return v.row->tip_alteration; })
       .always()
       .column("tip_alteration_mm")
       .shown([](const V& v) { return v.row->tip_alteration != 0.0; });
-  q.record("", "specific_sliding", "[at A, at E] as of a pair", gears_table,
-           [](const V& v) {
-             return Value(two_gears().of({v.row->sliding[0], v.row->sliding[1]}));
-           })
+  q.record<two_gears>("specific_sliding", "[at A, at E] as of a pair",
+                      [](const V& v) {
+                        return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
+                      })
       .always()
       .doors(kJson);
   for (const std::size_t gear : {0, 1}) {
     for (const std::size_t end : {0, 1}) {
       const std::string name = "sliding" + std::to_string(gear + 1) + (end == 0 ? "_A" : "_E");
-      q.pure("", name.c_str(), "specific sliding", "ζ", "",
-             [gear, end](const V& v) { return Value(v.row->sliding[gear][end]); })
+      q.number(name.c_str(), "specific sliding", "ζ", "",
+               [gear, end](const V& v) { return v.row->sliding[gear][end]; })
           .column(name)
           .doors(kColumns);
     }
   }
-  q.pure("", "sliding_max", "maximum specific sliding", "ζ_max",
-         "at the ends of the path of contact; null: a flank reaches its base tangent point",
-         [](const V& v) { return Value(v.row->max_sliding()); })
+  q.number("sliding_max", "maximum specific sliding", "ζ_max",
+           "at the ends of the path of contact; null: a flank reaches its base tangent point",
+           [](const V& v) { return v.row->max_sliding(); })
       .column("sliding_max")
       .doors(kPage)
       .expected([](const V&) { return true; })
       .digits(kFewDigits);
-  q.flag("", "interference", "interference", "a tip passes the start of the mating flank",
-         [](const V& v) { return Value(v.row->interference); })
+  q.flag("interference", "interference", "a tip passes the start of the mating flank",
+         [](const V& v) { return v.row->interference; })
       .column("interference")
       .shown([](const V& v) { return v.row->interference; });
 }
 
 void say_strength(Quantities<V>& q) {
   const auto rated = [](const V& v) { return v.problem->rating.has_value(); };
-  q.pure("", "S_H", "safety against pitting", "S_H", "as `rate` has it, of a rated search",
-         [](const V& v) { return Value(v.row->flank_safety); })
+  q.term("S_H", "as in `rate`, for a rated search", [](const V& v) { return v.row->flank_safety; })
       .per_gear()
       .column("S_H#")
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
-  q.pure("", "S_F", "safety against root breakage", "S_F", "as `rate` has it, of a rated search",
-         [](const V& v) { return Value(v.row->root_safety); })
+  q.term("S_F", "as in `rate`, for a rated search", [](const V& v) { return v.row->root_safety; })
       .per_gear()
       .column("S_F#")
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
   const auto weighed = [](const V& v) { return v.problem->weighs(); };
-  q.mm("", "face_width_mm", "face width", "b", "of both gears; if safeties or masses are requested",
-       [](const V& v) {
-         return v.problem->weighs() ? Value(v.problem->face_width_of(v.row->trial.module))
-                                    : Value();
-       })
+  const auto wide = [](const V& v) { return v.problem->weighs() || v.problem->sizes_faces(); };
+  q.number("face_width_mm", "face width", "b",
+           "of both gears; if safeties or masses are requested, or a band of widths",
+           [wide](const V& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
-      .when(weighed)
+      .when(wide)
       .digits(kFewDigits);
-  q.add(Type::number, Unit::kg, "", "mass_kg", "mass of both gears", "m",
-        "full cylinders of the mean diameter (d_a + d_f)/2, an internal gear from there to 2.5 "
-        "m_n outside its root; of a rated search, or by `objective`",
-        [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
+  q.number("mass_kg", "mass of both gears", "m",
+           "full cylinders of the mean diameter (d_a + d_f)/2, an internal gear from there to 2.5 "
+           "m_n outside its root; of a rated search, or by `objective`",
+           [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)
       .digits(kFewDigits);
@@ -280,47 +275,37 @@ void say(Quantities<V>& q) {
   say_contact(q);
   say_limits(q);
   say_strength(q);
-  q.pure("", "area", "area of the feasible region", "", "modules²",
-         [](const V& v) { return Value(v.row->area); })
+  q.term("area", "modules²", [](const V& v) { return v.row->area; })
       .doors(kPage)
       .greater_first()
       .digits(4);
-  q.record("", "region", "the profile shifts that satisfy every limit", region_table,
-           [](const V& v) { return Value(region_quantities().of(v)); })
+  q.record<region_quantities>(
+       "region", "the profile shifts that satisfy every limit",
+       [](const V& v) -> const auto& { return v; })
       .always()
       .doors(kJson);
-  q.add(Type::map, Unit::none, "", "objective", "objective", "", "its value, or one for each name",
-        objective)
+  q.add(Type::map, "objective", "objective", "", "its value, or one for each name", objective)
       .doors(kJson);
 }
 
 void say_point(Quantities<ShiftPoint>& q) {
   using P = ShiftPoint;
   const auto column = [&q](const char* name, Type type, auto get) -> Quantity<P>& {
-    return q
-        .add(type, Unit::none, "", name, name, "", "", [get](const P& p) { return Value(get(p)); })
-        .column(name)
-        .doors(kColumns);
+    return q.add(type, name, name, "", "", get).column(name).doors(kColumns);
   };
-  column("trial", Type::index, [](const P& p) { return p.trial; }).always();
-  column("x#", Type::number, [](const P& p) { return p.shift; }).per_gear().always();
-  column("center_distance_mm", Type::number, [](const P& p) { return p.center_distance; }).always();
+  column("trial", Type::index, &P::trial).always();
+  column("x#", Type::number, &P::shift).per_gear().always();
+  column("center_distance_mm", Type::number, &P::center_distance).always();
   column("working_angle_deg", Type::number, [](const P& p) {
     return tidy_degrees(p.working_angle);
   }).always();
-  column("contact_ratio", Type::number, [](const P& p) { return p.contact_ratio; }).always();
-  column("contact_ratio_true", Type::number, [](const P& p) {
-    return p.contact_ratio_true;
-  }).always();
-  column("sliding_max", Type::number, [](const P& p) { return p.sliding; });
-  column("tip_thickness#_mm", Type::number, [](const P& p) { return p.tip_thickness; })
-      .per_gear()
-      .always();
-  column("tip_clearance#_mm", Type::number, [](const P& p) { return p.tip_clearance; })
-      .per_gear()
-      .always();
-  column("backlash_normal_mm", Type::number, [](const P& p) { return p.backlash_normal; }).always();
-  column("interference", Type::flag, [](const P& p) { return p.interference; }).always();
+  column("contact_ratio", Type::number, &P::contact_ratio).always();
+  column("contact_ratio_true", Type::number, &P::contact_ratio_true).always();
+  column("sliding_max", Type::number, &P::sliding);
+  column("tip_thickness#_mm", Type::number, &P::tip_thickness).per_gear().always();
+  column("tip_clearance#_mm", Type::number, &P::tip_clearance).per_gear().always();
+  column("backlash_normal_mm", Type::number, &P::backlash_normal).always();
+  column("interference", Type::flag, &P::interference).always();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a gear of two halves has beside the quantities of a gear.
+// Additional quantities of a gear of two halves.
 #pragma once
 
 #include "gearwright/arrange/two_halves.hpp"

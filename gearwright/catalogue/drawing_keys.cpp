@@ -13,7 +13,7 @@ const KeyTable& drawing_keys() {
        Key::text("author", &D::author, "", "who drew it"),
        Key::text("date", &D::date, "", "in quotes, in any form; never filled in automatically"),
        Key::text("material", &D::material, "", "in words"),
-       Key::text("note", &D::note, "", "what a workshop should know besides")
+       Key::text("note", &D::note, "", "additional notes for the workshop")
            .with_also({"notes", "remark", "comment"})}};
   return table;
 }

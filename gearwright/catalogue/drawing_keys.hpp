@@ -1,5 +1,5 @@
-// The keys of [drawing]: what a title block says beside the numbers. Words as given, nothing is made
-// up: no date of today, no author of the machine.
+// The keys of [drawing]: the words of a title block. They are printed as given. No date or author
+// is added.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Empty: not given.
+/// Empty words are not given.
 struct DrawingInput {
   std::string title, number, author, date, material, note;
 

@@ -1,5 +1,7 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 
+#include <algorithm>
+
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
@@ -12,7 +14,7 @@ constexpr std::string_view kBodies = "a body or a list of bodies";
 constexpr std::string_view kMembers = "a number, or a table of numbers by member";
 constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
 
-// A key whose value has several forms; the reader has code for it.
+// A key whose value has several forms, which the reader handles.
 Key formed(std::string_view key, std::string_view symbol, std::string_view form,
            std::string_view fallback, std::string_view meaning) {
   const bool required = fallback == kRequired;
@@ -52,10 +54,9 @@ Key torque_key() {
                 "torque on the input");
 }
 
-template <class Input>
-Key spacing_key(Spacing Input::*place) {
-  return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place,
-                   "\"nearest\"",
+template <class Member>
+Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
+  return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
                    "how the planets stand: at equal pitch if they assemble, else at the nearest "
                    "places; or an error if they do not; or clocked; or in opposite pairs");
 }
@@ -84,8 +85,11 @@ const KeyTable& planetary_keys() {
        formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun"),
        formed("profile_shift", "x", kMembers, "as it follows", "profile shift"),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
-       formed("face_width_mm", "b", kMembers, "10 m_n", "face width"),
-       formed("tip_diameter_mm", "d_a", kMembers, "of the basic rack", "tip diameter"),
+       formed("face_width_mm", "b", kMembers, "10 m_n",
+              "face width; a planet along two rings or two suns has as much for each"),
+       formed("tip_diameter_mm", "d_a", kMembers,
+              "of the basic rack, with its clearance; a ring's clears the flanks of its planets",
+              "tip diameter"),
        formed("center_distance_mm", "a", kMeshes, "the tight one of the first mesh",
               "centre distance"),
        formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
@@ -100,7 +104,9 @@ const KeyTable& planetary_keys() {
        spacing_key(&P::spacing),
        Key::number("positions_deg", "", {}, &P::positions_deg, "by `spacing`",
                    "places of the planets round the carrier, counter-clockwise from the first")
-           .with_list({1, 1000})}};
+           .with_list({1, 1000}),
+       formed("material", "", "a table as [gear1.material], or a table of those by member",
+              "that of `[rating]`", "what the teeth are made of")}};
   return table;
 }
 
@@ -124,7 +130,28 @@ const KeyTable& stage_keys() {
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
               "thickness allowances"),
        formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
-              "efficiency of the mesh, from 0 to 1")}};
+              "efficiency of the mesh, from 0 to 1"),
+       Key::not_negative("friction_coefficient", "μ", {}, "0.05",
+                         "coefficient of friction of the flanks"),
+       speed_key(), torque_key(),
+       formed("material", "", "a table as [gear1.material]", "that of `[rating]`",
+              "what the teeth of both gears are made of")}};
+  return table;
+}
+
+const KeyTable& stage_gear_keys() {
+  static const KeyTable table = [] {
+    KeyTable t{"stage_gear", "A gear of a drive, with the keys of [gear1]", {}};
+    // Gears of a drive have no pair cutter and no readings, and both halves have the same hand.
+    for (const Key& key : gear_keys().keys) {
+      if (key.key == "cut_by" || key.key == "profile_shift_pair" || key.key == "double_helical")
+        continue;
+      Key copy = key;
+      copy.in_documents = false;
+      t.keys.push_back(std::move(copy));
+    }
+    return t;
+  }();
   return table;
 }
 
@@ -153,25 +180,28 @@ const KeyTable& drive_body_keys() {
                    "number of copies of a planet"),
        Key::number("positions_deg", "", {}, &DriveBody::positions_deg, "by `spacing`",
                    "places of the copies round the carrier")
-           .with_list({1, 1000})}};
+           .with_list({1, 1000}),
+       spacing_key(&DriveBody::spacing, "that of the drive")}};
   return table;
 }
 
 const KeyTable& drive_gear_keys() {
-  static const KeyTable table{
-      "drive_gear",
-      "A gear of the graph, with keys of [gear1]",
-      {Key::text("name", &DriveGear::name, kRequired, "name of the gear"),
-       formed("body", "", "a body", kRequired, "the body that it sits on"),
-       Key::number("teeth", "z", KeyRange{.lo = -kMostTeeth, .hi = kMostTeeth, .zero = false},
-                   &DriveGear::teeth, kRequired, "number of teeth, negative for a ring"),
-       Key::word("form", {"gear", "rack"}, {}, "\"gear\"", "\"rack\": its body moves"),
-       *gear_keys().find("normal_module_mm"), *gear_keys().find("normal_pressure_angle_deg"),
-       *gear_keys().find("helix_angle_deg"),
-       Key::number("profile_shift", "x", {}, &DriveGear::shift, "as it follows", "profile shift"),
-       Key::number("thickness_allowance_mm", "E_sn", {}, {}, "0", "thickness allowance"),
-       Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
-       Key::positive("tip_diameter_mm", "d_a", {}, "of the basic rack", "tip diameter")}};
+  static const KeyTable table = [] {
+    KeyTable t{
+        "drive_gear",
+        "A gear of the graph, with the keys of [gear1]",
+        {Key::text("name", KeyPlace::unused(), kRequired, "name of the gear"),
+         Key::text("body", KeyPlace::unused(), kRequired, "the body that it sits on"),
+         Key::number("teeth", "z", KeyRange{.lo = -kMostTeeth, .hi = kMostTeeth, .zero = false},
+                     {&GearInput::cylindrical, &CylindricalSpec::teeth},
+                     "required, unless `form` is `\"rack\"`",
+                     "number of teeth, negative for a ring"),
+         Key::word("form", {"gear", "rack"}, KeyPlace::unused(), "\"gear\"",
+                   "\"rack\": its body moves")}};
+    for (const Key& key : stage_gear_keys().keys)
+      if (!t.find(key.key)) t.keys.push_back(key);
+    return t;
+  }();
   return table;
 }
 
@@ -185,7 +215,12 @@ const KeyTable& drive_mesh_keys() {
                      "centre distance"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "from `friction_coefficient` and the teeth",
-                   "efficiency with the frame at rest")}};
+                   "efficiency with the frame at rest"),
+       Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction, "that of the drive",
+                         "coefficient of friction of the flanks"),
+       Key::number("angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
+                   "direction from the axis of the first gear to that of the second "
+                   "one, counter-clockwise; planets have theirs by their places")}};
   return table;
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 
 namespace gearwright {
 
@@ -24,7 +25,26 @@ Value degrees_of(const Rational& turns) { return Value(360 * turns.value()); }
 
 bool flows(const Drive& d) { return d.flow && !d.flow->self_locking(); }
 
-// The same of each by its name.
+// The rating of a mesh as that of a pair.
+Value rating_of(const DriveMeshView& v) {
+  const auto& made = v.drive->ratings[v.mesh];
+  if (!made) return {};
+  const RatingInput& in = made->input;
+  const double ratio = std::abs(static_cast<double>(made->pair.gears[made->pair.place(2)].teeth) /
+                                made->pair.gears[made->pair.place(1)].teeth);
+  const double n = in.speed.value_or(0.0);
+  return Value(rating_quantities().of({in,
+                                       made->rating,
+                                       in.torque * n * 2 * std::numbers::pi / 60.0 / 1000.0,
+                                       {in.torque, in.torque * ratio},
+                                       {n, n / ratio},
+                                       std::nullopt,
+                                       std::nullopt,
+                                       std::nullopt,
+                                       std::nullopt}));
+}
+
+// The same for each, by its name.
 template <class View, class List>
 Value by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
   ValueMap map;
@@ -41,7 +61,7 @@ Value shifts_of(const Drive& d) {
   return map;
 }
 
-// Of the first mesh of the first set; none without a set or its geometry.
+// The centre distance of the first mesh of the first set; none without a set or its geometry.
 std::optional<double> set_distance(const Drive& d) {
   if (d.sets.empty() || d.sets.front().group.meshes.empty()) return std::nullopt;
   return d.geometry.distance[d.sets.front().group.meshes.front()];
@@ -49,10 +69,9 @@ std::optional<double> set_distance(const Drive& d) {
 
 const Quantities<Drive>& coaxial_quantities() {
   static const Quantities<Drive> kAll("drive.coaxial", [](Quantities<Drive>& q) {
-    q.mm("", "center_distance_mm", "centre distance", "a",
-         "of the meshes of the first set [T13.15]",
-         [](const Drive& d) { return Value(set_distance(d)); });
-    q.add(Type::map, Unit::none, "", "profile_shift", "profile shifts", "x",
+    q.term("center_distance_mm", "of the meshes of the first set [T13.15]",
+           [](const Drive& d) { return set_distance(d); });
+    q.add(Type::map, "profile_shift", "profile shifts", "x",
           "of each gear, given or as it follows from the distance [T13.15]", shifts_of)
         .doors(kJson);
   });
@@ -62,12 +81,44 @@ const Quantities<Drive>& coaxial_quantities() {
 const Quantities<DriveBacklash>& drive_backlash_quantities() {
   using B = DriveBacklash;
   static const Quantities<B> kAll("drive.backlash", [](Quantities<B>& q) {
-    q.deg("", "input_deg", "backlash of the input, output held", "", "[T13.20]", [](const B& b) {
-       return Value(Angle::radians(b.input).deg());
+    q.number("input_deg", "backlash of the input, output held", "", "[T13.20]", [](const B& b) {
+       return Angle::radians(b.input);
      }).always();
-    q.deg("", "output_deg", "backlash of the output, input held", "", "[T13.20]", [](const B& b) {
-       return Value(Angle::radians(b.output).deg());
+    q.number("output_deg", "backlash of the output, input held", "", "[T13.20]", [](const B& b) {
+       return Angle::radians(b.output);
      }).always();
+  });
+  return kAll;
+}
+
+const Quantities<DriveError::Line>& error_line_quantities() {
+  using L = DriveError::Line;
+  static const Quantities<L> kAll("drive.transmission_error.line", [](Quantities<L>& q) {
+    q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
+       return Value(l.frequency_ratio);
+     }).always();
+    q.number("arcsec", "amplitude", "", "of the output",
+             [](const L& l) { return Value(Angle::radians(l.amplitude).arcsec()); })
+        .unit(Unit::arcsec)
+        .always();
+  });
+  return kAll;
+}
+
+const Quantities<DriveError>& drive_error_quantities() {
+  using E = DriveError;
+  static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
+    q.number("output_arcsec_peak_to_peak", "transmission error of the output", "",
+             "greatest less least; of several mesh frequencies the sum [T13.21]",
+             [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
+        .unit(Unit::arcsec)
+        .always();
+    q.record<error_line_quantities>(
+         "lines", "harmonics of the mesh frequencies [T13.22]",
+         [](const E& e) { return Value(error_line_quantities().each(e.lines)); })
+        .always()
+        .list({0})
+        .doors(kJson);
   });
   return kAll;
 }
@@ -75,14 +126,14 @@ const Quantities<DriveBacklash>& drive_backlash_quantities() {
 const Quantities<Resultant>& resultant_quantities() {
   using R = Resultant;
   static const Quantities<R> kAll("drive.phasing.resultant", [](Quantities<R>& q) {
-    q.pure("", "torque", "torque and axial force", "R_k",
-           "share that is left of harmonic k [T13.18]", [](const R& r) { return Value(r.torque); })
+    q.number("torque", "torque and axial force", "R_k", "share that is left of harmonic k [T13.18]",
+             &R::torque)
         .always();
-    q.pure("", "force_forward", "transverse force with the sun", "F_k^+", "[T13.18]",
-           [](const R& r) { return Value(r.force_forward); })
+    q.number("force_forward", "transverse force with the sun", "F_k^+", "[T13.18]",
+             &R::force_forward)
         .always();
-    q.pure("", "force_backward", "transverse force against the sun", "F_k^-", "[T13.18]",
-           [](const R& r) { return Value(r.force_backward); })
+    q.number("force_backward", "transverse force against the sun", "F_k^-", "[T13.18]",
+             &R::force_backward)
         .always();
   });
   return kAll;
@@ -112,7 +163,7 @@ Value each(const std::vector<Rational>& list, Show show) {
   return values;
 }
 
-// Self-locking of a flow; nothing without one.
+// True for a self-locking flow; null without a flow.
 Value locks(const std::optional<PowerFlow>& flow) {
   return flow ? Value(flow->self_locking()) : Value();
 }
@@ -122,16 +173,18 @@ Value efficiency_of(const std::optional<PowerFlow>& flow) {
 }
 
 void say_motion(Quantities<Drive>& q) {
-  q.pure(kMotion, "ratio", "ratio", "i", "n_in/n_out, signed; null with several inputs [T13.3]",
-         [](const Drive& d) { return d.motion.ratio ? Value(d.motion.ratio->value()) : Value(); });
-  q.whole("", "ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
+  q.under(kMotion);
+  q.number(
+      "ratio", "ratio", "i", "n_in/n_out, signed; null with several inputs [T13.3]",
+      [](const Drive& d) { return d.motion.ratio ? Value(d.motion.ratio->value()) : Value(); });
+  q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
           [](const Drive& d) { return d.motion.ratio ? fraction(*d.motion.ratio) : Value(); })
       .list({2})
       .doors(kJson);
-  q.whole(kMotion, "degrees_of_freedom", "degrees of freedom", "f", "[T13.2]", [](const Drive& d) {
-     return Value(d.motion.freedom);
+  q.whole("degrees_of_freedom", "degrees of freedom", "f", "[T13.2]", [](const Drive& d) {
+     return d.motion.freedom;
    }).always();
-  q.whole(kMotion, "period_input_turns", "period", "",
+  q.whole("period_input_turns", "period", "",
           "turns of the input after which all bodies stand as at the start [T13.5]",
           [](const Drive& d) -> Value {
             if (!d.motion.period) return {};
@@ -141,16 +194,16 @@ void say_motion(Quantities<Drive>& q) {
 }
 
 void say_power(Quantities<Drive>& q) {
-  q.add(Type::number, Unit::none, kPower, "efficiency", "efficiency", "η",
-        "of the teeth, input driving; 0 if the drive locks itself [T13.9]",
-        [](const Drive& d) { return efficiency_of(d.flow); });
-  q.add(Type::number, Unit::none, kPower, "efficiency_backward", "efficiency, output driving", "η",
-        "0 if the drive locks itself", [](const Drive& d) { return efficiency_of(d.backward); });
-  q.add(Type::flag, Unit::none, kPower, "self_locking", "self-locking", "",
-        "the input cannot drive the output", [](const Drive& d) { return locks(d.flow); });
-  q.add(Type::flag, Unit::none, kPower, "self_locking_backward", "self-locking, output driving", "",
+  q.under(kPower);
+  q.term("efficiency", "of the teeth, input driving; 0 if the drive locks itself [T13.9]",
+         [](const Drive& d) { return efficiency_of(d.flow); });
+  q.number("efficiency_backward", "efficiency, output driving", "η", "0 if the drive locks itself",
+           [](const Drive& d) { return efficiency_of(d.backward); });
+  q.add(Type::flag, "self_locking", "self-locking", "", "the input cannot drive the output",
+        [](const Drive& d) { return locks(d.flow); });
+  q.add(Type::flag, "self_locking_backward", "self-locking, output driving", "",
         "the output cannot drive the input", [](const Drive& d) { return locks(d.backward); });
-  q.add(Type::flag, Unit::none, kPower, "circulating", "circulating power", "",
+  q.add(Type::flag, "circulating", "circulating power", "",
         "a branch carries power against the flow",
         [](const Drive& d) { return flows(d) ? Value(d.flow->circulating) : Value(); });
 }
@@ -159,45 +212,44 @@ void say(Quantities<Drive>& q) {
   q.groups({kMotion, kPower, kGeometry});
   say_motion(q);
   say_power(q);
-  q.mm(kGeometry, "center_distance_mm", "centre distance", "a", "of the meshes of the first set",
-       [](const Drive& d) { return Value(set_distance(d)); });
-  q.add(Type::map, Unit::none, "", "bodies", "bodies", "", "by name: speeds, torque, power",
-        [](const Drive& d) { return by_name(drive_body_quantities(), d, d.graph.bodies); })
-      .doors(kJson);
-  q.add(Type::map, Unit::none, "", "meshes", "meshes", "", "by name: frequency, losses, the pair",
+  q.under(kGeometry);
+  q.term("center_distance_mm", "of the meshes of the first set",
+         [](const Drive& d) { return set_distance(d); });
+  q.add(Type::map, "bodies", "bodies", "", "by name: speeds, torque, power", [](const Drive& d) {
+     return by_name(drive_body_quantities(), d, d.graph.bodies);
+   }).doors(kJson);
+  q.add(Type::map, "meshes", "meshes", "", "by name: frequency, losses, the pair",
         [](const Drive& d) { return by_name(drive_mesh_quantities(), d, d.graph.meshes); })
       .doors(kJson);
-  q.record(
-       "", "assembly", "where the planets of the first set stand; null without planets",
-       []() -> const QuantityTable& { return assembly_quantities().table(); },
+  q.record<assembly_quantities>(
+       "assembly", "where the planets of the first set stand; null without planets",
        [](const Drive& d) {
          return d.sets.empty() ? Value() : Value(assembly_quantities().of(d.sets.front()));
        })
       .doors(kJson);
-  q.record(
-       "", "coaxial", "distance and shifts of the first set; null without a set",
-       []() -> const QuantityTable& { return coaxial_quantities().table(); },
+  q.record<coaxial_quantities>(
+       "coaxial", "distance and shifts of the first set; null without a set",
        [](const Drive& d) { return d.sets.empty() ? Value() : Value(coaxial_quantities().of(d)); })
       .doors(kJson);
-  q.record(
-       "", "phasing", "how the meshes of the first set follow each other",
-       []() -> const QuantityTable& { return phasing_quantities().table(); },
+  q.record<phasing_quantities>(
+       "phasing", "how the meshes of the first set follow each other",
        [](const Drive& d) {
          return d.sets.empty() ? Value() : Value(phasing_quantities().of(d.sets.front()));
        })
       .doors(kJson);
-  q.record(
-      kGeometry, "backlash", "of the ends; null with several inputs and without geometry",
-      []() -> const QuantityTable& { return drive_backlash_quantities().table(); },
-      [](const Drive& d) {
-        return d.backlash ? Value(drive_backlash_quantities().of(*d.backlash)) : Value();
-      });
-  q.record(
-       "", "stages", "of a train: each stage as a drive by itself",
-       []() -> const QuantityTable& { return drive_quantities().table(); },
-       [](const Drive& d) {
-         return d.stages.empty() ? Value() : Value(drive_quantities().each(d.stages));
-       })
+  q.record<drive_backlash_quantities>(
+      "backlash", "of the ends; null with several inputs and without geometry", &Drive::backlash);
+  q.record<drive_error_quantities>(
+      "transmission_error",
+      "of the output, the input turning evenly; 0 of flanks without modifications and [errors]; "
+      "null "
+      "with several inputs, without geometry, and where contact is lost",
+      &Drive::error);
+  q.record<drive_quantities>("stages", "of a train: each stage as a drive by itself",
+                             [](const Drive& d) {
+                               return d.stages.empty() ? Value()
+                                                       : Value(drive_quantities().each(d.stages));
+                             })
       .list({0})
       .doors(kJson);
 }
@@ -207,36 +259,33 @@ void say(Quantities<Drive>& q) {
 const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;
   static const Quantities<V> kAll("drive.body", [](Quantities<V>& q) {
-    q.pure("", "speed_ratio", "speed ratio", "", "speed per turn of the first input, absolute",
-           [](const V& v) { return Value(v.drive->speed_ratio(v.body)); });
-    q.whole("", "speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
+    q.number("speed_ratio", "speed ratio", "", "speed per turn of the first input, absolute",
+             [](const V& v) { return v.drive->speed_ratio(v.body); });
+    q.whole("speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
             [](const V& v) -> Value {
               if (v.drive->graph.inputs.size() != 1) return {};
               return fraction(v.drive->motion.speeds[v.body][0]);
             })
         .list({2})
         .doors(kJson);
-    q.pure("", "relative_speed_ratio", "speed ratio to the frame", "",
-           "less that of the carrier in whose frame it meshes",
-           [](const V& v) { return Value(v.drive->relative_speed_ratio(v.body)); });
-    q.add(Type::number, Unit::per_minute, "", "speed_rpm", "speed", "n", "absolute",
-          [](const V& v) { return Value(v.drive->speed_rpm(v.body)); });
-    q.pure("", "torque_ratio", "torque ratio", "", "external torque per torque of the first input",
-           [](const V& v) {
-             return flows(*v.drive) ? Value(v.drive->flow->torque[v.body]) : Value();
-           });
-    q.add(Type::number, Unit::newton_metre, "", "torque_Nm", "external torque", "T", "",
-          [](const V& v) -> Value {
-            if (!flows(*v.drive) || !v.drive->graph.torque_Nm) return {};
-            return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm;
-          });
-    q.add(Type::number, Unit::kilowatt, "", "power_kW", "power", "P", "> 0 flows into the drive",
-          [](const V& v) -> Value {
-            const auto n = v.drive->speed_rpm(v.body);
-            if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};
-            return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm * *n * 2 *
-                   std::numbers::pi / 60.0 / 1000.0;
-          });
+    q.number("relative_speed_ratio", "speed ratio to the frame", "",
+             "less that of the carrier in whose frame it meshes",
+             [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
+    q.term("speed_rpm", "absolute", [](const V& v) { return v.drive->speed_rpm(v.body); });
+    q.number("torque_ratio", "torque ratio", "", "external torque per torque of the first input",
+             [](const V& v) {
+               return flows(*v.drive) ? Value(v.drive->flow->torque[v.body]) : Value();
+             });
+    q.number("torque_Nm", "external torque", "T", "", [](const V& v) -> Value {
+      if (!flows(*v.drive) || !v.drive->graph.torque_Nm) return {};
+      return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm;
+    });
+    q.term("power_kW", "> 0 flows into the drive", [](const V& v) -> Value {
+      const auto n = v.drive->speed_rpm(v.body);
+      if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};
+      return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm * *n * 2 * std::numbers::pi /
+             60.0 / 1000.0;
+    });
   });
   return kAll;
 }
@@ -248,16 +297,15 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
        const auto frame = v.drive->graph.frame(v.drive->graph.meshes[v.mesh]);
        return Value(frame ? v.drive->graph.bodies[*frame].name : std::string("housing"));
      }).always();
-    q.pure("", "frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
-           [](const V& v) { return Value(v.drive->frequency_ratio(v.mesh)); });
-    q.add(Type::number, Unit::hertz, "", "frequency_hz", "mesh frequency", "f", "",
-          [](const V& v) -> Value {
-            const auto teeth = v.drive->frequency_ratio(v.mesh);
-            const auto n = v.drive->speed_rpm(v.drive->graph.inputs.front());
-            if (!teeth || !n) return {};
-            return *teeth * std::abs(*n) / 60.0;
-          });
-    q.pure("", "efficiency", "efficiency", "η", "with the frame at rest", [](const V& v) -> Value {
+    q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
+             [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
+    q.number("frequency_hz", "mesh frequency", "f", "", [](const V& v) -> Value {
+      const auto teeth = v.drive->frequency_ratio(v.mesh);
+      const auto n = v.drive->speed_rpm(v.drive->graph.inputs.front());
+      if (!teeth || !n) return {};
+      return *teeth * std::abs(*n) / 60.0;
+    });
+    q.term("efficiency", "with the frame at rest", [](const V& v) -> Value {
       const auto& eta = v.drive->efficiencies[v.mesh];
       if (!eta) return {};
       const bool second = flows(*v.drive) && v.drive->flow->driver[v.mesh] == 1;
@@ -269,18 +317,21 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
              const DriveMesh& mesh = v.drive->graph.meshes[v.mesh];
              return v.drive->graph.gear(mesh, v.drive->flow->driver[v.mesh]).name;
            });
-    q.pure("", "power_ratio", "rolling power", "", "P_m/P_in in the frame, of its driving gear",
-           [](const V& v) -> Value {
-             if (!flows(*v.drive) || !(v.drive->flow->power_in > 0.0)) return {};
-             return v.drive->flow->mesh_power[v.mesh] / v.drive->flow->power_in;
-           });
-    q.record(
-         "", "pair", "the two gears as mounted; null without geometry",
-         []() -> const QuantityTable& { return pair_quantities().table(); },
-         [](const V& v) {
-           const auto& pair = v.drive->geometry.pairs[v.mesh];
-           return pair ? Value(pair_quantities().of(*pair)) : Value();
-         })
+    q.number("power_ratio", "rolling power", "", "P_m/P_in in the frame, of its driving gear",
+             [](const V& v) -> Value {
+               if (!flows(*v.drive) || !(v.drive->flow->power_in > 0.0)) return {};
+               return v.drive->flow->mesh_power[v.mesh] / v.drive->flow->power_in;
+             });
+    q.record<pair_quantities>("pair", "the two gears as mounted; null without geometry",
+                              [](const V& v) {
+                                const auto& pair = v.drive->geometry.pairs[v.mesh];
+                                return pair ? Value(pair_quantities().of(*pair)) : Value();
+                              })
+        .doors(kJson);
+    q.record<rating_quantities>(
+         "rating", "verb rate: strength by ISO 6336 of one of the copies; null of an idle mesh",
+         rating_of)
+        .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
   });
   return kAll;
@@ -289,33 +340,32 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
 const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
-    q.whole("", "positions", "places per turn", "N*",
+    q.whole("positions", "places per turn", "N*",
             "where a planet can be put in; 0: anywhere [T13.12]",
-            [](const P& p) { return Value(p.assembly.places); })
+            [](const P& p) { return p.assembly.places; })
         .always();
-    q.flag("", "equal", "equal pitch", "the planets stand at equal pitch",
-           [](const P& p) { return Value(p.assembly.equal); });
-    q.deg("", "angles_deg", "places of the planets", "",
-          "counter-clockwise from the first [T13.13]",
-          [](const P& p) { return each(p.assembly.turns, degrees_of); })
+    q.flag("equal", "equal pitch", "the planets stand at equal pitch",
+           [](const P& p) { return p.assembly.equal; });
+    q.number("angles_deg", "places of the planets", "", "counter-clockwise from the first [T13.13]",
+             [](const P& p) { return each(p.assembly.turns, degrees_of); })
         .always()
         .list({0});
-    q.whole("", "angles_exact", "places of the planets", "", "[p, q] in turns",
+    q.whole("angles_exact", "places of the planets", "", "[p, q] in turns",
             [](const P& p) { return each(p.assembly.turns, fraction); })
         .always()
         .list({0, 2})
         .doors(kJson);
-    q.deg("", "clocking_deg", "clocking", "δ",
-          "of the second gear of each stepped planet; null if all are equal [T13.14]",
-          [](const P& p) {
-            return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
-          })
+    q.number("clocking_deg", "clocking", "δ",
+             "of the second gear of each stepped planet; null if all are equal [T13.14]",
+             [](const P& p) {
+               return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
+             })
         .list({0});
-    q.whole("", "planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
+    q.whole("planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
             [](const P& p) { return p.neighbours ? Value(p.neighbours->most) : Value(); });
-    q.mm("", "neighbour_clearance_mm", "clearance of neighbouring planets", "c",
-         "between their tips [T13.15b]",
-         [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
+    q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c",
+             "between their tips [T13.15b]",
+             [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
   });
   return kAll;
 }
@@ -323,23 +373,22 @@ const Quantities<PlanetSet>& assembly_quantities() {
 const Quantities<PlanetSet>& phasing_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.phasing", [](Quantities<P>& q) {
-    q.word("", "class", "class of phasing", "of the first harmonic [T13.19]",
-           [](const P& p) { return Value(words_of(p.phasing.kind)); })
+    q.word("class", "class of phasing", "of the first harmonic [T13.19]",
+           [](const P& p) { return words_of(p.phasing.kind); })
         .always()
         .one_of({"in_phase", "sequential", "counter", "mixed"});
-    q.pure("", "sun_phase", "phases of the sun's meshes", "γ",
-           "periods by which each comes after the first [T13.16]",
-           [](const P& p) { return phases(p.sun_phases); })
+    q.number("sun_phase", "phases of the sun's meshes", "γ",
+             "periods by which each comes after the first [T13.16]",
+             [](const P& p) { return phases(p.sun_phases); })
         .list({0});
-    q.pure("", "ring_phase", "phases of the ring's meshes", "γ", "the same of the ring",
-           [](const P& p) { return phases(p.ring_phases); })
+    q.number("ring_phase", "phases of the ring's meshes", "γ", "the same of the ring",
+             [](const P& p) { return phases(p.ring_phases); })
         .list({0});
-    q.pure("", "sun_ring_phase", "phase of the ring against the sun", "γ_rs",
-           "at one planet [T13.17]", [](const P& p) { return Value(p.sun_ring_phase); });
-    q.record(
-         "", "resultants", "what is left of harmonics 1, 2, … [T13.18]",
-         []() -> const QuantityTable& { return resultant_quantities().table(); },
-         [](const P& p) { return Value(resultant_quantities().each(p.phasing.resultants)); })
+    q.number("sun_ring_phase", "phase of the ring against the sun", "γ_rs",
+             "at one planet [T13.17]", &P::sun_ring_phase);
+    q.record<resultant_quantities>(
+         "resultants", "what is left of harmonics 1, 2, … [T13.18]",
+         [](const P& p) -> const auto& { return p.phasing.resultants; })
         .always()
         .list({0})
         .doors(kJson);

@@ -11,7 +11,7 @@ namespace {
 
 using Gears = std::array<const Gear*, 2>;
 
-constexpr double kMaxTilt = 10;     // degrees: beyond it a shaft is not misaligned but elsewhere
+constexpr double kMaxTilt = 10;     // degrees: a larger angle is not a misalignment
 constexpr double kMaxSlope = 5000;  // µm over the face
 
 // κ of f_Hβ over the face width, at the reference cylinder.

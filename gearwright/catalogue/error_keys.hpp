@@ -1,5 +1,5 @@
-// The eight errors of mounting and cutting, said once: key, symbol, words, the member of
-// ContactErrors; and from them the keys of [errors].
+// The table of the eight errors of mounting and cutting (key, symbol, words, member of
+// ContactErrors), and the keys of [errors] made from it.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,10 @@ struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
   std::string_view words;         ///< "out-of-plane shaft deviation"
-  std::optional<ErrorKind> kind;  ///< of its derivative, where contact gives one
-  int gear;                       ///< 1 or 2 of a gear's own error, 0 of the mounting
-  void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);  ///< to a value, in the
-                                                                           ///< key's unit
+  std::optional<ErrorKind> kind;  ///< of its derivative, if contact computes one
+  int gear;                       ///< 1 or 2 for an error of a gear, 0 for an error of mounting
+  /// sets the error to a value in the unit of the key
+  void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);
   std::string_view meaning;
 
   std::string_view unit() const { return key_unit(key); }  ///< "deg"
@@ -35,9 +35,9 @@ struct ErrorEntry {
   std::string member() const;  ///< of ContactErrors, "cutter_lead[0]"
 };
 
-/// In the order in which people read them.
+/// In the order for documents.
 const std::array<ErrorEntry, kErrorCount>& error_entries();
-/// Place of a key in error_entries; none: no such error.
+/// Index of a key in error_entries; none if there is no such error.
 std::optional<std::size_t> error_index(std::string_view key);
 
 /// [errors], a value for each of error_entries, in the key's unit.
@@ -45,7 +45,7 @@ struct ErrorsInput {
   std::array<double, kErrorCount> value{};
   bool given = false;
 
-  /// Whether one of them is not 0.
+  /// True if one of them is not 0.
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }

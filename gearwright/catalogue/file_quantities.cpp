@@ -7,12 +7,11 @@ namespace gearwright {
 const Quantities<FileView>& file_quantities() {
   using F = FileView;
   static const Quantities<F> kAll("file", [](Quantities<F>& q) {
-    q.text("file", "its name", [](const F& f) { return Value(f.file); }).always();
-    q.text("what", "what it is", [](const F& f) { return Value(f.what); }).always();
-    q.add(Type::number, Unit::um, "", "max_deviation_um", "maximum deviation", "",
-          "from the exact surface or outline",
-          [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
-    q.text("note", "in words", [](const F& f) { return Value(f.note); }).always();
+    q.text("file", "its name", &F::file).always();
+    q.text("what", "what it is", &F::what).always();
+    q.number("max_deviation_um", "maximum deviation", "", "from the exact surface or outline",
+             [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
+    q.text("note", "in words", &F::note).always();
   });
   return kAll;
 }
@@ -20,16 +19,16 @@ const Quantities<FileView>& file_quantities() {
 const Quantities<ArcView>& outline_quantities() {
   using A = ArcView;
   static const Quantities<A> kAll("outline.arc", [](Quantities<A>& q) {
-    q.word("", "name", "arc", "from the middle of the space to the middle of the tooth",
-           [](const A& a) { return Value(to_string(a.arc->name)); })
+    q.word("name", "arc", "from the middle of the space to the middle of the tooth",
+           [](const A& a) { return to_string(a.arc->name); })
         .always()
         .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});
-    q.add(Type::number, Unit::none, "", "points", "points", "",
-          "[x, y] in mm on the side y > 0; the tooth's centre line is the x axis",
-          [](const A& a) {
-            const auto points = sample(*a.arc, a.points);
-            return Value(ValueList(points.begin(), points.end()));
-          })
+    q.number("points", "points", "",
+             "[x, y] in mm on the side y > 0; the tooth's centre line is the x axis",
+             [](const A& a) {
+               const auto points = sample(*a.arc, a.points);
+               return Value(ValueList(points.begin(), points.end()));
+             })
         .list({0, 2})
         .always();
   });

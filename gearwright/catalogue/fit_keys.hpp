@@ -1,4 +1,4 @@
-// The keys of [fit]: what the verb fit is asked beside the gears and the pair.
+// The keys of [fit]: the inputs of the verb fit in addition to the gears and the pair.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace gearwright {
 
 /// [fit]
 struct FitInput {
-  std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the designs wanted
+  std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the requested designs
   bool few_teeth = false;  ///< a pinion with circular fillets and the wheel it cuts
   std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, of few_teeth
   std::optional<double> contact_ratio;                               ///< total, of few_teeth

@@ -1,4 +1,4 @@
-// The quantities of the inverse questions: `fit` of a result.
+// The quantities of inverse design: `fit` of a result.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct BranchView {
   FitBranch branch;
   Value spec;                                        ///< the whole spec of this answer
   std::optional<double> transverse_contact_ratio{};  ///< of a design with few teeth
-  std::optional<std::string> refused{};              ///< what the verb pair says against it
+  std::optional<std::string> refused{};              ///< reason why the verb pair rejects it
 };
 
 struct FitView {

@@ -10,25 +10,29 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Where contact with the mating gear ends, at the root or at the tip.
+// The end of contact with the mating gear, at the root or at the tip.
 void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;
   const auto mounted = [](const R& r) { return r.active.has_value(); };
   const auto key = [&](const char* what) { return "active_" + end + what; };
   const auto at_it = [&](const char* what) { return std::string(what) + " at " + diameter; };
-  q.mm("", key("_diameter_mm").c_str(), ("active " + end + " diameter").c_str(), diameter,
+  q.number(
+       key("_diameter_mm").c_str(), ("active " + end + " diameter").c_str(), diameter,
        "where contact with the mating gear ends, on both usable flanks [T10.28]; absent without "
        "one",
-       [at](const R& r) { return Value((*r.active.*at).diameter); })
+       [at](const R& r) { return (*r.active.*at).diameter; })
+      .unit(Unit::mm)
       .always()
       .when(mounted);
-  q.mm("", key("_roll_length_mm").c_str(), at_it("roll length").c_str(), length, "[T10.22]",
-       [at](const R& r) { return Value((*r.active.*at).length); })
+  q.number(key("_roll_length_mm").c_str(), at_it("roll length").c_str(), length, "[T10.22]",
+           [at](const R& r) { return (*r.active.*at).length; })
+      .unit(Unit::mm)
       .always()
       .when(mounted);
-  q.deg("", key("_roll_angle_deg").c_str(), at_it("roll angle").c_str(), "", "[T10.22]",
-        [at](const R& r) { return Value(deg((*r.active.*at).angle)); })
+  q.number(key("_roll_angle_deg").c_str(), at_it("roll angle").c_str(), "", "[T10.22]",
+           [at](const R& r) { return deg((*r.active.*at).angle); })
+      .unit(Unit::deg)
       .always()
       .when(mounted);
 }
@@ -40,8 +44,8 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
   static const Quantities<T> kAll("measure.tolerances", [](Quantities<T>& q) {
     const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
                         double T::*member) {
-      q.add(Type::number, Unit::um, "", key, words, symbol, meaning,
-            [member](const T& t) { return Value(t.*member); })
+      q.number(key, words, symbol, meaning, [member](const T& t) { return t.*member; })
+          .unit(Unit::um)
           .always()
           .digits(1);
     };
@@ -55,19 +59,17 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     um("helix_form_um", "helix form", "f_fβT", "", &T::helix_form);
     um("helix_slope_um", "helix slope", "f_HβT", "±", &T::helix_slope);
     um("runout_um", "runout", "F_rT", "", &T::runout);
-    q.add(Type::number, Unit::um, "", "radial_composite_um", "radial composite, total", "F_i″",
-          "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm",
-          [](const T& t) { return Value(t.radial_composite); })
+    q.number("radial_composite_um", "radial composite, total", "F_i″",
+             "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite)
         .digits(1);
-    q.add(Type::number, Unit::um, "", "tooth_radial_composite_um",
-          "radial composite, tooth to tooth", "f_i″", "as the total",
-          [](const T& t) { return Value(t.tooth_radial_composite); })
+    q.number("tooth_radial_composite_um", "radial composite, tooth to tooth", "f_i″",
+             "as the total", &T::tooth_radial_composite)
         .digits(1);
     const auto perhaps = [&](const char* key, const char* words, const char* symbol,
                              const char* meaning, std::optional<double> T::*member) {
-      q.add(Type::number, Unit::um, "", key, words, symbol, meaning, [member](const T& t) {
-         return Value(t.*member);
-       }).digits(1);
+      q.number(key, words, symbol, meaning, [member](const T& t) { return t.*member; })
+          .unit(Unit::um)
+          .digits(1);
     };
     perhaps("base_pitch_um", "base pitch", "f_pb",
             "±, f_pt cos α_t [T10.31]; null of circular arcs", &T::base_pitch);
@@ -95,12 +97,12 @@ const Quantities<EvaluationRanges>& range_quantities() {
   static const Quantities<R> kAll("measure.flank", [](Quantities<R>& q) {
     const auto place = [&](const char* length, const char* angle, const char* words,
                            const char* roll, const char* symbol, RollPlace R::*at) {
-      q.mm("", length, words, symbol, "[T10.22]", [at](const R& r) {
-         return Value((r.*at).length);
-       }).always();
-      q.deg("", angle, roll, "", "[T10.22]", [at](const R& r) {
-         return Value(deg((r.*at).angle));
-       }).always();
+      q.number(length, words, symbol, "[T10.22]", [at](const R& r) { return (r.*at).length; })
+          .unit(Unit::mm)
+          .always();
+      q.number(angle, roll, "", "[T10.22]", [at](const R& r) { return deg((r.*at).angle); })
+          .unit(Unit::deg)
+          .always();
     };
     place("root_form_roll_length_mm", "root_form_roll_angle_deg", "roll length at d_Ff",
           "roll angle at d_Ff", "L_Ff", &R::root_form);
@@ -110,14 +112,13 @@ const Quantities<EvaluationRanges>& range_quantities() {
           "roll angle at d_Fa", "L_Fa", &R::tip_form);
     say_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
     say_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
-    q.mm("", "profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
-         "ISO 1328-1: the usable profile but for a twentieth at its tip [T10.23]",
-         [](const R& r) { return Value(r.profile); })
+    q.number("profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
+             "ISO 1328-1: the usable profile but for a twentieth at its tip [T10.23]", &R::profile)
         .ends()
         .always();
-    q.mm("", "helix_evaluation_mm", "helix evaluation, heights", "L_β",
-         "from the middle of the face: but for a twentieth, or a module, at each end [T10.23]",
-         [](const R& r) { return Value(r.helix); })
+    q.number("helix_evaluation_mm", "helix evaluation, heights", "L_β",
+             "from the middle of the face: but for a twentieth, or a module, at each end [T10.23]",
+             &R::helix)
         .ends()
         .always();
   });

@@ -1,4 +1,4 @@
-// What a measuring machine asks of a flank: roll lengths, evaluation ranges, tolerances; `flank` and
+// Data of a flank for a measuring machine: roll lengths, evaluation ranges, tolerances; `flank` and
 // `tolerances` of `measure`.
 #pragma once
 

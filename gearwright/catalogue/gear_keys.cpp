@@ -17,7 +17,7 @@ namespace {
 
 using Range = KeyRange;
 
-// The limits of gear/gear.cpp that do not depend on other keys; a test holds them together.
+// The limits of gear/gear.cpp that do not depend on other keys. A test checks that they agree.
 constexpr double kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3, kMaxModule = 1e3;                  // mm
 constexpr double kMinPressure = 1, kMaxPressure = 60, kMaxHelix = 89;  // degrees
@@ -87,8 +87,8 @@ const KeyTable& gear_keys() {
                    "number of teeth, 17 for example; negative for an internal gear, -61")
            .with_also({"number_of_teeth", "tooth_number", "tooth_count", "z1", "z2"}),
        Key::number("normal_module_mm", "m_n", Range::between(kMinModule, kMaxModule), {}, "",
-                   "normal module; it, one of the next two or `basic` must be there, several must "
-                   "agree to 1e-9")
+                   "normal module; this key, one of the next two or `basic` is required, and "
+                   "several must agree to 1e-9")
            .with_also({"module", "modul", "m", "reference_diameter", "pitch_diameter", "d"}),
        Key::number("normal_diametral_pitch_per_in", "", Range::between(kMinPitch, kMaxPitch), {},
                    "", "25.4 mm / m_n")
@@ -100,21 +100,22 @@ const KeyTable& gear_keys() {
            .with_also({"mt"}),
        Key::number("normal_pressure_angle_deg", "α_n",
                    Range::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"), {}, "20",
-                   "normal pressure angle; or the next")
+                   "normal pressure angle; may be replaced by the next key")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
                    Range::inside(0, 90, ", usually 14.5 to 30"), {}, "",
                    "transverse pressure angle")
            .with_alias({"normal_pressure_angle_deg", normal_of_transverse, true}),
-       Key::number(
-           "helix_angle_deg", "β",
-           Range::between(-kMaxHelix, kMaxHelix, ": > 0 right hand, < 0 left hand"), {}, "0",
-           "helix angle, > 0 right hand, < 0 left hand, of an internal gear too; or the next two")
+       Key::number("helix_angle_deg", "β",
+                   Range::between(-kMaxHelix, kMaxHelix, ": > 0 right hand, < 0 left hand"), {},
+                   "0",
+                   "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; or the "
+                   "next two keys")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", Range::above(0, 90, " (spur)"), {}, "",
                    "lead angle, with `hand`")
            .with_fields({"helix_angle"}),
-       Key::word("hand", {"right", "left"}, {}, "", "hand of the teeth, beside `lead_angle_deg`")
+       Key::word("hand", {"right", "left"}, {}, "", "hand of the teeth, with `lead_angle_deg`")
            .with_also({"helix_hand", "helix_direction", "direction"}),
        Key::number(
            "profile_shift", "x", Range::between(-kMaxShift, kMaxShift), &GearInput::profile_shift,
@@ -128,8 +129,8 @@ const KeyTable& gear_keys() {
                        [](auto& g) -> auto& { return g.allowance_ends; }),
                    "0",
                    "allowance on the normal tooth thickness at the reference cylinder; < 0 thins "
-                   "it; at most 10 modules. Two: E_sni and E_sns, the teeth are made at their mean "
-                   "and every number that depends on it has an interval")
+                   "it; at most 10 modules. Two numbers: E_sni and E_sns; the teeth are made at "
+                   "their mean, and every number that depends on it has an interval")
            .with_list(kOneOrEnds)
            .with_also({"allowance", "thinning", "tooth_thinning"}),
        Key::positive("face_width_mm", "b", KeyPlace::by<GearInput, double>(set_face),
@@ -154,9 +155,9 @@ const KeyTable& gear_keys() {
         .words = {"gear1", "gear2"},
         .tables = {cutter_keys},
         .fallback = "cut by `rack`",
-        .meaning = "the pinion cutter: that finished gear, or a table, a cutter of its own"},
+        .meaning = "the pinion cutter: a gear of the spec, or a table with a separate cutter"},
        Key::number("profile_shift_pair", "e", {}, {}, "",
-                   "beside `cut_by`: x of the gear and of its cutter together; instead of "
+                   "with `cut_by`: x of the gear and of its cutter together; instead of "
                    "`profile_shift`")
            .with_needs({"cut_by"}),
        Key::part("basic", basic_keys, {},
@@ -167,10 +168,10 @@ const KeyTable& gear_keys() {
        Key::part("tip_fillet", tip_fillet_keys,
                  KeyPlace::within<GearInput>([](auto& g) -> auto& { return g; }),
                  "a circular arc in place of the tip that the rack cuts"),
-       Key::part("modifications", modification_keys, {}, "what is removed from the flanks"),
-       Key::part("material", material_keys, &GearInput::material, "what the teeth are made of"),
+       Key::part("modifications", modification_keys, {}, "flank modifications"),
+       Key::part("material", material_keys, &GearInput::material, "material of the teeth"),
        Key::part("bore", bore_keys, &GearInput::bore,
-                 "bore and keyway of the CAD files; of an internal gear its rim"),
+                 "bore and keyway of the CAD files; for an internal gear its rim"),
        Key::part("double_helical", double_helical_keys, {},
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
@@ -185,7 +186,7 @@ const KeyTable& gear_keys() {
        Key::part("measured", measured_keys, {},
                  "readings of an unknown gear, for the verb identify"),
        Key::word("form", {"gear"}, KeyPlace::unused(), "\"gear\"",
-                 "a gear; \"rack\" in [gear2] makes that a rack with keys of its own")}};
+                 "a gear; \"rack\" in [gear2] makes gear 2 a rack, which has other keys")}};
   return table;
 }
 
@@ -207,7 +208,7 @@ const KeyTable& blank_keys() {
     KeyTable t = only(gear_keys(), {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
                                     "rack", "material"});
     t.name = "blank";
-    t.meaning = "What a search does not choose of a gear";
+    t.meaning = "Values of a gear that a search does not choose";
     return t;
   }();
   return table;
@@ -231,8 +232,8 @@ const KeyTable& basic_keys() {
            .with_also({"root", "df"}),
        Key::positive("root_form_diameter_mm", "d_Ff", &BasicInput::root_form_diameter,
                      "what `rack` leaves",
-                     "beside `root_diameter_mm`: sets the rack's tip rounding so that the flank "
-                     "begins here; not of an internal gear")
+                     "with `root_diameter_mm`: sets the rack's tip rounding so that the flank "
+                     "begins here; not for an internal gear")
            .with_needs({"root_diameter_mm"})}};
   return table;
 }
@@ -277,7 +278,7 @@ const KeyTable& tip_fillet_keys() {
 const KeyTable& bore_keys() {
   static const KeyTable table{
       "bore",
-      "Bore and keyway of the CAD files; of an internal gear the bore is its rim",
+      "Bore and keyway of the CAD files; for an internal gear the bore is its rim",
       {Key::positive("diameter_mm", "", &Bore::diameter, kRequired, "diameter of the bore")
            .with_also({"bore", "bore_diameter", "hole", "shaft_diameter"}),
        Key::positive("keyway_width_mm", "", &Bore::keyway_width, "no keyway",

@@ -1,8 +1,8 @@
-// The keys of [gear1] and [gear2], and what they say of a gear.
+// The keys of [gear1] and [gear2].
 //
-// A table of a gear has tables of its own: what the finished tooth is given by (basic), circular
-// fillets, a cutter (cut_by), a bore; racks: rack_keys.hpp, flank modifications:
-// modification_keys.hpp, measuring: inspection_keys.hpp.
+// A table of a gear has sub-tables: the dimensions of the finished tooth (basic), circular fillets,
+// a cutter (cut_by), a bore; racks: rack_keys.hpp, flank modifications: modification_keys.hpp,
+// measuring: inspection_keys.hpp.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// [gearN.basic]: the gear as itself.
+/// [gearN.basic]: the gear by its own dimensions.
 struct BasicInput {
   double base_diameter = 0.0;                ///< d_b   mm
   double base_tooth_thickness = 0.0;         ///< s_bt  mm, transverse arc
@@ -25,15 +25,15 @@ struct BasicInput {
 };
 
 const KeyTable& gear_keys();
-/// Of [gearN.cut_by]: a gear's, without those of flanks and cutters.
+/// The keys of [gearN.cut_by]: those of a gear, without those of flanks and cutters.
 const KeyTable& cutter_keys();
-/// Of a [gearN] beside [search] that is no gear of its own.
+/// The keys of a [gearN] in addition to [search] that describes no complete gear.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();
 const KeyTable& tip_fillet_keys();
 const KeyTable& bore_keys();
-/// Of [gearN.double_helical].
+/// The keys of [gearN.double_helical].
 const KeyTable& double_helical_keys();
 
 }  // namespace gearwright

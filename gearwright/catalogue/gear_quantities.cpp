@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "gearwright/base/overloaded.hpp"
+
 namespace gearwright {
 
 using namespace gear_group;
@@ -10,13 +12,29 @@ namespace {
 
 using Reference = ReferenceGeometry<double>;
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-Value degrees(const std::optional<double>& rad) { return rad ? Value(deg(*rad)) : Value(); }
-
 Value doubled(const std::optional<double>& radius) { return radius ? Value(2 * *radius) : Value(); }
 
+// Quantities that exist for one kind of flank only.
+const InvoluteTeeth* involute_of(const Gear& g) { return g.involute(); }
+const ArcTeeth* arcs_of_gear(const Gear& g) { return g.arcs(); }
+const Gear* involute_gear(const Gear& g) { return involute_of(g) ? &g : nullptr; }
+const Reference* reference_of(const Gear& g) {
+  const InvoluteTeeth* teeth = involute_of(g);
+  return teeth ? &teeth->reference : nullptr;
+}
+bool has_involutes(const Gear& g) { return involute_of(g) != nullptr; }
+bool is_undercut(const Gear& g) {
+  const InvoluteTeeth* teeth = involute_of(g);
+  return teeth && teeth->undercut_l.value_or(0.0) > 0.0;
+}
+
+// Angles of the reference geometry, which holds radians.
+auto angle(double Reference::*rad) {
+  return [rad](const Reference& r) { return Angle::radians(r.*rad); };
+}
+
 Value kind(const Gear& g) {
-  if (g.arcs()) return "circular_arc";
+  if (!has_involutes(g)) return "circular_arc";
   return g.cut_by && !g.cut_by->by_default ? "generated" : "involute";
 }
 
@@ -31,8 +49,11 @@ Value tip_form_diameter(const Gear& g) {
 }
 
 Value reference_thickness(const Gear& g) {
-  if (g.arcs()) return g.arcs()->reference_thickness;
-  return of_involute(g, &Reference::reference_tooth_thickness_normal);
+  return std::visit(Overloaded{[](const InvoluteTeeth& t) {
+                                 return Value(t.reference.reference_tooth_thickness_normal);
+                               },
+                               [](const ArcTeeth& t) { return Value(t.reference_thickness); }},
+                    g.flanks);
 }
 
 bool has_keyway(const Gear& g) { return g.bore && g.bore->keyway_width > 0.0; }
@@ -61,199 +82,201 @@ Value fillet_center(const Gear& g, std::optional<FilletArc> GeneratedTooth::*whi
   return arc ? Value(arc->distance) : Value();
 }
 
-bool is_involute(const Gear& g) { return g.involute() != nullptr; }
-bool has_arcs(const Gear& g) { return g.arcs() != nullptr; }
-
 void say(Quantities<Gear>& q) {
   q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
   using G = Gear;
   constexpr auto kRoot = &GeneratedTooth::root_fillet;
   constexpr auto kTip = &GeneratedTooth::tip_fillet;
+  auto of_reference = q.part(reference_of);
+  auto of_teeth = q.part(involute_of);
+  auto of_arcs = q.part(arcs_of_gear);
+  auto of_involute_gear = q.part(involute_gear);
 
-  q.whole(kTeeth, "teeth", "number of teeth", "z", "negative for an internal gear", [](const G& g) {
-     return Value(g.spec.teeth);
+  q.under(kTeeth);
+  q.term("teeth", "negative for an internal gear", [](const G& g) {
+     return g.spec.teeth;
    }).always();
-  q.word(kTeeth, "kind", "kind of teeth",
+  q.word("kind", "kind of teeth",
          "`generated` with `cut_by`; of `circular_arc` teeth pressure angles, base quantities and "
          "shifts are null",
          kind)
       .always()
       .one_of({"involute", "generated", "circular_arc"})
       .doors(kJson);
-  q.whole(kCutter, "cutter_teeth", "number of teeth of the cutter", "z_0",
+  q.under(kCutter);
+  q.whole("cutter_teeth", "number of teeth of the cutter", "z_0",
           "of the pinion cutter; null without one",
           [](const G& g) { return g.cut_by ? Value(g.cut_by->cutter_teeth) : Value(); });
-  q.mm(kCutter, "generating_center_distance_mm", "generating centre distance", "E",
-       "of gear and pinion cutter when the tooth is finished; null without one",
-       [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
-  q.mm(kTeeth, "normal_module_mm", "normal module", "m_n", "as in the spec, or what follows",
-       [](const G& g) { return Value(g.spec.normal_module); })
-      .always();
-  q.mm(kTeeth, "transverse_module_mm", "transverse module", "m_t", "m_n/cos β", [](const G& g) {
-     return Value(g.transverse_module);
-   }).doors(kPeople);
-  q.deg(kTeeth, "normal_pressure_angle_deg", "normal pressure angle", "α_n", "of the basic rack",
-        [](const G& g) {
-          return g.involute() ? Value(g.spec.normal_pressure_angle.deg()) : Value();
-        });
-  q.deg(kTeeth, "transverse_pressure_angle_deg", "transverse pressure angle", "α_t",
-        "at the reference cylinder",
-        [](const G& g) { return degrees(of_involute(g, &Reference::transverse_pressure_angle)); });
-  q.deg(kTeeth, "helix_angle_deg", "helix angle", "β", "at the reference cylinder, > 0 right hand",
-        [](const G& g) { return Value(g.spec.helix_angle.deg()); })
-      .always();
-  q.word(kTeeth, "hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
-  q.deg(kTeeth, "base_helix_angle_deg", "base helix angle", "β_b", "signed by the hand",
-        [](const G& g) { return degrees(of_involute(g, &Reference::base_helix_angle)); });
-  q.pure(kTeeth, "profile_shift", "profile shift coefficient", "x",
-         "in normal modules; > 0 thickens the tooth, of an internal gear too",
-         [](const G& g) { return g.involute() ? Value(g.spec.profile_shift) : Value(); });
-  q.pure(kTeeth, "generating_profile_shift", "generating profile shift coefficient", "x_E",
-         "thickness allowance included",
-         [](const G& g) { return Value(of_involute(g, &Reference::generating_profile_shift)); });
-  q.mm(kTeeth, "face_width_mm", "face width", "b", "10 m_n where none is given", [](const G& g) {
-     return Value(g.spec.face_width);
+  q.number("generating_center_distance_mm", "generating centre distance", "E",
+           "of gear and pinion cutter when the tooth is finished; null without one",
+           [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
+  q.under(kTeeth);
+  q.term("normal_module_mm", "as in the spec, or what follows", [](const G& g) {
+     return g.spec.normal_module;
    }).always();
-  q.mm(kTeeth, "lead_mm", "lead", "p_z", "signed by the hand; null for spur gears", [](const G& g) {
+  q.number("transverse_module_mm", "transverse module", "m_t", "m_n/cos β", &G::transverse_module)
+      .doors(kPeople);
+  of_involute_gear.term("normal_pressure_angle_deg", "of the basic rack",
+                        [](const G& g) { return g.spec.normal_pressure_angle; });
+  of_reference.number("transverse_pressure_angle_deg", "transverse pressure angle", "α_t",
+                      "at the reference cylinder", angle(&Reference::transverse_pressure_angle));
+  q.term("helix_angle_deg", "at the reference cylinder, > 0 right hand", [](const G& g) {
+     return g.spec.helix_angle;
+   }).always();
+  q.word("hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
+  of_reference.number("base_helix_angle_deg", "base helix angle", "β_b", "signed by the hand",
+                      angle(&Reference::base_helix_angle));
+  of_involute_gear.term("profile_shift",
+                        "in normal modules; > 0 thickens the tooth, of an internal gear too",
+                        [](const G& g) { return g.spec.profile_shift; });
+  of_reference.term("generating_profile_shift", "thickness allowance included",
+                    &Reference::generating_profile_shift);
+  q.term("face_width_mm", "10 m_n where none is given", [](const G& g) {
+     return g.spec.face_width;
+   }).always();
+  q.number("lead_mm", "lead", "p_z", "signed by the hand; null for spur gears", [](const G& g) {
      return g.lead == 0.0 ? Value() : Value(g.lead);
-   }).expected(is_involute);
-  q.mm(kDiameters, "reference_diameter_mm", "reference diameter", "d", "z m_t", [](const G& g) {
-     return Value(g.reference_diameter);
-   }).always();
-  q.mm(kDiameters, "base_diameter_mm", "base diameter", "d_b", "of the involute",
-       [](const G& g) { return Value(of_involute(g, &Reference::base_diameter)); });
-  q.mm(kDiameters, "tip_diameter_mm", "tip diameter", "d_a", "of the blank", [](const G& g) {
-     return Value(g.tip_diameter);
-   }).always();
-  q.mm(kDiameters, "root_diameter_mm", "root diameter", "d_f",
-       "negative if the rack passes through the "
-       "axis",
-       [](const G& g) { return Value(g.root_diameter); })
+   }).expected(has_involutes);
+  q.under(kDiameters);
+  q.term("reference_diameter_mm", "z m_t", &G::reference_diameter).always();
+  of_reference.number("base_diameter_mm", "base diameter", "d_b", "of the involute",
+                      &Reference::base_diameter);
+  q.term("tip_diameter_mm", "of the blank", &G::tip_diameter).always();
+  q.number("root_diameter_mm", "root diameter", "d_f",
+           "negative if the rack passes through the "
+           "axis",
+           &G::root_diameter)
       .always();
-  q.mm(kDiameters, "root_form_diameter_mm", "root form diameter", "d_Ff",
-       "start of the usable flank: the intersection with the root as cut, or C",
-       [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
-      .expected(is_involute);
-  q.mm(kDiameters, "tip_form_diameter_mm", "tip form diameter", "d_Fa",
-       "end of the usable flank: J, chamfer or tip; null if no flank is left", tip_form_diameter)
-      .expected(is_involute);
-  q.mm(kDiameters, "finished_tip_diameter_mm", "finished tip diameter", "",
-       "actual end of the tooth: blank, cutter's bottom or point; d_a for an internal gear",
-       [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
+  q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
+           "start of the usable flank: the intersection with the root as cut, or C",
+           [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
+      .expected(has_involutes);
+  q.number("tip_form_diameter_mm", "tip form diameter", "d_Fa",
+           "end of the usable flank: J, chamfer or tip; null if no flank is left",
+           tip_form_diameter)
+      .expected(has_involutes);
+  q.number("finished_tip_diameter_mm", "finished tip diameter", "",
+           "actual end of the tooth: blank, cutter's bottom or point; d_a for an internal gear",
+           [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
       .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
-  q.mm(kTooth, "base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
-       "an internal gear's is extrapolated and may be negative",
-       [](const G& g) { return Value(of_involute(g, &Reference::base_tooth_thickness)); });
-  q.mm(kTooth, "reference_tooth_thickness_normal_mm", "normal tooth thickness", "s_n",
-       "at the reference cylinder, thickness allowance included", reference_thickness);
-  q.mm(kTooth, "thickness_allowance_mm", "thickness allowance", "E_sn",
-       "contained in s_n, < 0 thins the tooth",
-       [](const G& g) { return Value(g.spec.thickness_allowance); })
+  q.under(kTooth);
+  of_reference.number("base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
+                      "an internal gear's is extrapolated and may be negative",
+                      &Reference::base_tooth_thickness);
+  q.term("reference_tooth_thickness_normal_mm",
+         "at the reference cylinder, thickness allowance included", reference_thickness);
+  q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
+           "contained in s_n, < 0 thins the tooth",
+           [](const G& g) { return g.spec.thickness_allowance; })
       .doors(kPage);
-  q.mm(kTooth, "reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",
-       "at the reference cylinder, thickness allowance included",
-       [](const G& g) {
-         return Value(of_involute(g, &Reference::reference_tooth_thickness_transverse));
-       })
+  of_reference
+      .number("reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",
+              "at the reference cylinder, thickness allowance included",
+              &Reference::reference_tooth_thickness_transverse)
       .doors(kPage);
-  q.mm(kTooth, "tip_tooth_thickness_normal_mm", "normal tip tooth thickness", "s_an",
-       "of the finished tooth", [](const G& g) { return Value(g.tip_tooth_thickness_normal); })
-      .expected(is_involute);
-  q.mm(kDiameters, "pointed_diameter_mm", "diameter of the pointed tooth", "",
-       "where the two flanks would meet, an internal gear's inward [T2.13]; null: nowhere",
-       [](const G& g) { return Value(g.pointed_diameter); })
-      .expected(is_involute);
-  q.mm(kTooth, "normal_base_pitch_mm", "normal base pitch", "p_bn", "equal in both gears of a pair",
-       [](const G& g) { return Value(of_involute(g, &Reference::base_pitch_normal)); });
-  q.mm(kTooth, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
-       [](const G& g) { return Value(of_involute(g, &Reference::base_pitch_transverse)); });
-  q.flag(kTooth, "undercut", "undercut",
+  q.number("tip_tooth_thickness_normal_mm", "normal tip tooth thickness", "s_an",
+           "of the finished tooth", &G::tip_tooth_thickness_normal)
+      .expected(has_involutes);
+  q.under(kDiameters);
+  q.number("pointed_diameter_mm", "diameter of the pointed tooth", "",
+           "where the two flanks would meet, an internal gear's inward [T2.13]; null: nowhere",
+           &G::pointed_diameter)
+      .expected(has_involutes);
+  q.under(kTooth);
+  of_reference.term("normal_base_pitch_mm", "equal in both gears of a pair",
+                    &Reference::base_pitch_normal);
+  of_reference.term("transverse_base_pitch_mm", "π d_b/z", &Reference::base_pitch_transverse);
+  q.flag("undercut", "undercut",
          "x_E lies below the minimum profile shift, and no circular fillet takes its place",
-         [](const G& g) { return Value(g.undercut); })
+         &G::undercut)
       .shown([](const G& g) { return !g.internal(); });
-  q.deg(kTooth, "flank_begin_rack_angle_deg", "rack angle at the start of the flank", "τ",
-        "circular arcs only: the normal angle at which the cutter's flank arc begins",
-        [](const G& g) { return Value(g.arcs()->flank_begin.deg()); })
+  of_arcs
+      .number("flank_begin_rack_angle_deg", "rack angle at the start of the flank", "τ",
+              "circular arcs only: the normal angle at which the cutter's flank arc begins",
+              &ArcTeeth::flank_begin)
       .always()
-      .when(has_arcs);
-  q.deg(kTooth, "undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
-        "circular arcs only: that of the flank's cusp [T7.12]; null: it has none",
-        [](const G& g) {
-          return g.arcs()->undercut_limit ? Value(g.arcs()->undercut_limit->deg()) : Value();
-        })
-      .when(has_arcs);
-  q.pure(kTooth, "undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
-         "the least x_E without undercut, signed; null of a gear that no rack has cut",
-         [](const G& g) {
-           return g.internal() ? Value()
-                               : Value(of_involute(g, &InvoluteTeeth::undercut_free_profile_shift));
-         })
-      .expected(is_involute);
-  q.flag(kTooth, "pointed", "pointed",
+      .when();
+  of_arcs
+      .number("undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
+              "circular arcs only: that of the flank's cusp [T7.12]; null: it has none",
+              &ArcTeeth::undercut_limit)
+      .when();
+  of_involute_gear
+      .number("undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
+              "the least x_E without undercut, signed; null for a gear that no rack has cut",
+              [](const G& g) {
+                return g.internal() ? Value() : Value(involute_of(g)->undercut_free_profile_shift);
+              })
+      .expected();
+  q.flag("pointed", "pointed",
          "the flanks meet before the tip; of an internal gear, outside its tip diameter",
-         [](const G& g) { return Value(g.pointed()); })
+         &G::pointed)
       .doors(kJson);
-  q.flag(kTooth, "severed", "cut through by undercut",
+  q.flag("severed", "cut through by undercut",
          "true if the root fillets of both flanks meet, so that there is no tooth",
-         [](const G& g) { return Value(g.tooth && g.tooth->severed); })
+         [](const G& g) { return g.tooth && g.tooth->severed; })
       .doors(kJson);
-  q.flag(kTooth, "through_axis", "cutter passes the axis",
+  q.flag("through_axis", "cutter passes the axis",
          "true if the cutter passes through the axis, so that there is no tooth",
-         [](const G& g) { return Value(g.tooth && g.tooth->through_axis); })
+         [](const G& g) { return g.tooth && g.tooth->through_axis; })
       .doors(kJson);
-  q.flag(kTooth, "tip_cut_by_rack", "tip cut by the rack",
+  q.flag("tip_cut_by_rack", "tip cut by the rack",
          "true if the bottom land of the cutter, not the blank, ends the tooth",
-         [](const G& g) { return Value(g.tooth && g.tooth->tip_cut_by_rack); })
+         [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
-  q.mm(kRootFillet, "root_fillet_radius_mm", "radius", "r_r",
-       "of the circular root fillet; null without",
-       [](const G& g) { return fillet_radius(g, kRoot); });
-  q.deg(kRootFillet, "root_fillet_span_deg", "angle from the flank to the centre line of the space",
-        "σ_r", "of the circular root fillet; null without",
-        [](const G& g) { return fillet_span(g, kRoot); });
-  q.mm(kRootFillet, "root_fillet_center_mm", "distance of its centre from the axis", "",
-       "of the circular root fillet; null without",
-       [](const G& g) { return fillet_center(g, kRoot); })
+  q.under(kRootFillet);
+  q.number("root_fillet_radius_mm", "radius", "r_r", "of the circular root fillet; null without",
+           [](const G& g) { return fillet_radius(g, kRoot); });
+  q.number("root_fillet_span_deg", "angle from the flank to the centre line of the space", "σ_r",
+           "of the circular root fillet; null without",
+           [](const G& g) { return fillet_span(g, kRoot); });
+  q.number("root_fillet_center_mm", "distance of its centre from the axis", "",
+           "of the circular root fillet; null without",
+           [](const G& g) { return fillet_center(g, kRoot); })
       .doors(kPage);
-  q.mm(kTipFillet, "tip_fillet_radius_mm", "radius", "r_t",
-       "of the circular tip fillet or of rounded tip corners; null without",
-       [](const G& g) { return fillet_radius(g, kTip); });
-  q.deg(kTipFillet, "tip_fillet_span_deg", "angle from the flank to the centre line of the tooth",
-        "σ_t", "of the circular tip fillet; of rounded tip corners to the land; null without",
-        [](const G& g) { return fillet_span(g, kTip); });
-  q.mm(kTipFillet, "tip_fillet_center_mm", "distance of its centre from the axis", "",
-       "of the circular tip fillet; null without",
-       [](const G& g) { return fillet_center(g, kTip); })
+  q.under(kTipFillet);
+  q.number("tip_fillet_radius_mm", "radius", "r_t",
+           "of the circular tip fillet or of rounded tip corners; null without",
+           [](const G& g) { return fillet_radius(g, kTip); });
+  q.number("tip_fillet_span_deg", "angle from the flank to the centre line of the tooth", "σ_t",
+           "of the circular tip fillet; of rounded tip corners to the land; null without",
+           [](const G& g) { return fillet_span(g, kTip); });
+  q.number("tip_fillet_center_mm", "distance of its centre from the axis", "",
+           "of the circular tip fillet; null without",
+           [](const G& g) { return fillet_center(g, kTip); })
       .doors(kPage);
-  q.mm(kUndercut, "undercut_l_mm", "undercut limit F along the rack's flank", "l_F",
-       "signed, < 0 without undercut; null of an internal gear",
-       [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::undercut_l)); })
-      .shown([](const G& g) {
-        return of_involute(g, &InvoluteTeeth::undercut_l).value_or(0.0) > 0.0;
-      });
-  q.mm(kRootFillet, "point_c_l_mm", "touches the flank at C", "l_C",
-       "along the rack's flank; null without a circular root fillet",
-       [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::point_c_l)); });
-  q.mm(kTipFillet, "point_j_l_mm", "touches the flank at J", "l_J",
-       "along the rack's flank; null without a circular tip fillet",
-       [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::point_j_l)); });
-  q.mm(kTooth, "tip_bulge_mm", "tip beyond the involute", "",
-       "projection of a tip that the flank of the cutter did not reach, along the normal",
-       [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
+  q.under(kUndercut);
+  of_teeth
+      .number("undercut_l_mm", "undercut limit F along the rack's flank", "l_F",
+              "signed, < 0 without undercut; null of an internal gear", &InvoluteTeeth::undercut_l)
+      .shown(is_undercut);
+  q.under(kRootFillet);
+  of_teeth.number("point_c_l_mm", "touches the flank at C", "l_C",
+                  "along the rack's flank; null without a circular root fillet",
+                  &InvoluteTeeth::point_c_l);
+  q.under(kTipFillet);
+  of_teeth.number("point_j_l_mm", "touches the flank at J", "l_J",
+                  "along the rack's flank; null without a circular tip fillet",
+                  &InvoluteTeeth::point_j_l);
+  q.under(kTooth);
+  q.number("tip_bulge_mm", "tip beyond the involute", "",
+           "projection of a tip that the flank of the cutter did not reach, along the normal",
+           [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
-  q.mm(kTooth, "tip_bulge_from_mm", "… from this diameter on", "", "where its flank ends",
-       [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
+  q.number("tip_bulge_from_mm", "… from this diameter on", "", "where its flank ends",
+           [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
-  q.mm(kTooth, "neck_thickness_mm", "minimum root thickness (chord)", "",
-       "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
-       neck_thickness)
-      .expected(is_involute);
-  q.mm(kBody, "bore_diameter_mm", "bore diameter", "", "of the CAD files; null without a bore",
-       [](const G& g) { return g.bore ? Value(g.bore->diameter) : Value(); });
-  q.mm(kBody, "keyway_width_mm", "keyway width", "", "null without a keyway",
-       [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_width) : Value(); });
-  q.mm(kBody, "keyway_depth_mm", "keyway depth", "", "into the hub, from the bore",
-       [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_depth) : Value(); });
+  q.number("neck_thickness_mm", "minimum root thickness (chord)", "",
+           "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
+           neck_thickness)
+      .expected(has_involutes);
+  q.under(kBody);
+  q.number("bore_diameter_mm", "bore diameter", "", "of the CAD files; null without a bore",
+           [](const G& g) { return g.bore ? Value(g.bore->diameter) : Value(); });
+  q.number("keyway_width_mm", "keyway width", "", "null without a keyway",
+           [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_width) : Value(); });
+  q.number("keyway_depth_mm", "keyway depth", "", "into the hub, from the bore",
+           [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_depth) : Value(); });
 }
 
 }  // namespace
@@ -266,13 +289,11 @@ const Quantities<Gear>& gear_quantities() {
 const Quantities<Warning>& warning_quantities() {
   static const Quantities<Warning> kAll("warning", [](Quantities<Warning>& q) {
     q.text("code", "a fixed word for programs", [](const Warning& w) {
-       return Value(to_string(w.code));
+       return to_string(w.code);
      }).always();
-    q.text("message", "one sentence for people", [](const Warning& w) {
-       return Value(w.message);
-     }).always();
-    q.whole("", "gear", "gear", "", "1 or 2; null for the pair or the spec",
-            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
+    q.text("message", "one sentence for people", &Warning::message).always();
+    q.term("gear", "1 or 2; null for the pair or the spec",
+           [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
   });
   return kAll;
 }

@@ -19,7 +19,7 @@ constexpr const char* kBody = "Bore (of an internal gear its rim)";
 
 const Quantities<Gear>& gear_quantities();
 
-/// Something to know about a gear or a pair that is no error.
+/// A fact about a gear or a pair that is not an error.
 const Quantities<Warning>& warning_quantities();
 
 }  // namespace gearwright

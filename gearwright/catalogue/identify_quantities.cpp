@@ -8,23 +8,20 @@ using G = IdentifiedGear;
 
 const Quantities<G>& uncertainty_quantities() {
   static const Quantities<G> kAll("identify.uncertainty", [](Quantities<G>& q) {
-    q.mm("", "normal_module_mm", "± of the module", "", "95 %; 0 of a standard one",
-         [](const G& g) { return Value(g.module_uncertainty); })
+    q.number("normal_module_mm", "± of the module", "", "95 %; 0 for a standard module",
+             &G::module_uncertainty)
         .always()
         .digits(5);
-    q.deg("", "helix_angle_deg", "± of the helix angle", "", "95 %; 0 of a whole number of degrees",
-          [](const G& g) { return Value(g.helix_uncertainty.deg()); })
+    q.number("helix_angle_deg", "± of the helix angle", "", "95 %; 0 for a whole number of degrees",
+             &G::helix_uncertainty)
         .always()
         .digits(4);
-    q.pure("", "profile_shift", "± of the profile shift", "", "95 %",
-           [](const G& g) { return Value(g.shift_uncertainty); })
+    q.number("profile_shift", "± of the profile shift", "", "95 %", &G::shift_uncertainty)
         .always()
         .digits(4);
   });
   return kAll;
 }
-const QuantityTable& uncertainty_table() { return uncertainty_quantities().table(); }
-const QuantityTable& candidate_table() { return identified_gear_quantities().table(); }
 
 Value series_word(const G& g) {
   switch (g.series) {
@@ -37,91 +34,75 @@ Value series_word(const G& g) {
 }
 
 void say_candidate(Quantities<G>& q) {
-  q.whole("", "teeth", "number of teeth", "z", "as counted", [](const G& g) {
-     return Value(g.teeth);
-   }).always();
-  q.mm("", "normal_module_mm", "normal module", "m_n", "of the series below", [](const G& g) {
-     return Value(g.normal_module);
-   }).always();
-  q.word("", "module_series", "series of the module", "`none`: no standard's",
+  q.under("");
+  q.term("teeth", "as counted", &G::teeth).always();
+  q.term("normal_module_mm", "of the series below", &G::normal_module).always();
+  q.word("module_series", "series of the module", "`none`: no standard's",
          [](const G& g) { return series_word(g); })
       .always()
       .one_of({"ISO54-I", "ISO54-II", "diametral_pitch", "none"});
-  q.pure("", "normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null: of a metric gear",
-         [](const G& g) { return Value(g.diametral_pitch); });
-  q.deg("", "normal_pressure_angle_deg", "normal pressure angle", "α_n", "", [](const G& g) {
-     return Value(g.normal_pressure_angle.deg());
-   }).always();
-  q.deg("", "helix_angle_deg", "helix angle", "β",
-        "> 0 right hand, also if no reading determines the hand",
-        [](const G& g) { return Value(g.helix_angle.deg()); })
+  q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null: of a metric gear",
+           &G::diametral_pitch);
+  q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle).always();
+  q.term("helix_angle_deg", "> 0 right hand, also if no reading determines the hand",
+         &G::helix_angle)
       .always();
-  q.pure("", "profile_shift", "profile shift coefficient", "x_E",
-         "of the actual teeth, including the thickness allowance",
-         [](const G& g) { return Value(g.generating_shift); })
+  q.number("profile_shift", "profile shift coefficient", "x_E",
+           "of the actual teeth, including the thickness allowance", &G::generating_shift)
       .always();
-  q.pure("", "generating_profile_shift", "generating profile shift coefficient", "x_E", "the same",
-         [](const G& g) { return Value(g.generating_shift); })
-      .always()
-      .doors(kJson);
-  q.mm("", "tip_diameter_mm", "tip diameter", "d_a",
-       "the reading, if it is greater than the profile shift alone gives; a worn tip is not",
-       [](const G& g) { return Value(g.tip_diameter); })
+  q.term("generating_profile_shift", "the same", &G::generating_shift).always().doors(kJson);
+  q.term("tip_diameter_mm",
+         "the measured value, if it is greater than that from the profile shift; a worn tip is "
+         "smaller",
+         &G::tip_diameter)
       .always();
-  q.pure(
-      "", "profile_shift_of_tip", "shift that the tip shows", "x",
+  q.number(
+      "profile_shift_of_tip", "shift that the tip shows", "x",
       "null: no tip was measured. If it is greater than x_E, it is that of the drawing or a part "
       "of it left by wear; the difference to x_E is the thickness allowance",
-      [](const G& g) { return Value(g.shift_of_tip); });
-  q.add(Type::number, Unit::percent, "", "likelihood", "likelihood", "", "of all candidates 1",
-        [](const G& g) { return Value(g.likelihood); })
+      &G::shift_of_tip);
+  q.number("likelihood", "likelihood", "", "of all candidates 1", &G::likelihood)
+      .unit(Unit::percent)
       .always()
       .digits(2)
       .greater_first();
-  q.record("", "uncertainty", "± of 95 %", uncertainty_table, [](const G& g) {
-     return Value(uncertainty_quantities().of(g));
-   }).always();
+  q.record<uncertainty_quantities>(
+       "uncertainty", "± of 95 %", [](const G& g) -> const auto& { return g; })
+      .always();
 }
 
 const Quantities<Contradiction>& contradiction_quantities() {
   using C = Contradiction;
   static const Quantities<C> kAll("identify.contradiction", [](Quantities<C>& q) {
-    q.word("", "reading", "reading that disagrees", "with all others",
-           [](const C& c) { return Value(c.reading); })
+    q.word("reading", "reading that disagrees", "with all others", &C::reading)
         .always()
         .one_of({"span", "over_balls", "lead", "helix_angle"});
-    q.pure("", "tool", "its teeth or balls", "k, D_M", "null: it has none",
+    q.term("tool", "null: it has none",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
-    q.pure("", "value", "as it was read", "", "mm, or degrees", [](const C& c) {
-       return Value(c.value);
-     }).always();
-    q.pure("", "expected", "as the others want it", "", "mm, or degrees", [](const C& c) {
-       return Value(c.expected);
-     }).always();
+    q.number("value", "as it was read", "", "mm, or degrees", &C::value).always();
+    q.number("expected", "value predicted by the other readings", "", "mm, or degrees",
+             &C::expected)
+        .always();
   });
   return kAll;
 }
-const QuantityTable& contradiction_table() { return contradiction_quantities().table(); }
 
 const Quantities<NextMeasurement>& next_quantities() {
   using N = NextMeasurement;
   static const Quantities<N> kAll("identify.next_measurement", [](Quantities<N>& q) {
-    q.word("", "reading", "what to measure next", "", [](const N& n) { return Value(n.reading); })
+    q.word("reading", "what to measure next", "", &N::reading)
         .always()
         .one_of({"span", "over_balls", "helix_angle"});
-    q.pure("", "tool", "its teeth or balls", "k, D_M", "null: it has none",
+    q.term("tool", "null: it has none",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
-    q.pure("", "expect", "of the first candidate, of the other", "", "mm, or degrees",
-           [](const N& n) { return Value(n.expect); })
+    q.number("expect", "of the first candidate, of the other", "", "mm, or degrees", &N::expect)
         .list({2})
         .always();
-    q.whole("", "rival", "the other candidate", "", "its place in the list, from 0",
-            [](const N& n) { return Value(n.rival); })
+    q.whole("rival", "the other candidate", "", "its place in the list, from 0", &N::rival)
         .always();
   });
   return kAll;
 }
-const QuantityTable& next_table() { return next_quantities().table(); }
 
 }  // namespace
 
@@ -133,20 +114,19 @@ const Quantities<IdentifiedGear>& identified_gear_quantities() {
 const Quantities<Identification>& identify_quantities() {
   using I = Identification;
   static const Quantities<I> kAll("identify", [](Quantities<I>& q) {
-    q.record("Candidate", "candidates",
-             "the gears that it could be, likeliest first, each as in a spec", candidate_table,
-             [](const I& i) { return Value(identified_gear_quantities().each(i.candidates)); })
+    q.under("Candidate");
+    q.record<identified_gear_quantities>(
+         "candidates", "the possible gears, likeliest first, each as in a spec", &I::candidates)
         .list({0})
         .always();
-    q.record("Contradiction", "contradiction",
-             "null: the readings agree; the candidates are those of the other readings",
-             contradiction_table, [](const I& i) {
-               return i.contradiction ? Value(contradiction_quantities().of(*i.contradiction))
-                                      : Value();
-             });
-    q.record("Next measurement", "next_measurement",
-             "null: only one candidate is left, or no measurement can decide", next_table,
-             [](const I& i) { return i.next ? Value(next_quantities().of(*i.next)) : Value(); });
+    q.under("Contradiction");
+    q.record<contradiction_quantities>(
+        "contradiction", "null: the readings agree; the candidates are those of the other readings",
+        &I::contradiction);
+    q.under("Next measurement");
+    q.record<next_quantities>("next_measurement",
+                              "null: only one candidate is left, or no measurement can decide",
+                              &I::next);
     q.text("reason", "why there is no candidate, or none that fits; null: at least one fits",
            [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });
   });

@@ -1,4 +1,4 @@
-// The quantities of `identify`: the gears that readings of an unknown one allow.
+// The quantities of `identify`: the gears that agree with the readings of an unknown gear.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

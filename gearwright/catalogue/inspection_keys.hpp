@@ -1,5 +1,5 @@
-// What a spec says of measuring a gear: [gearN.measure], the tools, and [gearN.tolerance], what the
-// readings may be.
+// The keys of measuring a gear: [gearN.measure], the tools, and [gearN.tolerance], the permitted
+// readings.
 #pragma once
 
 #include "gearwright/arrange/given_gear.hpp"
@@ -8,7 +8,7 @@
 namespace gearwright {
 
 inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
-/// One number, or two where the teeth are made at their mean.
+/// One number, or two if the teeth are made at their mean.
 inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
 
 const KeyTable& measure_keys();

@@ -196,7 +196,7 @@ std::string plain_words(std::string_view meaning) {
 
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant) {
-  constexpr std::size_t kLettersOff = 3;  // one letter of so many may differ
+  constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
   constexpr std::size_t kLeastPart = 3;   // letters of a word that is a part of another
   const auto small = [](std::string_view text) {
     std::string letters(text.substr(0, 80));

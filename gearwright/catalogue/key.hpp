@@ -20,10 +20,10 @@
 
 namespace gearwright {
 
-constexpr double kMaxInput = 1e9;  ///< of any number of a spec, in its unit
+constexpr double kMaxInput = 1e9;  ///< limit of any number of a spec, in its unit
 constexpr double kMaxWholeInput = 1e6;
 
-/// The numbers that are allowed, and why no others.
+/// The permitted numbers, and the reason.
 struct KeyRange {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
@@ -50,15 +50,17 @@ struct KeyRange {
     return (lo_open ? x > lo : x >= lo) && (hi_open ? x < hi : x <= hi) && (zero || x != 0.0);
   }
   bool limited() const;
-  /// What is wrong with `value`: "must lie between 1 and 60, usually 14.5 to 30".
-  /// Domain  limited() (contract)
+  /// The error of `value`: "must lie between 1 and 60, usually 14.5 to 30".
+  ///
+  /// Domain    limited() (contract)
   std::string sentence(double value) const;
 };
 
-/// The order of a list's numbers; without a sentence any.
+/// The order of the numbers of a list; without a sentence any order.
 struct ListOrder {
-  bool strict = false;          ///< no number stands there twice
-  std::string_view sentence{};  ///< of a list that breaks it; its {} are the first and the last
+  bool strict = false;          ///< true if no number may be repeated
+  std::string_view sentence{};  ///< message for a list in another order; its {} are the first and
+                                ///< the last number
 };
 
 inline constexpr ListOrder kLowerFirst{false, "must be two numbers, the lower one first"};
@@ -66,26 +68,27 @@ inline constexpr ListOrder kLowerFirst{false, "must be two numbers, the lower on
 /// A list instead of one value.
 struct KeyList {
   std::size_t least = 1, most = 1;
-  bool single = false;      ///< one value without a list will do, too
+  bool single = false;      ///< a single value without a list is also allowed
   ListOrder order{};        ///< of numbers
-  std::string_view noun{};  ///< what a word of the list is: "objective"
-  /// The word that is meant by another one; empty: none.
+  std::string_view noun{};  ///< noun for a word of the list: "objective"
+  /// The word that another one stands for; empty if there is none.
   std::string_view (*meant)(std::string_view word) = nullptr;
-  std::string_view must{};  ///< of tables: what the list must be
+  std::string_view must{};  ///< for tables: requirement on the list
   int first = 1;            ///< number of its first element in a path
-  bool numbers = false;     ///< of a key for a table: the list that may stand there has numbers
+  bool numbers = false;     ///< for a key of a table: a list of numbers is allowed instead
 };
 
-/// A key that gives in another unit or section what the key `of` gives.
+/// A key that gives the value of the key `of` in another unit or section.
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< in the unit of `of`
-  bool transverse = false;  ///< of the transverse section: the helix angle counts
+  bool transverse = false;  ///< true for a value in the transverse section, which depends on the
+                            ///< helix angle
 };
 
 struct KeyTable;
 
-/// The fallback of a key that must be there.
+/// The fallback of a required key.
 inline constexpr std::string_view kRequired = "required";
 
 /// One key of a table. Most are made by one of the functions below and completed by with_…().
@@ -95,27 +98,28 @@ struct Key {
   std::string_view key;       ///< as in the file, "helix_angle_deg"
   std::string_view symbol{};  ///< ISO 21771, "β"
   KeyKind kind = KeyKind::number;
-  Words words{};     ///< of a word; of other kinds: words that will do, too
+  Words words{};     ///< permitted words; for other kinds: words that are also allowed
   KeyRange range{};  ///< of each number
   std::optional<KeyList> list{};
   std::string
-      form{};  ///< what may stand there, where kind and range do not show it: "a number or …"
-  KeyPlace place{};  ///< none: the reader has code for it
+      form{};  ///< description of the permitted values, if kind and range do not show it: "a number
+               ///< or …"
+  KeyPlace place{};  ///< none if the reader handles this key
   bool required = false;
-  Words needs{};     ///< keys that must stand beside it
-  Words excludes{};  ///< keys that may not stand beside it
-  /// The tables it may be, told apart by their key `kind`.
+  Words needs{};     ///< keys that must also be given
+  Words excludes{};  ///< keys that must not also be given
+  /// The possible tables, distinguished by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
-  std::string_view fallback{};  ///< what holds when it is absent: a value as in the file, or words
-  bool in_documents = true;     ///< false: the prose beside the table has it
+  std::string_view fallback{};  ///< value if the key is absent: a value as in the file, or words
+  bool in_documents = true;     ///< false if the text of the documents describes it
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
-  /// The members it sets, as errors name them; none: that of its name, "helix_angle" of
+  /// The members that it sets, as in errors; by default the member of its name, "helix_angle" for
   /// helix_angle_deg.
   std::vector<std::string> fields{};
-  Words also{};  ///< what people write for it: "module", "dp"
+  Words also{};  ///< other names that users try: "module", "dp"
   KeyAlias alias{};
 
-  /// A number; whole if its place holds one.
+  /// A key for a number, or for a whole number if its place holds one.
   static Key number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
                     std::string_view fallback, std::string_view meaning);
   static Key positive(std::string_view key, std::string_view symbol, KeyPlace place,
@@ -166,39 +170,39 @@ struct Key {
     return std::move(*this);
   }
 
-  /// `fields`, or the one of the name.
+  /// `fields`, or the member of the name.
   std::vector<std::string> members() const;
 };
 
-/// The keys of one table of a spec, in the order in which people read them.
+/// The keys of one table of a spec, in the order for documents.
 struct KeyTable {
   std::string_view name;     ///< in documents and in the schema: "pair", "rack_circular_arc"
   std::string_view meaning;  ///< one sentence
   std::vector<Key> keys;
-  KeyRule rule{};  ///< of what was read; needs and excludes are those of the keys
+  KeyRule rule{};  ///< for the values that were read; "needs" and "excludes" are checked for each
+                   ///< key
 
   const Key* find(std::string_view key) const;
   std::vector<std::string> names() const;
-  /// The key, and those whose alias it is.
+  /// The key and its aliases.
   std::vector<std::string> ways(std::string_view key) const;
 };
 
-/// The unit that a key's name ends with, without the underscore: "mm"; empty: none.
+/// The unit at the end of a key's name, without the underscore: "mm"; empty if there is none.
 std::string_view key_unit(std::string_view key);
 
-/// What may stand there, as a sentence says it: "a number", "one of "right", "left"", or `form`.
+/// The permitted values as part of a sentence: "a number", "one of "right", "left"", or `form`.
 std::string form_of(const Key& key);
 
-/// A meaning without what only documents show: backticks and numbers of equations.
+/// A meaning without markup for documents: backticks and numbers of equations.
 std::string plain_words(std::string_view meaning);
 
-/// Letters to add, drop or exchange.
+/// Number of letters to insert, delete or exchange.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// What a word may have been meant to be, and what is known: "did you mean mass? Known are …". A
-/// word is a slip of another one where at most one of three letters differs, or a part of it;
-/// capitals do not count.
-/// `meant`: what the word means here, where that is known.
+/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". A word
+/// is a misspelling of another one if at most one of three letters differs, or if it is a part of
+/// it. Case is ignored. `meant` is the intended word, if it is known.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

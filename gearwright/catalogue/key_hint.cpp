@@ -16,11 +16,11 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kLongest = 80;    // bytes of a key that are compared
-constexpr std::size_t kLeastPart = 3;   // letters: a part that is shorter stands in every name
-constexpr std::size_t kLettersOff = 3;  // one letter of so many may differ
-constexpr std::size_t kSlipOff = 6;     // a slip of the hand: one of so many
-constexpr double kLikeWords = 0.7;      // share of the words of a name
-constexpr std::size_t kListed = 24;     // keys of a table that a sentence still lists
+constexpr std::size_t kLeastPart = 3;   // letters: shorter parts occur in every name
+constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
+constexpr std::size_t kSlipOff = 6;     // one letter in this many, for a typing error
+constexpr double kLikeWords = 0.7;      // required fraction of common words of a name
+constexpr std::size_t kListed = 24;     // most keys of a table that a message lists
 
 struct Letter {
   std::string_view greek, latin;
@@ -43,7 +43,7 @@ std::string_view without_unit(std::string_view key) {
   return unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1);
 }
 
-// Names of a key, folded: with and without its unit.
+// Forms of a key's name for comparison, with and without its unit.
 struct Word {
   std::string whole, bare;
 };
@@ -52,7 +52,7 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
-// Called so by its name, its symbol or one of the words that people try; the first counts most.
+// Compares a word with the name, the symbol and the other names of a key. The first counts most.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -64,10 +64,10 @@ int likeness(const Key& key, const Word& word) {
   return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
 }
 
-// How sure a name must be, as likeness() counts.
+// Required degree of likeness, as returned by likeness().
 enum Sure { by_symbol = 1, by_word = 2 };
 
-// The key of the least cost, the first of several; none: all cost `below` or more.
+// The key of the least cost, the first of several; none if all cost `below` or more.
 template <class F>
 const Key* cheapest(const KeyTable& table, double below, F cost) {
   const Key* best = nullptr;
@@ -95,7 +95,7 @@ struct Place {
   std::string path;
 };
 
-// The tables below `top`, those that lie less deep first.
+// The tables below `top`, less deep ones first.
 std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   std::vector<Place> list{{&top, std::string(path)}};
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -112,7 +112,7 @@ std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   return list;
 }
 
-// Micrometres are no diametral pitch: of two units both are lengths, or both angles.
+// True if both units are lengths, or both are angles.
 bool of_one_kind(std::string_view a, std::string_view b) {
   const auto kind = [](std::string_view unit) {
     if (unit == "mm" || unit == "um" || unit == "in") return std::string_view("length");
@@ -122,18 +122,20 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// In other tables: below this one, then anywhere; "diameter_mm in [gear1.bore]".
+// Searches other tables: first below this one, then everywhere; "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
   const auto named = [](const Key& key, const std::string& where) {
     return fmt::format("{} in [{}]", key.key, where);
   };
   for (const Place& p : tables_below(table, path)) {
-    if (p.table == &measured_keys()) continue;  // readings are called as what they are readings of
+    if (p.table == &measured_keys())
+      continue;  // readings have the names of the measured
+                 // quantities
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
-  // A table of gear 2 looks in gear 2 first.
+  // For a table of gear 2, gear 2 is searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
   std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
@@ -147,7 +149,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// A part of the other: the one that says least besides.
+// The key that contains the word and has the fewest other words.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
@@ -169,7 +171,7 @@ std::vector<std::string_view> words_of(std::string_view name) {
   return words;
 }
 
-// Of the same words but one of four or more: tip_relief_begin_mm.
+// A key with the same words except one of four or more: tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = words_of(name);
   return cheapest(table, -kLikeWords, [&](const Key& key) {
@@ -231,7 +233,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   };
   if (word.bare.empty()) return "known keys here: " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
-    // A value given where a table stands: the key in it that is called so.
+    // A value was given instead of a table: searches for the key in that table.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))
@@ -239,7 +241,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     }
     return nearest(here->key);
   }
-  // A table that stands one level up in the file.
+  // A table one level higher in the file.
   for (const Key& table_key : spec_keys().keys)
     if (!path.empty() && is_table(table_key) && table_key.key == key)
       return fmt::format("[{}] is a table of its own, not a part of [{}]", key, path);

@@ -1,11 +1,13 @@
-// Where the value of a key goes: a member of an input struct, found without the struct's type.
+// The destination of the value of a key: a member of an input struct, addressed without the
+// struct's type.
 //
 //   KeyTarget   an input struct, its type checked at every use
-//   KeyPlace    how a value gets into it
-//   KeyRule     what the struct's members must be to each other
+//   KeyPlace    how a value is stored in it
+//   KeyRule     relations between the members of the struct
 //
-// The type of a member decides the kind of its key: degrees become an Angle, the place of a word in
-// its list the enumerator, a list a vector or an array of two, a sub-table a struct.
+// The type of a member decides the kind of its key: degrees become an Angle, the index of a word in
+// its list becomes the enumerator, a list becomes a vector or an array of two, and a sub-table
+// becomes a struct.
 #pragma once
 
 #include <array>
@@ -23,7 +25,7 @@
 
 namespace gearwright {
 
-/// A value as it stands in a file: a number, a whole number or the place of a word in its list, a
+/// A value in the form of a file: a number, a whole number or the index of a word in its list, a
 /// switch, a text, a list of numbers, a list of words.
 using KeyValue =
     std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
@@ -35,7 +37,7 @@ enum class KeyKind {
   text,
   word,   ///< one of `words`
   table,  ///< one of `tables`
-  any     ///< whatever stands there
+  any     ///< any value
 };
 
 /// An input struct.
@@ -55,7 +57,7 @@ class KeyTarget {
 
  private:
   template <class T>
-  static constexpr char kType = 0;  // its address stands for the type
+  static constexpr char kType = 0;  // its address identifies the type
 
   void* input_;
   const char* type_;
@@ -63,7 +65,7 @@ class KeyTarget {
 
 class KeyPlace {
  public:
-  KeyPlace() = default;  ///< the reader has code for this key
+  KeyPlace() = default;  ///< the reader handles this key
   template <class T, class V>
   KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor): an entry names the member
       : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
@@ -74,8 +76,8 @@ class KeyPlace {
   /// within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Members that follow from a value of type V: set(T&, const V&), which may give a sentence why
-  /// the value cannot be.
+  /// Members that are computed from a value of type V: set(T&, const V&), which may return a
+  /// sentence if the value is impossible.
   template <class T, class V, class F>
   static KeyPlace by(F set);
   /// One number, or two with their mean: mean(T&) is a double, ends(T&) an optional array of two.
@@ -88,10 +90,10 @@ class KeyPlace {
   KeyKind kind() const { return kind_; }
   bool is_angle() const { return angle_; }
   bool is_member() const { return same_ != nullptr; }
-  /// Gives a sentence if the value cannot be.
+  /// Returns a sentence if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
-  /// The struct of a sub-table, or one more of a list of them, default-constructed unless it is a
-  /// plain member; its member `given` is true from now on.
+  /// The struct of a sub-table, or a new element of a list of them. It is default-constructed
+  /// unless it is a plain member. Its member `given` becomes true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
   /// Domain  is_member() (contract)
   template <class T>
@@ -180,17 +182,17 @@ class KeyPlace {
   std::function<bool(KeyTarget, KeyTarget)> same_;
 };
 
-/// A key that cannot stand as it does, and why.
+/// A key whose value is impossible, with the reason.
 struct KeyFault {
   std::string_view key;
   std::string why;
 };
 
-/// Whether the table that was read has a key.
+/// Returns true if the table that was read contains a key.
 using KeyGiven = std::function<bool(std::string_view)>;
 
-/// What the keys of a table must be to each other, and members that follow from several: a function
-/// of the input struct once all keys are read.
+/// Relations between the keys of a table, and members that are computed from several keys: a
+/// function of the input struct after all keys have been read.
 class KeyRule {
  public:
   KeyRule() = default;

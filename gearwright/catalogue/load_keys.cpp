@@ -18,7 +18,7 @@ const KeyTable& load_keys() {
       "load",
       "Teeth under torque: the verb `load`",
       {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; a list makes the Harris map")
+                   "torque on gear 1; a list gives the Harris map")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
@@ -40,10 +40,10 @@ const KeyTable& load_keys() {
            "contact over each gear's face"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
                  "`draft`: a coarser mesh of the teeth, two to three times as fast"),
-       Key::number(
-           "deflection_slope_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_slope, "0",
-           "further approach of the flanks along the face, from shafts: over the common face, "
-           "> 0 towards +z; of teeth that touch along lines"),
+       Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),
+                   &LoadInput::deflection_slope, "0",
+                   "further approach of the flanks along the face, from shafts: over the common "
+                   "face, > 0 towards +z; for line contact"),
        Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
                    "0", "further approach as a parabola; its height in the middle of the face"),
        {.key = "probe",

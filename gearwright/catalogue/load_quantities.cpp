@@ -1,5 +1,6 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {
@@ -11,13 +12,11 @@ using P = LoadPositionView;
 using S = LoadedTorque::Stiffness;
 
 constexpr const char* kLoad = "Teeth under load";
-constexpr double kNmmPerNm = 1000.0;
 
 Quantities<S> stiffness_in(Unit unit, const char* name) {
   return Quantities<S>(name, [unit](Quantities<S>& q) {
     const auto add = [&](const char* key, const char* words, const char* meaning, auto get) {
-      q.add(Type::number, unit, "", key, words, "", meaning,
-            [get](const S& s) { return Value(get(s)); });
+      q.number(key, words, "", meaning, [get](const S& s) { return get(s); }).unit(unit);
     };
     add("mean", "mesh stiffness", "at the mean approach of the positions",
         [](const S& s) { return s.mean; });
@@ -29,15 +28,11 @@ const Quantities<S>& stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_mm_um, "load.torques stiffness");
   return kAll;
 }
-const QuantityTable& stiffness_table() { return stiffness_quantities().table(); }
-// Of teeth that touch at points.
+// For point contact.
 const Quantities<S>& point_stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_um, "load.torques point stiffness");
   return kAll;
 }
-const QuantityTable& point_stiffness_table() { return point_stiffness_quantities().table(); }
-
-const QuantityTable& point_table() { return load_point_quantities().table(); }
 
 bool at_points(const P& p) { return p.regime == LoadRegime::point; }
 bool at_points(const T& t) { return t.all->regime == LoadRegime::point; }
@@ -62,44 +57,45 @@ ValueList numbers(const Eigen::VectorXd& all) {
 }
 
 void say_position(Quantities<P>& q) {
-  q.add(Type::number, Unit::newton_metre, "", "torque_Nm", "torque", "T_1", "on gear 1",
-        [](const P& p) { return Value(p.torque->torque / kNmmPerNm); })
-      .always();
-  q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
-     return Value(p.position->rotation1.deg());
+  q.under("");
+  q.term("torque_Nm", "on gear 1", [](const P& p) {
+     return newton_metres(p.torque->torque);
    }).always();
-  q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "loaded transmission error",
-        "TE",
-        "that of `contact` minus the deflection of gear 2; null, like all numbers of a position, "
-        "if no teeth touch or the forces do not converge",
-        [](const P& p) { return Value(p.position->te.arcsec()); });
-  q.add(Type::number, Unit::um, "", "approach_um", "approach under load", "Θ r_b2",
-        "along the line of action in the transverse section, or along the normals for point "
-        "contact, from the first contact of the unloaded flanks; includes deflections and the "
-        "twist of the bodies",
-        [](const P& p) { return Value(p.position->approach * kUmPerMm); });
-  q.pure("", "share", "load shares", "",
-         "of each loaded tooth pair, the one nearest to its exit last; for point contact, of each "
-         "point",
-         [](const P& p) { return Value(shares(*p.position)); })
+  q.term("rotation1_deg", "clockwise seen from +z", [](const P& p) {
+     return p.position->rotation1;
+   }).always();
+  q.term("transmission_error_arcsec",
+         "that of `contact` minus the deflection of gear 2; null, like all numbers of a position, "
+         "if no teeth touch or the forces do not converge",
+         [](const P& p) { return p.position->te; })
+      .words("loaded transmission error");
+  q.number("approach_um", "approach under load", "Θ r_b2",
+           "along the line of action in the transverse section, or along the normals for point "
+           "contact, from the first contact of the unloaded flanks; includes deflections and the "
+           "twist of the bodies",
+           [](const P& p) { return p.position->approach * kUmPerMm; });
+  q.number(
+       "share", "load shares", "",
+       "of each loaded tooth pair, the one nearest to its exit last; for point contact, of each "
+       "point",
+       [](const P& p) { return shares(*p.position); })
       .list({0})
       .always();
-  q.add(Type::number, Unit::megapascal, "", "max_pressure_MPa", "greatest pressure", "p_max",
-        "of Hertz; a lower bound if `kind` is an edge",
-        [](const P& p) { return Value(p.position->max_pressure); });
-  q.add(Type::number, Unit::megapascal, "", "root_stress_MPa", "greatest root stress", "",
-        "greatest principal stress along the fillets, per gear",
-        [](const P& p) { return Value(p.position->root_stress); })
+  q.term("max_pressure_MPa", "of Hertz; a lower bound if `kind` is an edge",
+         [](const P& p) { return p.position->max_pressure; });
+  q.number("root_stress_MPa", "greatest root stress", "",
+           "greatest principal stress along the fillets, per gear",
+           [](const P& p) { return p.position->root_stress; })
       .per_gear();
-  q.record("", "points",
-           "of the loaded points, in the order of `share`; double-arc teeth touch at "
-           "two",
-           point_table,
-           [](const P& p) { return Value(load_point_quantities().each(p.position->pairs)); })
+  q.record<load_point_quantities>(
+       "points",
+       "of the loaded points, in the order of `share`; double-arc teeth touch at "
+       "two",
+       [](const P& p) -> const auto& { return p.position->pairs; })
       .list({0})
       .when([](const P& p) { return at_points(p); })
       .doors(kJson);
-  q.word("", "kind", "where the pressure is greatest",
+  q.word("kind", "where the pressure is greatest",
          "along a line, in the interior about a point, or at a loaded edge",
          [](const P& p) {
            return p.position->kind == TouchKind::none ? Value()
@@ -108,146 +104,146 @@ void say_position(Quantities<P>& q) {
       .one_of({"line", "interior", "tip1", "tip2", "form1", "form2", "face1", "face2", "ridge",
                "corner"});
 }
-const QuantityTable& position_table() { return load_position_quantities().table(); }
 
 bool has_standard(const T& t) { return t.standard.has_value(); }
 bool has_nominal(const T& t) { return has_standard(t) && t.standard->root_stress; }
 
 void say_torque(Quantities<T>& q) {
-  q.add(Type::number, Unit::newton_metre, kLoad, "torque_Nm", "torque", "T_1", "on gear 1",
-        [](const T& t) { return Value(t.torque->torque / kNmmPerNm); })
-      .always();
-  q.record("", "positions", "in the order of the rotations", position_table,
-           [](const T& t) {
-             std::vector<P> all;
-             for (const LoadedPosition& p : t.torque->positions)
-               all.push_back({t.torque, &p, t.all->regime});
-             return Value(load_position_quantities().each(all));
-           })
+  q.under(kLoad);
+  q.term("torque_Nm", "on gear 1", [](const T& t) {
+     return newton_metres(t.torque->torque);
+   }).always();
+  q.record<load_position_quantities>("positions", "in the order of the rotations",
+                                     [](const T& t) {
+                                       std::vector<P> all;
+                                       for (const LoadedPosition& p : t.torque->positions)
+                                         all.push_back({t.torque, &p, t.all->regime});
+                                       return Value(load_position_quantities().each(all));
+                                     })
       .list({0})
       .always()
       .doors(kJson);
-  q.add(Type::number, Unit::arcsec, kLoad, "peak_to_peak_arcsec",
-        "loaded transmission error, peak to peak", "", "over the positions with a result",
-        [](const T& t) { return Value(t.torque->peak_to_peak.arcsec()); });
-  q.add(Type::number, Unit::arcsec, kLoad, "harmonics_arcsec", "harmonics", "",
-        "amplitudes at orders 1, 2, … of the mesh frequency, at most 20; empty with "
-        "`rotation1_deg` and if a position has no result",
-        [](const T& t) { return Value(angles(t.torque->harmonics)); })
+  q.term("peak_to_peak_arcsec", "over the positions with a result", [](const T& t) {
+     return t.torque->peak_to_peak;
+   }).words("loaded transmission error, peak to peak");
+  q.term("harmonics_arcsec",
+         "amplitudes at orders 1, 2, … of the mesh frequency, at most 20; empty with "
+         "`rotation1_deg` and if a position has no result",
+         [](const T& t) { return angles(t.torque->harmonics); })
       .list({0})
       .always()
       .doors(kJson);
-  q.record(kLoad, "mesh_stiffness_N_per_mm_um",
-           "mesh stiffness, secant: line load over approach, twist of the bodies included",
-           stiffness_table,
-           [](const T& t) { return Value(stiffness_quantities().of(t.torque->stiffness)); })
+  q.record<stiffness_quantities>(
+       "mesh_stiffness_N_per_mm_um",
+       "mesh stiffness, secant: line load over approach, twist of the bodies included",
+       [](const T& t) -> const auto& { return t.torque->stiffness; })
       .when(on_lines);
-  q.record(kLoad, "mesh_stiffness_without_twist_N_per_mm_um",
-           "the same without the twist of the bodies from bore to root [T12.16]", stiffness_table,
-           [](const T& t) { return Value(stiffness_quantities().of(t.torque->without_twist)); })
+  q.record<stiffness_quantities>(
+       "mesh_stiffness_without_twist_N_per_mm_um",
+       "the same without the twist of the bodies from bore to root [T12.16]",
+       [](const T& t) -> const auto& { return t.torque->without_twist; })
       .when(on_lines)
       .doors(kJson);
-  q.record(kLoad, "tangent_stiffness_N_per_mm_um", "mesh stiffness for small changes of the torque",
-           stiffness_table,
-           [](const T& t) { return Value(stiffness_quantities().of(t.torque->tangent)); })
+  q.record<stiffness_quantities>(
+       "tangent_stiffness_N_per_mm_um", "mesh stiffness for small changes of the torque",
+       [](const T& t) -> const auto& { return t.torque->tangent; })
       .when(on_lines)
       .doors(kJson);
-  q.record(kLoad, "contact_stiffness_N_per_um",
-           "of teeth that touch at points, secant: force over approach along the normals, twist of "
-           "the bodies included",
-           point_stiffness_table,
-           [](const T& t) { return Value(point_stiffness_quantities().of(t.torque->stiffness)); })
+  q.record<point_stiffness_quantities>(
+       "contact_stiffness_N_per_um",
+       "for point contact, secant: force over approach along the normals, twist of "
+       "the bodies included",
+       [](const T& t) -> const auto& { return t.torque->stiffness; })
       .when([](const T& t) { return at_points(t); });
-  q.record(kLoad, "tangent_contact_stiffness_N_per_um", "the same for small changes of the torque",
-           point_stiffness_table,
-           [](const T& t) { return Value(point_stiffness_quantities().of(t.torque->tangent)); })
+  q.record<point_stiffness_quantities>(
+       "tangent_contact_stiffness_N_per_um", "the same for small changes of the torque",
+       [](const T& t) -> const auto& { return t.torque->tangent; })
       .when([](const T& t) { return at_points(t); })
       .doors(kJson);
-  q.add(Type::number, Unit::newton_per_mm_um, kLoad, "c_gamma_alpha",
-        "mesh stiffness by ISO 6336-1", "c_γα", "method B, of solid discs [T11.3]",
-        [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
+  q.number("c_gamma_alpha", "mesh stiffness by ISO 6336-1", "c_γα",
+           "method B, of solid discs [T11.3]",
+           [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
+      .unit(Unit::newton_per_mm_um)
       .when(has_standard);
-  q.pure(kLoad, "stiffness_over_c_gamma_alpha", "mean stiffness over that of ISO 6336-1", "",
-         "without the twist of the bodies, which the standard does not include",
-         [](const T& t) {
-           return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
-                                  : Value();
-         })
+  q.number("stiffness_over_c_gamma_alpha", "mean stiffness over that of ISO 6336-1", "",
+           "without the twist of the bodies, which the standard does not include",
+           [](const T& t) {
+             return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
+                                    : Value();
+           })
       .when(has_standard);
-  q.add(Type::number, Unit::megapascal, kLoad, "max_pressure_MPa", "greatest pressure", "p_max",
-        "of Hertz, over all positions; a lower bound if an edge carries load",
-        [](const T& t) { return Value(t.torque->max_pressure); });
-  q.add(Type::number, Unit::megapascal, kLoad, "max_root_stress_MPa", "greatest root stress", "",
-        "greatest principal stress along the fillets over all positions, per gear",
-        [](const T& t) { return Value(t.torque->max_root_stress); })
+  q.term("max_pressure_MPa", "of Hertz, over all positions; a lower bound if an edge carries load",
+         [](const T& t) { return t.torque->max_pressure; });
+  q.number("max_root_stress_MPa", "greatest root stress", "",
+           "greatest principal stress along the fillets over all positions, per gear",
+           [](const T& t) { return t.torque->max_root_stress; })
       .per_gear();
-  q.add(Type::number, Unit::megapascal, kLoad, "least_root_stress_MPa", "least root stress there",
-        "",
-        "least principal stress over all positions at the place of the greatest, the lower end of "
-        "its range, because the fillet is compressed while neighbouring teeth carry load",
-        [](const T& t) { return Value(t.torque->least_at_max); })
+  q.number(
+       "least_root_stress_MPa", "least root stress there", "",
+       "least principal stress over all positions at the place of the greatest, the lower end of "
+       "its range, because the fillet is compressed while neighbouring teeth carry load",
+       [](const T& t) { return t.torque->least_at_max; })
       .per_gear();
-  q.add(Type::number, Unit::megapascal, kLoad, "nominal_root_stress_MPa",
-        "nominal root stress by ISO 6336-3", "σ_F0",
-        "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, of solid rims, per gear",
-        [](const T& t) { return has_nominal(t) ? Value(*t.standard->root_stress) : Value(); })
+  q.number("nominal_root_stress_MPa", "nominal root stress by ISO 6336-3", "σ_F0",
+           "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, of solid rims, per gear",
+           [](const T& t) { return has_nominal(t) ? Value(*t.standard->root_stress) : Value(); })
       .per_gear()
       .when(has_nominal);
-  q.pure(kLoad, "root_stress_over_nominal", "greatest root stress over the nominal", "",
-         "the standard's load acts on one tooth pair, at the outer point of single contact",
-         [](const T& t) {
-           if (!has_nominal(t)) return Value();
-           const auto& nominal = *t.standard->root_stress;
-           return Value(std::array{t.torque->max_root_stress[0] / nominal[0],
-                                   t.torque->max_root_stress[1] / nominal[1]});
-         })
+  q.number("root_stress_over_nominal", "greatest root stress over the nominal", "",
+           "the standard's load acts on one tooth pair, at the outer point of single contact",
+           [](const T& t) {
+             if (!has_nominal(t)) return Value();
+             const auto& nominal = *t.standard->root_stress;
+             return Value(std::array{t.torque->max_root_stress[0] / nominal[0],
+                                     t.torque->max_root_stress[1] / nominal[1]});
+           })
       .per_gear()
       .when(has_nominal);
-  q.pure(kLoad, "face_load_factor", "face load factor", "K_Hβ",
-         "greatest over mean of the load along the face, mean of the positions",
-         [](const T& t) { return Value(t.torque->face_load_factor); })
+  q.term("face_load_factor", "greatest over mean of the load along the face, mean of the positions",
+         [](const T& t) { return t.torque->face_load_factor; })
       .when(on_lines);
-  q.pure(kLoad, "transverse_load_factor", "transverse load factor", "K_Hα",
-         "greatest share of a tooth pair over that of the pair without errors and deflections",
-         [](const T& t) { return Value(t.torque->transverse_load_factor); });
-  q.flag(kLoad, "edge_carries", "an edge carries", "the pressure there is a lower bound",
-         [](const T& t) { return Value(t.torque->edge_carries); });
-  q.flag(kLoad, "ellipse_beyond_flank", "a contact ellipse extends beyond the flank",
+  q.number("transverse_load_factor", "transverse load factor", "K_Hα",
+           "greatest share of a tooth pair over that of the pair without errors and deflections",
+           [](const T& t) { return t.torque->transverse_load_factor; });
+  q.term("edge_carries", "the pressure there is a lower bound",
+         [](const T& t) { return t.torque->edge_carries; });
+  q.flag("ellipse_beyond_flank", "a contact ellipse extends beyond the flank",
          "beyond an end of the flank or the face; the pressure there is higher than that of Hertz",
-         [](const T& t) { return Value(t.torque->beyond_flank); })
+         [](const T& t) { return t.torque->beyond_flank; })
       .when([](const T& t) { return at_points(t); });
-  q.add(Type::number, Unit::newton_per_mm, kLoad, "face_load_N_per_mm", "load along the face", "",
-        "per length of the contact lines, slice by slice from −z on, mean of the positions",
-        [](const T& t) { return Value(numbers(t.torque->face_load)); })
+  q.number("face_load_N_per_mm", "load along the face", "",
+           "per length of the contact lines, slice by slice from −z on, mean of the positions",
+           [](const T& t) { return numbers(t.torque->face_load); })
       .list({0})
       .when(on_lines)
       .doors(kJson);
 }
-const QuantityTable& torque_table() { return load_torque_quantities().table(); }
 
 const Quantities<ProbeView>& probe_quantities() {
   static const Quantities<ProbeView> kAll("load.probes", [](Quantities<ProbeView>& q) {
-    q.pure("", "own_um_per_N_mm", "displacement under the load", "",
-           "per line load, of a wide gear in plane strain, twist of the body included",
-           [](const ProbeView& p) { return Value(p.answer->own * kUmPerMm); })
-        .when([](const ProbeView& p) { return p.wide; });
-    q.pure("", "own_um_per_N", "displacement under the load", "",
-           "per force spread over `z_mm`, its mean there",
-           [](const ProbeView& p) { return Value(p.answer->own * kUmPerMm); })
+    q.number("own_um_per_N_mm", "displacement under the load", "",
+             "per line load, of a wide gear in plane strain, twist of the body included",
+             [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
+        .unit(Unit::none)
+        .when(&ProbeView::wide);
+    q.number("own_um_per_N", "displacement under the load", "",
+             "per force spread over `z_mm`, its mean there",
+             [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
+        .unit(Unit::none)
         .when([](const ProbeView& p) { return !p.wide; });
-    q.pure("", "profile_um_per_N", "displacements along the face", "",
-           "at `read_z_mm`, per force spread over `z_mm`",
-           [](const ProbeView& p) {
-             ValueList list;
-             for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
-             return Value(std::move(list));
-           })
+    q.number("profile_um_per_N", "displacements along the face", "",
+             "at `read_z_mm`, per force spread over `z_mm`",
+             [](const ProbeView& p) {
+               ValueList list;
+               for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
+               return Value(std::move(list));
+             })
+        .unit(Unit::none)
         .list({0})
         .when([](const ProbeView& p) { return !p.wide; });
   });
   return kAll;
 }
-const QuantityTable& probe_table() { return probe_quantities().table(); }
 
 }  // namespace
 
@@ -263,29 +259,28 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 
 const Quantities<LoadedPair>& load_point_quantities() {
   static const Quantities<LoadedPair> kAll("load.points", [](Quantities<LoadedPair>& q) {
-    q.add(Type::number, Unit::newton, "", "force_N", "force", "F_n", "along the common normal",
-          [](const LoadedPair& p) { return Value(p.point.force); })
-        .always();
-    q.add(Type::number, Unit::megapascal, "", "pressure_MPa", "greatest pressure", "p_0",
-          "of Hertz, in the middle of the ellipse",
-          [](const LoadedPair& p) { return Value(p.point.pressure); })
-        .always();
-    q.mm("", "semi_major_mm", "semi-major axis", "a", "of the ellipse of contact",
-         [](const LoadedPair& p) { return Value(p.point.semi_major); })
-        .always();
-    q.mm("", "semi_minor_mm", "semi-minor axis", "b", "", [](const LoadedPair& p) {
-       return Value(p.point.semi_minor);
+    q.number("force_N", "force", "F_n", "along the common normal", [](const LoadedPair& p) {
+       return p.point.force;
      }).always();
-    q.mm("", "diameter_mm", "diameter", "", "of its middle, on each gear", [](const LoadedPair& p) {
-       return Value(p.point.diameter);
+    q.number("pressure_MPa", "greatest pressure", "p_0", "of Hertz, in the middle of the ellipse",
+             [](const LoadedPair& p) { return p.point.pressure; })
+        .always();
+    q.number("semi_major_mm", "semi-major axis", "a", "of the ellipse of contact",
+             [](const LoadedPair& p) { return p.point.semi_major; })
+        .always();
+    q.number("semi_minor_mm", "semi-minor axis", "b", "", [](const LoadedPair& p) {
+       return p.point.semi_minor;
+     }).always();
+    q.number("diameter_mm", "diameter", "", "of its middle, on each gear", [](const LoadedPair& p) {
+       return p.point.diameter;
      }).per_gear();
-    q.mm("", "height_mm", "place along the face", "z",
-         "of its middle, from the middle of each gear's face",
-         [](const LoadedPair& p) { return Value(p.point.height); })
+    q.number("height_mm", "place along the face", "z",
+             "of its middle, from the middle of each gear's face",
+             [](const LoadedPair& p) { return p.point.height; })
         .per_gear();
-    q.flag("", "beyond_flank", "hangs over an end of the flank",
+    q.flag("beyond_flank", "hangs over an end of the flank",
            "if true, the pressure is higher than that of Hertz",
-           [](const LoadedPair& p) { return Value(p.point.beyond); });
+           [](const LoadedPair& p) { return p.point.beyond; });
   });
   return kAll;
 }
@@ -302,15 +297,17 @@ const Quantities<LoadTorqueView>& load_torque_quantities() {
 
 const Quantities<LoadView>& load_quantities() {
   static const Quantities<LoadView> kAll("load", [](Quantities<LoadView>& q) {
-    q.record("", "torques", "one for each torque, in their order", torque_table,
-             [](const LoadView& v) {
-               const auto all = v.contact ? torque_views(*v.contact, v.standard) : std::vector<T>();
-               return Value(load_torque_quantities().each(all));
-             })
+    q.record<load_torque_quantities>(
+         "torques", "one for each torque, in their order",
+         [](const LoadView& v) {
+           const auto all = v.contact ? torque_views(*v.contact, v.standard) : std::vector<T>();
+           return Value(load_torque_quantities().each(all));
+         })
         .list({0})
         .always()
         .doors(kJson);
-    q.word(kLoad, "regime", "how the teeth touch",
+    q.under(kLoad);
+    q.word("regime", "how the teeth touch",
            "along lines, as parallel involute teeth; about points, as crossed and circular-arc "
            "teeth, by the ellipse of Hertz",
            [](const LoadView& v) {
@@ -318,15 +315,15 @@ const Quantities<LoadView>& load_quantities() {
            })
         .one_of({"line", "point"})
         .when([](const LoadView& v) { return v.contact != nullptr; });
-    q.add(Type::number, Unit::newton_metre, kLoad, "quietest_torque_Nm", "quietest torque", "",
-          "the given torque with the least peak-to-peak loaded transmission error",
-          [](const LoadView& v) {
-            const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
-            return t ? Value(t->torque / kNmmPerNm) : Value();
-          })
+    q.number("quietest_torque_Nm", "quietest torque", "",
+             "the given torque with the least peak-to-peak loaded transmission error",
+             [](const LoadView& v) {
+               const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
+               return t ? Value(newton_metres(t->torque)) : Value();
+             })
         .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
-    q.record("", "probes", "one for each [[load.probe]], in their order", probe_table,
-             [](const LoadView& v) { return Value(probe_quantities().each(v.probes)); })
+    q.record<probe_quantities>("probes", "one for each [[load.probe]], in their order",
+                               &LoadView::probes)
         .list({0})
         .always()
         .doors(kJson);

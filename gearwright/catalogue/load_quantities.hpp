@@ -29,7 +29,8 @@ struct LoadTorqueView {
 
 struct LoadView {
   const LoadedContact* contact = nullptr;  ///< null: only probes
-  std::vector<LoadStandard> standard{};    ///< at each torque; empty: the standard has none
+  std::vector<LoadStandard> standard{};    ///< at each torque; empty if the standard does not cover
+                                           ///< the pair
   std::vector<ProbeView> probes{};
 };
 
@@ -39,7 +40,7 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 const Quantities<LoadView>& load_quantities();
 const Quantities<LoadTorqueView>& load_torque_quantities();
 const Quantities<LoadPositionView>& load_position_quantities();
-/// Of a tooth pair that touches about a point.
+/// Quantities of a tooth pair in point contact.
 const Quantities<LoadedPair>& load_point_quantities();
 
 }  // namespace gearwright

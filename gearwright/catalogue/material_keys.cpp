@@ -55,13 +55,13 @@ const KeyTable& material_keys() {
     const auto kinds = material_kind_words();
     return KeyTable{
         "material",
-        "What the teeth are made of, for `rate`",
+        "Material of the teeth, for `rate`",
         {Key::text("name", &MaterialInput::name, "the values below",
                    "a row of the table of materials, \"18CrNiMo7-6\"; any name if the values are "
                    "given")
              .with_also({"steel", "grade", "material"}),
          Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind, "of the named row",
-                   "how ISO 6336-5 sorts it: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
+                   "kind of ISO 6336-5: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
                    "bai.), GGG (ferr.), GTS")
              .with_also({"type", "treatment", "heat_treatment"}),
          Key::positive("youngs_modulus_MPa", "E", &MaterialInput::youngs_modulus,
@@ -78,9 +78,10 @@ const KeyTable& material_keys() {
          Key::positive("sigma_Flim_MPa", "σ_Flim", &MaterialInput::sigma_Flim, "of the named row",
                        "allowable bending stress number, nominal: without Y_ST = 2")
              .with_also({"sigma_f", "bending_strength", "flim"}),
-         Key::number("surface_hardness_HV", "", Range::between(50, 1200),
-                     &MaterialInput::surface_hardness, "of the named row",
-                     "Vickers hardness of the surface; of a named row it sets the limits, too")
+         Key::number(
+             "surface_hardness_HV", "", Range::between(50, 1200), &MaterialInput::surface_hardness,
+             "of the named row",
+             "Vickers hardness of the surface; for a named row it also determines the limits")
              .with_also({"hardness", "hv"}),
          Key::positive("yield_strength_MPa", "R_e", &MaterialInput::yield_strength,
                        "Y_δrelT = 1 of a tempered or normalized steel",

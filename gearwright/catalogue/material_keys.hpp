@@ -1,4 +1,4 @@
-// The keys of [gearN.material]: what the teeth are made of, for loads and ratings.
+// The keys of [gearN.material]: the material of the teeth, for loads and ratings.
 #pragma once
 
 #include "gearwright/arrange/given_material.hpp"

@@ -39,48 +39,42 @@ const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding
 
 void say_span(Quantities<Span>& q) {
   using S = Span;
-  q.whole("", "teeth", "teeth between the anvils", "k", "of an internal gear its spaces",
-          [](const S& s) { return Value(s.teeth); })
+  q.under("");
+  q.whole("teeth", "teeth between the anvils", "k", "of an internal gear its spaces", &S::teeth)
       .always();
-  q.mm("", "length_mm", "span", "W_k", "exact at any helix angle [T10.2]", [](const S& s) {
-     return Value(s.length);
-   }).always();
-  q.mm("", "contact_diameter_mm", "diameter of the contacts", "d_M",
-       "with the anvils laid symmetrically [T10.3]",
-       [](const S& s) { return Value(s.contact_diameter); })
+  q.number("length_mm", "span", "W_k", "exact at any helix angle [T10.2]", &S::length).always();
+  q.term("contact_diameter_mm", "with the anvils laid symmetrically [T10.3]", &S::contact_diameter)
       .always();
-  q.word("", "contact", "place of the contacts", "on the usable flank from d_Ff to d_Fa, or not",
+  q.term("contact", "on the usable flank from d_Ff to d_Fa, or not",
          [](const S& s) { return place_word(s.place); })
       .always()
       .one_of(kPlaces);
-  q.mm("", "min_face_width_mm", "face width needed", "",
-       "W_k sin |β_b|; on a narrower gear one anvil does not touch [T10.4]",
-       [](const S& s) { return Value(s.min_face_width); })
+  q.number("min_face_width_mm", "face width needed", "",
+           "W_k sin |β_b|; on a narrower gear one anvil does not touch [T10.4]", &S::min_face_width)
       .always();
-  q.flag("", "face_wide_enough", "face wide enough for both anvils", "b is greater than that",
-         [](const S& s) { return Value(s.face_is_wide_enough); });
+  q.flag("face_wide_enough", "face wide enough for both anvils", "b is greater than that",
+         &S::face_is_wide_enough);
 }
 
 const Quantities<Span>& span_quantities() {
   static const Quantities<Span> kAll("measure.span", say_span);
   return kAll;
 }
-const QuantityTable& span_table() { return span_quantities().table(); }
 
-// Where a ball or pin lies, after what is read over it.
+// The position of a ball or pin, after the reading over it.
 template <class V, class Seat>
 void say_seat(Quantities<V>& q, const Seat& seat) {
-  q.mm("", "center_diameter_mm", "diameter of their centres", "d_K", "[T10.6]", [seat](const V& v) {
-     return Value(seat(v).center_diameter);
+  q.under("");
+  q.term("center_diameter_mm", "[T10.6]", [seat](const V& v) {
+     return seat(v).center_diameter;
    }).always();
-  q.mm("", "contact_diameter_mm", "diameter of the contacts", "d_M", "[T10.7]", [seat](const V& v) {
-     return Value(seat(v).contact_diameter);
+  q.term("contact_diameter_mm", "[T10.7]", [seat](const V& v) {
+     return seat(v).contact_diameter;
    }).always();
-  q.mm("", "contact_offset_mm", "contacts before and behind the centre", "",
-       "along the axis, one each way: D_M sin |β_b|/2",
-       [seat](const V& v) { return Value(seat(v).contact_offset); })
-      .always();
-  q.word("", "contact", "place of the contacts", "on the usable flank from d_Ff to d_Fa, or not",
+  q.term("contact_offset_mm", "along the axis, one each way: D_M sin |β_b|/2", [seat](const V& v) {
+     return seat(v).contact_offset;
+   }).always();
+  q.term("contact", "on the usable flank from d_Ff to d_Fa, or not",
          [seat](const V& v) { return place_word(seat(v).place); })
       .always()
       .one_of(kPlaces);
@@ -89,45 +83,45 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
 const Quantities<BallMeasure>& ball_quantities() {
   using B = BallMeasure;
   static const Quantities<B> kAll("measure.over_balls", [](Quantities<B>& q) {
-    q.mm("", "ball_diameter_mm", "diameter of the balls", "D_M", "given, or the standard size",
-         [](const B& b) { return Value(b.seat.ball_diameter); })
+    q.number("ball_diameter_mm", "diameter of the balls", "D_M", "given, or the standard size",
+             [](const B& b) { return b.seat.ball_diameter; })
         .always();
-    q.mm("", "dimension_mm", "over two balls, between them in an internal gear", "M_dK",
-         "both in one transverse plane, in opposite spaces or those nearest to it [T10.8]",
-         [](const B& b) { return Value(b.dimension); })
+    q.number("dimension_mm", "over two balls, between them in an internal gear", "M_dK",
+             "both in one transverse plane, in opposite spaces or those nearest to it [T10.8]",
+             &B::dimension)
         .always();
-    q.mm("", "radial_mm", "from the axis over one ball", "M_rK", "of an internal gear inside it",
-         [](const B& b) { return Value(b.seat.radial); })
+    q.number("radial_mm", "from the axis over one ball", "M_rK", "of an internal gear inside it",
+             [](const B& b) { return b.seat.radial; })
         .always();
     say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
   });
   return kAll;
 }
-const QuantityTable& ball_table() { return ball_quantities().table(); }
 
 const Quantities<PinMeasure>& pin_quantities() {
   using P = PinMeasure;
   static const Quantities<P> kAll("measure.over_pins", [](Quantities<P>& q) {
-    q.mm("", "pin_diameter_mm", "diameter of the pins", "D_M", "given, or that of the balls",
-         [](const P& p) { return Value(p.seat.ball_diameter); })
+    q.number("pin_diameter_mm", "diameter of the pins", "D_M", "given, or that of the balls",
+             [](const P& p) { return p.seat.ball_diameter; })
         .always();
-    q.mm("", "two_free_mm", "over two pins that may tilt", "M_dR",
-         "the least, as a micrometer finds it [T10.9]; null: an internal helical gear",
-         [](const P& p) { return Value(p.reading.two_free); });
-    q.mm("", "three_mm", "over two pins between parallel anvils", "M_dR",
-         "also over three pins on helical gears [T10.10]; as over two pins on spur gears; null: an "
-         "internal helical gear",
-         [](const P& p) { return Value(p.reading.three); });
-    q.mm("", "three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
-         "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur gear "
-         "with an odd number of teeth [T10.30]; on other gears as between parallel anvils; null: "
-         "an internal helical gear",
-         [](const P& p) { return Value(p.reading.three_pins); });
+    q.number("two_free_mm", "over two pins that may tilt", "M_dR",
+             "the least, as a micrometer finds it [T10.9]; null: an internal helical gear",
+             [](const P& p) { return p.reading.two_free; });
+    q.number(
+        "three_mm", "over two pins between parallel anvils", "M_dR",
+        "also over three pins on helical gears [T10.10]; as over two pins on spur gears; null: an "
+        "internal helical gear",
+        [](const P& p) { return p.reading.three; });
+    q.number(
+        "three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
+        "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur gear "
+        "with an odd number of teeth [T10.30]; on other gears as between parallel anvils; null: "
+        "an internal helical gear",
+        [](const P& p) { return p.reading.three_pins; });
     say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
   return kAll;
 }
-const QuantityTable& pin_table() { return pin_quantities().table(); }
 
 std::string inch_text(double inch) {
   int over = static_cast<int>(std::lround(inch * 64)), under = 64;
@@ -141,138 +135,120 @@ std::string inch_text(double inch) {
 const Quantities<BallSizes>& size_quantities() {
   using S = BallSizes;
   static const Quantities<S> kAll("measure.ball_sizes", [](Quantities<S>& q) {
-    q.mm("", "ideal_mm", "touching at the V circle", "D_M",
-         "or at the middle of the usable flank if that circle lies outside it [T10.11]",
-         [](const S& s) { return Value(s.ideal); })
+    q.number("ideal_mm", "touching at the V circle", "D_M",
+             "or at the middle of the usable flank if that circle lies outside it [T10.11]",
+             &S::ideal)
         .always();
-    q.mm("", "metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977",
-         [](const S& s) { return Value(s.metric); })
+    q.number("metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977", &S::metric)
         .always();
-    q.word("", "inch", "nearest inch size",
+    q.word("inch", "nearest inch size",
            "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in "
            "by 1/16 in",
-           [](const S& s) { return Value(inch_text(s.inch)); })
+           [](const S& s) { return inch_text(s.inch); })
         .always();
-    q.mm("", "inch_mm", "the same in mm", "", "", [](const S& s) {
-       return Value(s.inch * kMmPerInch);
+    q.number("inch_mm", "the same in mm", "", "", [](const S& s) {
+       return s.inch * kMmPerInch;
      }).always();
   });
   return kAll;
 }
-const QuantityTable& size_table() { return size_quantities().table(); }
 
 const Quantities<ChordMeasure>& chord_quantities() {
   using C = ChordMeasure;
   static const Quantities<C> kAll("measure.chordal_thickness", [](Quantities<C>& q) {
-    q.mm("", "diameter_mm", "diameter of the chord", "d_y", "at which the calliper's jaws touch",
-         [](const C& c) { return Value(c.diameter); })
+    q.number("diameter_mm", "diameter of the chord", "d_y", "at which the calliper's jaws touch",
+             &C::diameter)
         .always();
-    q.mm("", "chord_mm", "chordal tooth thickness", "",
-         "the shortest over the inclinations of the calliper [T5.6]",
-         [](const C& c) { return Value(c.chord.chord); })
+    q.number("chord_mm", "chordal tooth thickness", "",
+             "the shortest over the inclinations of the calliper [T5.6]",
+             [](const C& c) { return c.chord.chord; })
         .always();
-    q.mm("", "height_mm", "height of the arc over the chord", "", "at that diameter",
-         [](const C& c) { return Value(c.chord.height); })
+    q.number("height_mm", "height of the arc over the chord", "", "at that diameter",
+             [](const C& c) { return c.chord.height; })
         .always();
-    q.mm("", "tip_to_chord_mm", "calliper setting from the tip", "",
-         "from d_a; < 0 where an internal gear's chord passes its tip",
-         [](const C& c) { return Value(c.chord.tip_to_chord); })
+    q.number("tip_to_chord_mm", "calliper setting from the tip", "",
+             "from d_a; < 0 where an internal gear's chord passes its tip",
+             [](const C& c) { return c.chord.tip_to_chord; })
         .always();
-    q.deg("", "caliper_angle_deg", "calliper to the transverse plane", "", "signed like β [T5.7]",
-          [](const C& c) { return Value(deg(c.chord.caliper_angle)); })
+    q.number("caliper_angle_deg", "calliper to the transverse plane", "", "signed like β [T5.7]",
+             [](const C& c) { return deg(c.chord.caliper_angle); })
         .always()
         .digits(3);
   });
   return kAll;
 }
-const QuantityTable& chord_table() { return chord_quantities().table(); }
 
 const Quantities<ConstantChord>& constant_quantities() {
   using C = ConstantChord;
   static const Quantities<C> kAll("measure.constant_chord", [](Quantities<C>& q) {
-    q.mm("", "chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", [](const C& c) {
-       return Value(c.chord);
-     }).always();
-    q.mm("", "tip_to_chord_mm", "calliper setting from the tip", "h_c", "from d_a [T10.13]",
-         [](const C& c) { return Value(c.tip_to_chord); })
+    q.number("chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", &C::chord).always();
+    q.number("tip_to_chord_mm", "calliper setting from the tip", "h_c", "from d_a [T10.13]",
+             &C::tip_to_chord)
         .always();
-    q.mm("", "contact_diameter_mm", "diameter of the contacts", "", "[T10.14]", [](const C& c) {
-       return Value(c.contact_diameter);
-     }).always();
-    q.word("", "contact", "place of the contacts", "on the usable flank from d_Ff to d_Fa, or not",
+    q.number("contact_diameter_mm", "diameter of the contacts", "", "[T10.14]",
+             &C::contact_diameter)
+        .always();
+    q.term("contact", "on the usable flank from d_Ff to d_Fa, or not",
            [](const C& c) { return place_word(c.place); })
         .always()
         .one_of(kPlaces);
   });
   return kAll;
 }
-const QuantityTable& constant_table() { return constant_quantities().table(); }
 
 const Quantities<ThicknessAt>& thickness_quantities() {
   using T = ThicknessAt;
   static const Quantities<T> kAll("measure.tooth_thickness", [](Quantities<T>& q) {
-    q.mm("", "diameter_mm", "diameter", "d_y", "that of the chord", [](const T& t) {
-       return Value(t.diameter);
+    q.number("diameter_mm", "diameter", "d_y", "that of the chord", &T::diameter).always();
+    q.number("transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", &T::transverse)
+        .always();
+    q.number("normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", &T::normal).always();
+    q.number("half_angle_deg", "half angle of the tooth", "ψ_y", "s_yt/d_y", [](const T& t) {
+       return deg(t.half_angle);
      }).always();
-    q.mm("", "transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", [](const T& t) {
-       return Value(t.transverse);
-     }).always();
-    q.mm("", "normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", [](const T& t) {
-       return Value(t.normal);
-     }).always();
-    q.deg("", "half_angle_deg", "half angle of the tooth", "ψ_y", "s_yt/d_y", [](const T& t) {
-       return Value(deg(t.half_angle));
-     }).always();
-    q.deg("", "helix_angle_deg", "helix angle", "β_y", "> 0 right hand [T2.12]", [](const T& t) {
-       return Value(deg(t.helix));
+    q.number("helix_angle_deg", "helix angle", "β_y", "> 0 right hand [T2.12]", [](const T& t) {
+       return deg(t.helix);
      }).always();
   });
   return kAll;
 }
-const QuantityTable& thickness_table() { return thickness_quantities().table(); }
-
-const QuantityTable& tolerance_table() { return tolerance_quantities().table(); }
-const QuantityTable& range_table() { return range_quantities().table(); }
-
-template <class T>
-Value record_of(const Quantities<T>& quantities, const std::optional<T>& subject) {
-  return subject ? Value(quantities.of(*subject)) : Value();
-}
 
 void say_measure(Quantities<GearMeasures>& q) {
   using M = GearMeasures;
-  q.record(kSpan, "span", "null: none can be measured", span_table,
-           [](const M& m) { return record_of(span_quantities(), m.span); });
-  q.record("Other spans", "spans",
-           "all spans that can be measured, at most 31 around the usual "
-           "one",
-           span_table, [](const M& m) { return Value(span_quantities().each(m.spans)); })
+  q.under(kSpan);
+  q.record<span_quantities>("span", "null: none can be measured", &M::span);
+  q.under("Other spans");
+  q.record<span_quantities>("spans",
+                            "all spans that can be measured, at most 31 around the usual "
+                            "one",
+                            &M::spans)
       .list({0})
       .always()
       .doors(kJson);
-  q.record(kBalls, "over_balls", "null: no ball can be measured", ball_table,
-           [](const M& m) { return record_of(ball_quantities(), m.balls); });
-  q.record(kPins, "over_pins", "null: no pin can be measured", pin_table,
-           [](const M& m) { return record_of(pin_quantities(), m.pins); });
-  q.record(kSizes, "ball_sizes", "null: no ball can be measured", size_table,
-           [](const M& m) { return record_of(size_quantities(), m.sizes); });
-  q.record(kChord, "chordal_thickness", "thickness allowance included; null: there is no chord",
-           chord_table, [](const M& m) { return record_of(chord_quantities(), m.chord); });
-  q.record(kConstant, "constant_chord", "null: there is no usable flank", constant_table,
-           [](const M& m) { return record_of(constant_quantities(), m.constant); });
-  q.record(kThickness, "tooth_thickness", "null: the flank does not reach there", thickness_table,
-           [](const M& m) { return record_of(thickness_quantities(), m.thickness); });
-  q.mm(kThickness, "normal_base_pitch_mm", "normal base pitch", "p_bn",
-       "between two flanks of one hand, along their common normal",
-       [](const M& m) { return m.reference ? Value(m.reference->base_pitch_normal) : Value(); });
-  q.mm(
-      kThickness, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
-      [](const M& m) { return m.reference ? Value(m.reference->base_pitch_transverse) : Value(); });
-  q.record(kRanges, "flank", "null: there is no usable flank", range_table,
-           [](const M& m) { return record_of(range_quantities(), m.ranges); });
-  q.record(kTolerances, "tolerances", "with `quality`; ISO 1328-1, the edition of the spec",
-           tolerance_table,
-           [](const M& m) { return record_of(tolerance_quantities(), m.tolerances); })
+  q.under(kBalls);
+  q.record<ball_quantities>("over_balls", "null: no ball can be measured", &M::balls);
+  q.under(kPins);
+  q.record<pin_quantities>("over_pins", "null: no pin can be measured", &M::pins);
+  q.under(kSizes);
+  q.record<size_quantities>("ball_sizes", "null: no ball can be measured", &M::sizes);
+  q.under(kChord);
+  q.record<chord_quantities>("chordal_thickness",
+                             "thickness allowance included; null: there is no chord", &M::chord);
+  q.under(kConstant);
+  q.record<constant_quantities>("constant_chord", "null: there is no usable flank", &M::constant);
+  q.under(kThickness);
+  q.record<thickness_quantities>("tooth_thickness", "null: the flank does not reach there",
+                                 &M::thickness);
+  q.term("normal_base_pitch_mm", "between two flanks of one hand, along their common normal",
+         [](const M& m) { return m.reference ? Value(m.reference->base_pitch_normal) : Value(); });
+  q.term("transverse_base_pitch_mm", "π d_b/z", [](const M& m) {
+    return m.reference ? Value(m.reference->base_pitch_transverse) : Value();
+  });
+  q.under(kRanges);
+  q.record<range_quantities>("flank", "null: there is no usable flank", &M::ranges);
+  q.under(kTolerances);
+  q.record<tolerance_quantities>(
+       "tolerances", "with `quality`; ISO 1328-1, the edition of the spec", &M::tolerances)
       .when([](const M& m) { return m.tolerances.has_value(); });
 }
 
@@ -287,21 +263,17 @@ const Quantities<ReferenceInput<double>>& as_rack_quantities() {
   using R = ReferenceInput<double>;
   static const Quantities<R> kAll("as_rack", [](Quantities<R>& q) {
     constexpr const char* kRack = "As the rack asked for has it";
-    q.mm(kRack, "normal_module_mm", "normal module", "m_n", "of that rack",
-         [](const R& r) { return Value(r.normal_module); })
-        .always()
-        .digits(6);
-    q.deg(kRack, "normal_pressure_angle_deg", "normal pressure angle", "α_n", "of that rack",
-          [](const R& r) { return Value(deg(r.normal_pressure_angle)); })
-        .always();
-    q.deg(kRack, "helix_angle_deg", "helix angle", "β", "at its reference cylinder",
-          [](const R& r) { return Value(deg(r.helix_angle)); })
-        .always();
-    q.pure(kRack, "profile_shift", "profile shift coefficient", "x", "thickness allowance included",
-           [](const R& r) { return Value(r.profile_shift); })
-        .always();
-    q.mm(kRack, "reference_diameter_mm", "reference diameter", "d", "of that rack", [](const R& r) {
-       return Value(r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth));
+    q.under(kRack);
+    q.term("normal_module_mm", "of that rack", &R::normal_module).always().digits(6);
+    q.term("normal_pressure_angle_deg", "of that rack", [](const R& r) {
+       return deg(r.normal_pressure_angle);
+     }).always();
+    q.term("helix_angle_deg", "at its reference cylinder", [](const R& r) {
+       return deg(r.helix_angle);
+     }).always();
+    q.term("profile_shift", "thickness allowance included", &R::profile_shift).always();
+    q.term("reference_diameter_mm", "of that rack", [](const R& r) {
+       return r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth);
      }).always();
   });
   return kAll;

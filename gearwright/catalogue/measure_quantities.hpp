@@ -10,7 +10,7 @@ namespace gearwright {
 /// Of one gear.
 const Quantities<GearMeasures>& measure_quantities();
 
-/// Of a rack that would cut the same teeth.
+/// Data of a rack that would cut the same teeth.
 const Quantities<ReferenceInput<double>>& as_rack_quantities();
 
 }  // namespace gearwright

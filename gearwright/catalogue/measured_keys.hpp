@@ -1,4 +1,4 @@
-// The keys of [gearN.measured]: readings of a gear that nobody knows.
+// The keys of [gearN.measured]: readings of an unknown gear.
 #pragma once
 
 #include "gearwright/catalogue/key.hpp"
@@ -8,9 +8,9 @@ namespace gearwright {
 inline constexpr std::size_t kMostBallReadings = 20;
 
 const KeyTable& measured_keys();
-/// Of one of over_balls_mm.
+/// The keys of one entry of over_balls_mm.
 const KeyTable& measured_ball_keys();
-/// Of a [gearN] that has readings and no module: what may be known of it.
+/// The keys of a [gearN] with readings and without a module: additional known data.
 const KeyTable& unknown_gear_keys();
 
 }  // namespace gearwright

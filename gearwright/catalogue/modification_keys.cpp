@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// The words of keys that are put together here live as long as the program.
+// Stores words of keys that are composed here for the lifetime of the program.
 std::string_view kept(std::string text) {
   static std::deque<std::string> texts;
   return texts.emplace_back(std::move(text));
@@ -58,8 +58,8 @@ const std::array<ModificationEntry, 7>& modification_entries() {
 const KeyTable& modification_keys() {
   static const KeyTable table = [] {
     KeyTable t{"modifications",
-               "What is removed from the flanks, normal to them; with right_ or left_ before a key "
-               "from one of them",
+               "Material removed from the flanks, normal to them; with right_ or left_ before a "
+               "key, from one flank",
                {}};
     for (const ModificationEntry& m : modification_entries()) {
       const std::string name(m.name);
@@ -76,6 +76,9 @@ const KeyTable& modification_keys() {
       const bool length = m.reach == "_length_mm";
       add(t.keys, {.key = kept(name + std::string(m.reach)),
                    .range = KeyRange::positive(),
+                   .fallback = length ? std::string_view()
+                                      : "short relief: the reliefs of both gears leave one base "
+                                        "pitch of the path",
                    .meaning = length ? "the length l, from b/1000 to b/2"
                                      : "the start diameter, on the usable flank",
                    .fields = {name + ".reach"}});
@@ -88,7 +91,7 @@ const KeyTable& modification_keys() {
     }
     add(t.keys, {.key = "topography",
                  .kind = KeyKind::text,
-                 .meaning = "a CSV file with what is removed at the points of a grid"});
+                 .meaning = "a CSV file with the material removed at the points of a grid"});
     return t;
   }();
   return table;

@@ -1,7 +1,8 @@
-// The seven flank modifications, said once: names, words, symbols, members; and from them the keys
-// of [gearN.modifications].
+// The table of the seven flank modifications (names, words, symbols, members), and the keys of
+// [gearN.modifications] made from it.
 //
-// A key holds for both flanks; with right_ or left_ before it for one, where it counts more.
+// A key applies to both flanks. With the prefix right_ or left_ it applies to one flank and takes
+// precedence.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ struct ModificationEntry {
   double amount_of(const FlankModifications& m) const {
     return relief ? (m.*relief).amount : m.*amount;
   }
-  /// Whether the drawing says where it lies; an amount alone lies on the whole flank.
+  /// True if the drawing gives its position; an amount alone applies to the whole flank.
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 
@@ -35,7 +36,7 @@ struct ModificationEntry {
 const std::array<ModificationEntry, 7>& modification_entries();
 
 constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};
-/// How members of one flank are named: "modifications.right.tip_relief.amount".
+/// Prefixes of the members of one flank: "modifications.right.tip_relief.amount".
 constexpr std::array<std::string_view, 2> kFlankMembers{"right.", "left."};
 
 const KeyTable& modification_keys();

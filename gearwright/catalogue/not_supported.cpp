@@ -8,10 +8,10 @@ namespace gearwright {
 
 namespace {
 
-// `#` in a path is any number; a path that begins with "*." is a key of any table.
+// `#` in a path is any number. A path that begins with "*." is a key of any table.
 struct Row {
   std::string_view path;
-  std::string_view value;  // of a known key; of an unknown one empty
+  std::string_view value;  // of a known key; empty for an unknown one
   std::string_view sentence;
 };
 
@@ -43,28 +43,12 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear#.measured.helix_deg", "",
      "the reading of the helix angle is helix_angle_deg, at the reference cylinder"},
     {"measured", "", "readings belong to a gear: [gear1.measured]"},
-    {"search.kind", "",
-     "a search finds pairs of gears; planetary sets and trains are not supported"},
-    {"scatter.quality", "",
-     "tolerances by a quality grade are not drawn yet. `gearwright measure` prints f_Hβ and f_Hα "
-     "of "
-     "the grade; give them as [scatter.errors] helix_slope1_um = [-f, f] and "
-     "[scatter.gear1.modifications] profile_slope_um = [-f, f]"},
     {"scatter.loaded", "",
      "teeth under torque are not drawn: scatter is for rigid teeth. `gearwright load` computes one "
      "pair "
      "under torque"},
-    {"scatter.robust", "",
-     "corrections for a percentile are not searched. [compensate.range] with the verb compensate "
-     "finds corrections for the corners of up to five ranges"},
     {"scatter.correlations", "",
      "inputs that depend on each other are not drawn; bores are, by [scatter.bearings]"},
-    {"scatter.gear#.pitch", "",
-     "pitch deviations of single teeth are not drawn; all teeth of a gear are alike"},
-    {"scatter.gear#.profile_waves", "",
-     "waves of the profile form are not drawn; give profile_crowning_um a range"},
-    {"scatter.gear#.helix_waves", "",
-     "waves of the helix form are not drawn; give lead_crowning_um a range"},
     {"*.herringbone", "", kTwoHalves},
     {"*.units", "", kUnits},
     {"*.unit", "", kUnits},

@@ -63,7 +63,7 @@ const KeyTable& pair_keys() {
                  "`true`: absent profile shifts follow from a given centre distance, and a note "
                  "reports them; `false`: they must be given"),
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
-                 "tips without a given `tip_diameter_mm` are cut back by k m_n, so that the "
+                 "tips without a given `tip_diameter_mm` are shortened by k m_n, so that the "
                  "clearance of the racks is kept"),
        Key::number("friction_coefficient", "μ",
                    KeyRange{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},

@@ -3,24 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/units.hpp"
 #include "gearwright/pair/drive.hpp"
 
 namespace gearwright {
 
 namespace {
 
-Value degrees(const std::optional<Angle>& angle) { return angle ? Value(angle->deg()) : Value(); }
-
 // mm, or rad
 double amount(const Interference& i) {
   const auto* angle = std::get_if<Angle>(&i.amount);
   return angle ? angle->rad() : std::get<double>(i.amount);
-}
-
-// Lengths along the line: in the transverse section, or in space where the axes cross.
-double line_cosine(const InvolutePair& p) {
-  return p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
 }
 
 struct PathPoint {
@@ -30,16 +22,16 @@ struct PathPoint {
 
 void say_path_point(Quantities<PathPoint>& q) {
   using P = PathPoint;
-  q.mm("", "from_A_mm", "distance from A", "", "along the line",
-       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_A) / line_cosine(*p.pair)); });
-  q.mm("", "from_pitch_point_mm", "distance from the pitch point", "", "along the line",
-       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_C) / line_cosine(*p.pair)); });
-  q.mm("", "rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile",
-       [](const P& p) { return Value(p.rho1); });
-  q.mm("", "rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
-       [](const P& p) { return Value(p.pair->mesh.rho2(p.rho1)); });
-  q.mm("", "point_mm", "point", "", "in the housing frame", [](const P& p) {
-     return Value(p.pair->on_line_of_action(p.rho1).r);
+  q.under("");
+  q.number("from_A_mm", "distance from A", "", "along the line",
+           [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_A) / p.pair->mesh.line_cosine; });
+  q.number("from_pitch_point_mm", "distance from the pitch point", "", "along the line",
+           [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_C) / p.pair->mesh.line_cosine; });
+  q.number("rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile", &P::rho1);
+  q.number("rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
+           [](const P& p) { return p.pair->mesh.rho2(p.rho1); });
+  q.term("point_mm", "in the housing frame", [](const P& p) {
+     return p.pair->on_line_of_action(p.rho1).r;
    }).list({3});
 }
 
@@ -48,9 +40,7 @@ const Quantities<PathPoint>& path_point_quantities() {
   return kAll;
 }
 
-const QuantityTable& path_point_table() { return path_point_quantities().table(); }
-
-// Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
+// Sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
 Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, double along)) {
   ValueList speeds;
   for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
@@ -65,8 +55,8 @@ Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, doub
 const Quantities<std::array<Value, 2>>& two_gears() {
   using A = std::array<Value, 2>;
   static const Quantities<A> kAll("two gears", [](Quantities<A>& q) {
-    q.pure("", "gear1", "gear 1", "", "of gear 1", [](const A& a) { return a[0]; }).list({2});
-    q.pure("", "gear2", "gear 2", "", "of gear 2", [](const A& a) { return a[1]; }).list({2});
+    q.number("gear1", "gear 1", "", "of gear 1", [](const A& a) { return a[0]; }).list({2});
+    q.number("gear2", "gear 2", "", "of gear 2", [](const A& a) { return a[1]; }).list({2});
   });
   return kAll;
 }
@@ -74,15 +64,9 @@ const Quantities<std::array<Value, 2>>& two_gears() {
 const Quantities<CrossedPlace>& place_quantities() {
   using P = CrossedPlace;
   static const Quantities<P> kAll("place", [](Quantities<P>& q) {
-    q.mm("", "center_distance_mm", "centre distance", "a", "free of backlash", [](const P& p) {
-       return Value(p.center_distance);
-     }).always();
-    q.deg("", "shaft_angle_deg", "shaft angle", "Σ", "there", [](const P& p) {
-       return Value(p.shaft_angle.deg());
-     }).always();
-    q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn", "there",
-          [](const P& p) { return Value(p.normal_pressure_angle.deg()); })
-        .always();
+    q.term("center_distance_mm", "free of backlash", &P::center_distance).always();
+    q.term("shaft_angle_deg", "there", &P::shaft_angle).always();
+    q.term("working_normal_pressure_angle_deg", "there", &P::normal_pressure_angle).always();
   });
   return kAll;
 }
@@ -91,20 +75,23 @@ const Quantities<CrossedPlaces>& places_quantities() {
   using P = CrossedPlaces;
   static const Quantities<P> kAll("places", [](Quantities<P>& q) {
     const char* ends = "[at the least α_wn, at the greatest]";
-    q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn", ends,
-          [](const P& p) {
-            return Value(
-                std::array{p.lo.normal_pressure_angle.deg(), p.hi.normal_pressure_angle.deg()});
-          })
+    q.term("working_normal_pressure_angle_deg", ends, [](const P& p) {
+       return std::array{p.lo.normal_pressure_angle, p.hi.normal_pressure_angle};
+     }).ends();
+    q.term("center_distance_mm", ends,
+           [](const P& p) {
+             return std::array{p.lo.center_distance, p.hi.center_distance};
+           })
+        .words("centre distance at these two")
         .ends();
-    q.mm("", "center_distance_mm", "centre distance at these two", "a", ends, [](const P& p) {
-       return Value(std::array{p.lo.center_distance, p.hi.center_distance});
-     }).ends();
-    q.deg("", "shaft_angle_deg", "shaft angle at these two", "Σ", ends, [](const P& p) {
-       return Value(std::array{p.lo.shaft_angle.deg(), p.hi.shaft_angle.deg()});
-     }).ends();
-    q.flag("", "ends_at_90_deg_helix", "ends at a helix angle of 90°",
-           "a helix angle of 90° ends it", [](const P& p) { return Value(p.limit); })
+    q.term("shaft_angle_deg", ends,
+           [](const P& p) {
+             return std::array{p.lo.shaft_angle, p.hi.shaft_angle};
+           })
+        .words("shaft angle at these two")
+        .ends();
+    q.flag("ends_at_90_deg_helix", "ends at a helix angle of 90°",
+           "the interval ends because a helix angle reaches 90°", &P::limit)
         .doors(kJson);
   });
   return kAll;
@@ -116,33 +103,34 @@ const Quantities<LineView>& line_quantities() {
     const auto ends = [](const std::array<Vec3, 2>& line) {
       return Value(ValueList{line[0], line[1]});
     };
-    q.mm("", "length_mm", "length of path of contact", "g_α",
-         "crossed AE along the line of action; 0 when the path has none",
-         [](const L& l) { return Value(l.length); })
+    q.number("length_mm", "length of path of contact", "g_α",
+             "crossed AE along the line of action; 0 when the path has none", &L::length)
         .always();
-    q.mm("", "leading", "leading line of action", "",
-         "[A, E] as points, on parallel axes in the section z = 0",
-         [ends](const L& l) { return ends(l.leading); })
+    q.number("leading", "leading line of action", "",
+             "[A, E] as points, on parallel axes in the section z = 0",
+             [ends](const L& l) { return ends(l.leading); })
+        .unit(Unit::mm)
         .list({2, 3})
         .doors(kJson);
-    q.mm("", "trailing", "trailing line of action", "", "[A′, E′] as points",
-         [ends](const L& l) { return ends(l.trailing); })
+    q.number("trailing", "trailing line of action", "", "[A′, E′] as points",
+             [ends](const L& l) { return ends(l.trailing); })
+        .unit(Unit::mm)
         .list({2, 3})
         .doors(kJson);
   });
   return kAll;
 }
 
-std::optional<LineView> line_of(const Pair& v) {
-  if (v.involute()) {
-    const InvolutePair& p = *v.involute();
-    return LineView{p.path_length(),
-                    {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
-                    {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
-  }
-  // The way of the first contact over the common face, and its mirror image on the non-working
-  // flanks.
-  const ArcPair& p = *v.arcs();
+namespace {
+
+std::optional<LineView> line_between(const InvolutePair& p) {
+  return LineView{p.path_length(),
+                  {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
+                  {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
+}
+
+// The way of the first contact over the common face, and its mirror image on the non-working flanks.
+std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
   const double face = std::min(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
@@ -152,11 +140,38 @@ std::optional<LineView> line_of(const Pair& v) {
                   {Vec3(at.x(), -at.y(), half), Vec3(at.x(), -at.y(), -half)}};
 }
 
+std::vector<InterferenceView> interference_between(const InvolutePair& p) {
+  std::vector<InterferenceView> list;
+  for (const Interference& i : p.interference)
+    list.push_back({i.code, i.gear, amount(i), i.message});
+  return list;
+}
+
+std::vector<InterferenceView> interference_between(const ArcPair& p) {
+  std::vector<InterferenceView> list;
+  for (const Warning& w : p.warnings) {
+    if (w.code == WarningCode::root || w.code == WarningCode::interference ||
+        w.code == WarningCode::overlap)
+      list.push_back({w.code, w.gear, std::nullopt, w.message});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<LineView> line_of(const Pair& v) {
+  return v.visit([](const auto& p) { return line_between(p); });
+}
+
+std::vector<InterferenceView> interference_of(const Pair& v) {
+  return v.visit([](const auto& p) { return interference_between(p); });
+}
+
 const Quantities<InvolutePair>& path_quantities() {
   static const Quantities<InvolutePair> kAll("pair.path", [](Quantities<InvolutePair>& q) {
     const auto point = [&q](const char* key, const char* meaning, auto rho1) {
-      q.record("", key, meaning, path_point_table, [rho1](const InvolutePair& p) {
-         return Value(path_point_quantities().of({&p, p.mesh.*rho1}));
+      q.record<path_point_quantities>(key, meaning, [rho1](const InvolutePair& p) {
+         return path_point_quantities().of({&p, p.mesh.*rho1});
        }).always();
     };
     point("A", "where contact begins: the tip of gear 2", &Mesh<double>::rho1_A);
@@ -171,30 +186,23 @@ const Quantities<InvolutePair>& path_quantities() {
 const Quantities<PairBacklash>& backlash_quantities() {
   using B = PairBacklash;
   static const Quantities<B> kAll("pair.backlash", [](Quantities<B>& q) {
-    q.mm("", "normal_base_mm", "normal backlash along the line of action", "j_bn",
-         "along the common normal", [](const B& b) { return Value(b.normal_base); })
-        .always();
-    q.mm("", "normal_mm", "normal backlash", "j_n", "j_bn/cos α_wn", [](const B& b) {
-       return Value(b.normal);
-     }).always();
-    q.mm("", "circumferential_mm", "circumferential backlash", "j_wt",
-         "per gear, at the working pitch circles",
-         [](const B& b) { return Value(b.circumferential); })
+    q.term("normal_base_mm", "along the common normal", &B::normal_base).always();
+    q.term("normal_mm", "j_bn/cos α_wn", &B::normal).always();
+    q.term("circumferential_mm", "per gear, at the working pitch circles", &B::circumferential)
         .per_gear()
         .always();
-    q.deg("", "rotation_deg", "angular backlash (mating gear fixed)", "j_φ", "per gear",
-          [](const B& b) {
-            return Value(std::array{b.rotation[0].deg(), b.rotation[1].deg()});
-          })
+    q.number("rotation_deg", "angular backlash (mating gear fixed)", "j_φ", "per gear",
+             &B::rotation)
         .per_gear()
         .always();
-    q.deg("", "free_rotation_deg", "free play (mating gear fixed)", "",
-          "per gear, the rotation without any contact; less than the backlash if other parts meet "
-          "before the flanks; null: not computed, or a tip lies inside a root",
-          [](const B& b) {
-            if (!b.free) return Value();
-            return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
-          })
+    q.number(
+         "free_rotation_deg", "free play (mating gear fixed)", "",
+         "per gear, the rotation without any contact; less than the backlash if other parts meet "
+         "before the flanks; null: not computed, or a tip lies inside a root",
+         [](const B& b) {
+           if (!b.free) return Value();
+           return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
+         })
         .per_gear()
         .shown([](const B& b) {
           constexpr double kSame = 1e-9;
@@ -204,24 +212,27 @@ const Quantities<PairBacklash>& backlash_quantities() {
   return kAll;
 }
 
-const Quantities<InvolutePair>& needed_face_quantities() {
-  static const Quantities<InvolutePair> kAll(
-      "pair.needed face width", [](Quantities<InvolutePair>& q) {
+const Quantities<ParallelPair>& needed_face_quantities() {
+  static const Quantities<ParallelPair> kAll(
+      "pair.needed face width", [](Quantities<ParallelPair>& q) {
         const auto positive = [](double total) {
-          return [total](const InvolutePair& p) {
+          return [total](const ParallelPair& p) {
             return face_width_for_total(p, total).value_or(0.0) > 0.0;
           };
         };
-        q.mm("", "total_1", "face width for a total contact ratio of 1", "b",
-             "null for a spur pair that needs one",
-             [](const InvolutePair& p) { return Value(face_width_for_total(p, 1.0)); })
+        q.number("total_1", "face width for a total contact ratio of 1", "b",
+                 "null for a spur pair that needs one",
+                 [](const ParallelPair& p) { return face_width_for_total(p, 1.0); })
+            .unit(Unit::mm)
             .shown(positive(1.0));
-        q.mm("", "total_1_2", "face width for a total contact ratio of 1.2", "b",
-             "null for a spur pair that needs one",
-             [](const InvolutePair& p) { return Value(face_width_for_total(p, 1.2)); })
+        q.number("total_1_2", "face width for a total contact ratio of 1.2", "b",
+                 "null for a spur pair that needs one",
+                 [](const ParallelPair& p) { return face_width_for_total(p, 1.2); })
+            .unit(Unit::mm)
             .shown(positive(1.2));
-        q.mm("", "overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
-             [](const InvolutePair& p) { return Value(face_width_for_overlap(p)); });
+        q.number("overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
+                 [](const ParallelPair& p) { return face_width_for_overlap(p); })
+            .unit(Unit::mm);
       });
   return kAll;
 }
@@ -230,8 +241,9 @@ const Quantities<InvolutePair>& sliding_velocity_quantities() {
   static const Quantities<InvolutePair> kAll(
       "pair.sliding velocity", [](Quantities<InvolutePair>& q) {
         const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
-          q.add(Type::number, Unit::mm_per_rad, "", key, key, "", meaning,
-                [part](const InvolutePair& p) { return sliding_at_A_C_E(p, part); })
+          q.number(key, key, "", meaning,
+                   [part](const InvolutePair& p) { return sliding_at_A_C_E(p, part); })
+              .unit(Unit::mm_per_rad)
               .list({3})
               .always();
         };
@@ -239,7 +251,7 @@ const Quantities<InvolutePair>& sliding_velocity_quantities() {
            [](double across, double) { return across; });
         at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
            [](double, double along) { return along; });
-        at("total", "[at A, at C, at E]; of the two together",
+        at("total", "[at A, at C, at E]; resultant of the two",
            [](double across, double along) { return std::hypot(across, along); });
       });
   return kAll;
@@ -248,28 +260,27 @@ const Quantities<InvolutePair>& sliding_velocity_quantities() {
 const Quantities<Efficiency>& efficiency_quantities() {
   using E = Efficiency;
   static const Quantities<E> kAll("pair.efficiency", [](Quantities<E>& q) {
-    q.add(Type::number, Unit::percent, "", "gear1_drives", "efficiency, gear 1 driving", "η",
-          "power out over power in; null: self-locking",
-          [](const E& e) { return Value(e.gear1_drives); });
-    q.add(Type::number, Unit::percent, "", "gear2_drives", "efficiency, gear 2 driving", "η",
-          "power out over power in; null: self-locking",
-          [](const E& e) { return Value(e.gear2_drives); });
+    q.number("gear1_drives", "efficiency, gear 1 driving", "η",
+             "power out over power in; null: self-locking", &E::gear1_drives)
+        .unit(Unit::percent);
+    q.number("gear2_drives", "efficiency, gear 2 driving", "η",
+             "power out over power in; null: self-locking", &E::gear2_drives)
+        .unit(Unit::percent);
   });
   return kAll;
 }
 
-const Quantities<InvolutePair>& internal_quantities() {
-  static const Quantities<InvolutePair> kAll("pair.internal", [](Quantities<InvolutePair>& q) {
-    q.mm(kMargins, "involute_margin_mm",
-         "involute: start of the path above the pinion's form point", "",
-         "[T2.27]; negative: the tip reaches below it, null: no such limit",
-         [](const InvolutePair& p) { return Value(p.involute_margin); });
-    q.deg(kMargins, "trochoid_margin_deg", "trochoid: tips pass each other", "",
-          "[T2.28], of sharp tips without backlash; negative: they collide; null: no such limit",
-          [](const InvolutePair& p) { return degrees(p.trochoid_margin); });
-    q.deg(kMargins, "trimming_margin_deg", "trimming: radial assembly", "",
-          "[T2.28]; negative: axial mounting only; null: no such limit",
-          [](const InvolutePair& p) { return degrees(p.trimming_margin); });
+const Quantities<InternalMargins>& internal_quantities() {
+  using M = InternalMargins;
+  static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
+    q.under(kMargins);
+    q.number("involute_margin_mm", "involute: start of the path above the pinion's form point", "",
+             "[T2.27]; negative: the tip reaches below it, null: no such limit", &M::involute);
+    q.number("trochoid_margin_deg", "trochoid: tips pass each other", "",
+             "[T2.28], of sharp tips without backlash; negative: they collide; null: no such limit",
+             &M::trochoid);
+    q.number("trimming_margin_deg", "trimming: radial assembly", "",
+             "[T2.28]; negative: axial mounting only; null: no such limit", &M::trimming);
   });
   return kAll;
 }
@@ -278,16 +289,14 @@ const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
   static const Quantities<I> kAll("pair.interference", [](Quantities<I>& q) {
     q.text("code", "a fixed word for programs", [](const I& i) {
-       return Value(to_string(i.code));
+       return to_string(i.code);
      }).always();
-    q.whole("", "gear", "gear", "", "the gear whose root or tip is affected; null: both",
-            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
-    q.pure("", "amount", "amount", "", "mm; rad for `trochoid`; < 0: by so much", [](const I& i) {
-       return Value(i.amount);
-     }).when([](const I& i) { return i.amount.has_value(); });
-    q.text("message", "one sentence for people", [](const I& i) {
-       return Value(i.message);
-     }).always();
+    q.term("gear", "the gear whose root or tip is affected; null: both",
+           [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
+    q.number("amount", "amount", "", "mm; rad for `trochoid`; < 0: amount of the interference",
+             &I::amount)
+        .when([](const I& i) { return i.amount.has_value(); });
+    q.text("message", "one sentence for people", &I::message).always();
   });
   return kAll;
 }
@@ -299,53 +308,35 @@ const Quantities<Collision>& collision_quantities() {
   };
   static const Quantities<S> kAll("pair.strike", [at](Quantities<S>& q) {
     q.text("cause", "a fixed word for programs", [](const S& s) {
-       return Value(to_string(s.cause));
+       return to_string(s.cause);
      }).always();
-    q.whole("", "gear", "gear", "",
-            "the gear with the affected root or the projecting tip; null: "
-            "both",
-            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
-    q.mm("", "depth_mm", "depth", "",
-         "along the common normal: of an overlap in the middle of the play, beyond the flank how "
-         "much before the flanks meet",
-         [](const S& s) { return Value(s.depth); })
+    q.term("gear",
+           "the gear with the affected root or the projecting tip; null: "
+           "both",
+           [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
+    q.number("depth_mm", "depth", "",
+             "along the common normal: depth of an overlap in the middle of the play; for contact "
+             "beyond the flank, distance before the flanks meet",
+             &S::depth)
         .always();
     q.text("arcs", "of gear 1 and of gear 2, named as in `outline`", at([](const OutlineTouch& t) {
              return Value(ValueList{std::string(to_string(t.places[0].arc)),
                                     std::string(to_string(t.places[1].arc))});
            }))
         .list({2});
-    q.flag("", "corners", "in the corner", "that ends the arc, of gear 1 and of gear 2",
+    q.flag("corners", "in the corner", "that ends the arc, of gear 1 and of gear 2",
            at([](const OutlineTouch& t) {
              return Value(ValueList{t.places[0].corner, t.places[1].corner});
            }))
         .list({2});
-    q.deg("", "rotation1_deg", "rotation of gear 1", "", "there, within half a pitch",
-          at([](const OutlineTouch& t) { return Angle::radians(t.rotation_1).deg(); }));
-    q.mm("", "point_mm", "point", "", "in the housing frame",
-         at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), t.height); }))
+    q.number("rotation1_deg", "rotation of gear 1", "", "there, within half a pitch",
+             at([](const OutlineTouch& t) { return Angle::radians(t.rotation_1).deg(); }));
+    q.term("point_mm", "in the housing frame",
+           at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), t.height); }))
         .list({3});
-    q.text("message", "one sentence for people", [](const S& s) {
-       return Value(s.message);
-     }).always();
+    q.text("message", "one sentence for people", &S::message).always();
   });
   return kAll;
-}
-
-std::vector<InterferenceView> interference_of(const Pair& v) {
-  std::vector<InterferenceView> list;
-  if (v.involute()) {
-    for (const Interference& i : v.involute()->interference)
-      list.push_back({i.code, i.gear, amount(i), i.message});
-  } else {
-    for (const Warning& w : v.arcs()->warnings) {
-      if (w.code != WarningCode::root && w.code != WarningCode::interference &&
-          w.code != WarningCode::overlap)
-        continue;
-      list.push_back({w.code, w.gear, std::nullopt, w.message});
-    }
-  }
-  return list;
 }
 
 }  // namespace gearwright

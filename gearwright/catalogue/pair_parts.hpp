@@ -19,6 +19,30 @@ constexpr const char* kMargins = "Internal pair: margins against interference";
 /// `gear1` and `gear2`, two numbers each.
 const Quantities<std::array<Value, 2>>& two_gears();
 
+/// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
+using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
+/// The entry `specific_sliding`: a record for programs, a row for people at A and at E. `get` gives
+/// a SlidingAtEnds, or none.
+template <class S, class G>
+void add_sliding(Quantities<S>& q, const char* meaning, G get) {
+  q.template record<two_gears>("specific_sliding", meaning, [get](const S& s) {
+     const std::optional<SlidingAtEnds> z = get(s);
+     return z ? Value(two_gears().of({(*z)[0], (*z)[1]})) : Value();
+   }).doors(kJson);
+  const auto row = [&](const char* key, std::size_t end) {
+    q.term(key, "per gear",
+           [get, end](const S& s) {
+             const std::optional<SlidingAtEnds> found = get(s);
+             return found ? Value(std::array{(*found)[0][end], (*found)[1][end]}) : Value();
+           })
+        .per_gear()
+        .doors(kPeople)
+        .expected([get](const S& s) { return std::optional<SlidingAtEnds>(get(s)).has_value(); });
+  };
+  row("specific_sliding_at_A", 0);
+  row("specific_sliding_at_E", 1);
+}
+
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
@@ -35,10 +59,10 @@ const Quantities<InvolutePair>& path_quantities();
 
 const Quantities<PairBacklash>& backlash_quantities();
 
-const Quantities<InvolutePair>& needed_face_quantities();
+const Quantities<ParallelPair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
-const Quantities<InvolutePair>& internal_quantities();
+const Quantities<InternalMargins>& internal_quantities();
 
 /// One entry of `interference`.
 struct InterferenceView {
@@ -53,12 +77,12 @@ std::vector<InterferenceView> interference_of(const Pair& pair);
 /// An entry of `overlap` or of `beyond_flank`.
 const Quantities<Collision>& collision_quantities();
 
-/// A contact of circular arcs and the pair it belongs to.
+/// A contact of circular arcs and its pair.
 struct ArcContactView {
   const ArcPair* pair;
   const ArcPairContact* contact;
 };
 const Quantities<ArcContactView>& arc_contact_quantities();
-std::vector<ArcContactView> arc_contacts_of(const Pair& pair);
+std::vector<ArcContactView> arc_contacts_of(const ArcPair& pair);
 
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
 #include "gearwright/pair/drive.hpp"
@@ -16,45 +17,37 @@ using V = Pair;
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
-bool is_involute(const V& v) { return v.involute() != nullptr; }
-bool is_arcs(const V& v) { return v.arcs() != nullptr; }
-bool is_parallel(const V& v) { return v.involute() && !v.crossed(); }
-bool is_crossed(const V& v) { return v.crossed(); }
-
-// Getters of what an involute pair has, of what one has on crossed or on
-// parallel axes: null for the others.
-template <class F>
-auto involute(F get) {
-  return [get](const V& v) { return v.involute() ? Value(get(*v.involute())) : Value(); };
+// The pair as this kind; null if it is another kind.
+template <class Kind>
+const Kind* as(const V& v) {
+  return v.as<Kind>();
 }
-template <class F>
-auto crossed(F get) {
-  return [get](const V& v) { return v.crossed() ? Value(get(*v.involute())) : Value(); };
+template <class Kind>
+bool is(const V& v) {
+  return v.as<Kind>() != nullptr;
 }
-template <class F>
-auto parallel(F get) {
-  return [get](const V& v) { return is_parallel(v) ? Value(get(*v.involute())) : Value(); };
+const InternalMargins* margins_of(const V& v) {
+  const ParallelPair* p = v.parallel();
+  return p && p->margins ? &*p->margins : nullptr;
 }
 
-// The table of a sub-catalogue, and its record of something that may not be there.
-template <const auto& (*quantities)()>
-const QuantityTable& table_of() {
-  return quantities().table();
+const Efficiency* efficiency_of(const V& v) {
+  const InvolutePair* p = v.involute();
+  return p && p->efficiency ? &*p->efficiency : nullptr;
 }
-template <class S>
-Value record_of(const Quantities<S>& quantities, const std::optional<S>& subject) {
-  return subject ? Value(quantities.of(*subject)) : Value();
+
+// A getter with one function for each kind.
+template <class... Of>
+auto by_kind(Of... of) {
+  return [get = Overloaded{of...}](const V& v) { return v.visit(get); };
 }
+
+// The record of two gears.
 Value each_gear(const Value& gear_1, const Value& gear_2) {
   return two_gears().of({gear_1, gear_2});
 }
 
-Value kind(const V& v) {
-  if (v.crossed()) return "crossed";
-  return v.kind() == PairKind::parallel_external ? "parallel_external" : "parallel_internal";
-}
-
-// The helix angle on the working pitch cylinder: tan β grows with the radius.
+// The helix angle on the working pitch cylinder, because tan β grows with the radius.
 double working_helix(const ArcPair& p, std::size_t i) {
   const Gear& g = p.gears[i];
   return std::atan(std::tan(g.spec.helix_angle.rad()) * p.working_pitch_diameter()[i] /
@@ -67,10 +60,19 @@ double working_transverse(const ArcPair& p, std::size_t i) {
                    std::cos(p.gears[i].spec.helix_angle.rad()));
 }
 
+bool flanks_meet(const V& v) {
+  const InvolutePair* p = v.involute();
+  return p && p->flanks_meet();
+}
+
+// The angle of each gear on its side of the rack, rad.
+Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
+  const auto& sides = p.mesh.rack.sides;
+  return degrees({sides[0].*angle, sides[1].*angle});
+}
+
 std::array<double, 2> working_pitch_diameter(const V& v) {
-  if (v.arcs()) return v.arcs()->working_pitch_diameter();
-  const auto& sides = v.involute()->mesh.rack.sides;
-  return {2 * sides[0].pitch_radius, 2 * sides[1].pitch_radius};
+  return v.visit([](const auto& p) { return p.working_pitch_diameter(); });
 }
 
 // v_t = π d_w n/60 in m/s of d_w in mm and n in 1/min; gear 2 turns at n_1/|u|. ISO 6336-1.
@@ -82,300 +84,309 @@ std::array<double, 2> pitch_line_velocity(const V& v) {
 }
 
 void say_mounting(Quantities<V>& q) {
-  q.word(kMounting, "kind", "kind of pair", "how the axes lie", kind)
+  q.under(kMounting);
+  auto of_involutes = q.part(as<InvolutePair>);
+  q.word("kind", "kind of pair", "how the axes lie", [](const V& v) { return to_string(v.kind()); })
       .always()
       .one_of({"parallel_external", "parallel_internal", "crossed"})
       .doors(kJson);
-  q.pure(kMounting, "gear_ratio", "gear ratio", "u", "z2/z1, negative for internal pairs",
-         [](const V& v) { return Value(v.gear_ratio()); })
+  q.term("gear_ratio", "z2/z1, negative for internal pairs", &V::gear_ratio).always();
+  q.term("shaft_angle_deg", "0 on parallel axes", &V::shaft_angle).always().shown(is<CrossedPair>);
+  q.term("center_distance_mm", "as mounted", &V::center_distance).always();
+  q.number("reference_center_distance_mm", "reference centre distance", "a_d",
+           "from the reference diameters",
+           [](const V& v) { return v.mounted().reference_center_distance; })
       .always();
-  q.deg(kMounting, "shaft_angle_deg", "shaft angle", "Σ", "0 on parallel axes",
-        [](const V& v) { return Value(v.shaft_angle().deg()); })
-      .always()
-      .shown(is_crossed);
-  q.mm(kMounting, "center_distance_mm", "centre distance", "a", "as mounted", [](const V& v) {
-     return Value(v.center_distance());
-   }).always();
-  q.mm(kMounting, "reference_center_distance_mm", "reference centre distance", "a_d",
-       "from the reference diameters",
-       [](const V& v) { return Value(v.mounted().reference_center_distance); })
-      .always();
-  q.mm(kMounting, "backlash_free_center_distance_mm", "backlash-free centre distance", "",
-       "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null: there "
-       "is none",
-       involute([](const InvolutePair& p) { return p.backlash_free_center_distance; }))
-      .expected(is_involute);
-  q.mm(kMounting, "extended_center_distance_mm", "extended centre distance", "",
-       "the reference one and both profile shifts [T2.18]",
-       involute([](const InvolutePair& p) { return p.extended_center_distance; }));
-  q.deg(kMounting, "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn",
-        "of circular arcs the racks' normal angle at the contact",
-        [](const V& v) -> Value {
-          if (v.involute()) return deg(v.involute()->mesh.rack.normal_pressure_angle);
-          if (v.arcs()->contacts.empty()) return {};
-          return v.arcs()->first_contact().at.theta.deg();
-        })
-      .shown(is_involute);
-  q.deg(kMounting, "working_transverse_pressure_angle_deg", "working transverse pressure angle",
-        "α_wt", "per gear",
-        [](const V& v) -> Value {
-          if (v.involute()) {
-            const auto& sides = v.involute()->mesh.rack.sides;
-            return degrees({sides[0].transverse_angle, sides[1].transverse_angle});
-          }
-          if (v.arcs()->contacts.empty()) return {};
-          return degrees({working_transverse(*v.arcs(), 0), working_transverse(*v.arcs(), 1)});
-        })
+  of_involutes
+      .term("backlash_free_center_distance_mm",
+            "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null: "
+            "there is none",
+            &InvolutePair::backlash_free_center_distance)
+      .expected();
+  of_involutes.number("extended_center_distance_mm", "extended centre distance", "",
+                      "reference centre distance plus both profile shifts [T2.18]",
+                      &InvolutePair::extended_center_distance);
+  q.term(
+       "working_normal_pressure_angle_deg",
+       "of circular arcs the racks' normal angle at the contact",
+       by_kind([](const InvolutePair& p) { return Value(deg(p.mesh.rack.normal_pressure_angle)); },
+               [](const ArcPair& p) {
+                 return p.contacts.empty() ? Value() : Value(p.first_contact().at.theta.deg());
+               }))
+      .shown(is<InvolutePair>);
+  q.term("working_transverse_pressure_angle_deg", "per gear",
+         by_kind(
+             [](const InvolutePair& p) { return of_sides(p, &RackSide<double>::transverse_angle); },
+             [](const ArcPair& p) {
+               return p.contacts.empty()
+                          ? Value()
+                          : degrees({working_transverse(p, 0), working_transverse(p, 1)});
+             }))
       .per_gear()
-      .shown(is_involute);
-  q.deg(kMounting, "working_helix_angle_deg", "working helix angle", "β_w", "per gear",
-        [](const V& v) {
-          if (!v.involute())
-            return degrees({working_helix(*v.arcs(), 0), working_helix(*v.arcs(), 1)});
-          const auto& sides = v.involute()->mesh.rack.sides;
-          return degrees({sides[0].helix_angle, sides[1].helix_angle});
-        })
+      .shown(is<InvolutePair>);
+  q.number(
+       "working_helix_angle_deg", "working helix angle", "β_w", "per gear",
+       by_kind([](const InvolutePair& p) { return of_sides(p, &RackSide<double>::helix_angle); },
+               [](const ArcPair& p) {
+                 return degrees({working_helix(p, 0), working_helix(p, 1)});
+               }))
       .per_gear();
-  q.mm(kMounting, "working_pitch_diameter_mm", "working pitch diameter", "d_w", "per gear",
-       [](const V& v) { return Value(working_pitch_diameter(v)); })
+  q.number("working_pitch_diameter_mm", "working pitch diameter", "d_w", "per gear",
+           [](const V& v) { return working_pitch_diameter(v); })
       .per_gear();
-  q.add(
-       Type::number, Unit::m_per_s, kMounting, "pitch_line_velocity_m_per_s", "pitch line velocity",
-       "v_t",
-       "per gear, on the working pitch cylinder; with `speed_rpm` only. On parallel axes it is one",
-       [](const V& v) { return Value(pitch_line_velocity(v)); })
+  q.term("pitch_line_velocity_m_per_s",
+         "per gear, on the working pitch cylinder; with `speed_rpm` only; equal for both gears on "
+         "parallel axes",
+         [](const V& v) { return pitch_line_velocity(v); })
       .per_gear()
       .when([](const V& v) { return v.mounted().speed_rpm.has_value(); });
-  q.mm(kMounting, "pitch_plane_distance_mm", "distance of the pitch planes", "X",
-       "as mounted, backlash or not; 0 on parallel axes",
-       involute([](const InvolutePair& p) { return p.mesh.pitch_plane_distance; }))
-      .shown(is_crossed);
+  of_involutes
+      .number("pitch_plane_distance_mm", "distance of the pitch planes", "X",
+              "as mounted, backlash or not; 0 on parallel axes",
+              [](const InvolutePair& p) { return p.mesh.pitch_plane_distance; })
+      .shown(is<CrossedPair>);
 }
 
 // Null on parallel axes.
-void say_crossed(Quantities<V>& q) {
-  q.mm(kFace, "min_face_width_mm", "minimum face width, one flank", "f", "per gear [T4.21]",
-       crossed([](const InvolutePair& p) { return p.face_widths->one_flank; }))
+void say_crossed(Quantities<V>& all) {
+  auto q = all.part(as<CrossedPair>);
+  all.under(kFace);
+  q.number("min_face_width_mm", "minimum face width, one flank", "f", "per gear [T4.21]",
+           [](const CrossedPair& p) { return p.face_widths.one_flank; })
       .per_gear()
-      .shown([](const V& v) { return v.crossed() && v.involute()->flanks_meet(); });
-  q.mm(kFace, "min_face_width_both_flanks_mm", "minimum face width, both flanks", "f'",
-       "per gear, about the centre line [T4.21]",
-       crossed([](const InvolutePair& p) { return p.face_widths->both_flanks; }))
+      .shown(flanks_meet);
+  q.number("min_face_width_both_flanks_mm", "minimum face width, both flanks", "f'",
+           "per gear, about the centre line [T4.21]",
+           [](const CrossedPair& p) { return p.face_widths.both_flanks; })
       .per_gear()
-      .shown([](const V& v) { return v.crossed() && v.involute()->flanks_meet(); });
-  q.record(kFace, "face_interval_mm",
-           "[at A, at E]: where on the face the leading flanks touch, from its middle [T4.20]",
-           table_of<two_gears>, crossed([](const InvolutePair& p) {
-             return each_gear(p.face_widths->interval[0], p.face_widths->interval[1]);
-           }))
+      .shown(flanks_meet);
+  q.record<two_gears>(
+       "face_interval_mm",
+       "[at A, at E]: where on the face the leading flanks touch, from its middle [T4.20]",
+       [](const CrossedPair& p) {
+         return each_gear(p.face_widths.interval[0], p.face_widths.interval[1]);
+       })
       .doors(kJson)
-      .when(is_involute);
-  q.mm(kContact, "line_offset_mm", "offset of the line of action", "z_L",
+      .when(is<InvolutePair>);
+  all.under(kContact);
+  q.number(
+       "line_offset_mm", "offset of the line of action", "z_L",
        "distance of the leading line of action from the centre line along the teeth of the rack "
        "[T4.18]; the trailing line is at −z_L",
-       crossed([](const InvolutePair& p) { return p.mesh.line_offset; }))
+       [](const CrossedPair& p) { return p.mesh.line_offset; })
       .doors(kJson)
-      .when(is_involute);
-  q.record(
-      "Minimum centre distance, free of backlash", "minimum_center_distance",
-      "of the teeth as cut [T4.15]; null: the teeth are too thin", table_of<place_quantities>,
-      crossed([](const InvolutePair& p) { return record_of(place_quantities(), p.min_distance); }));
-  q.record("Contact ratio of 1 and more, free of backlash", "contact_ratio_range",
-           "where AE ≥ p_bn [T4.23]; null: nowhere", table_of<places_quantities>,
-           crossed([](const InvolutePair& p) {
-             return record_of(places_quantities(), p.contact_ratio_range);
-           }));
+      .when(is<InvolutePair>);
+  all.under("Minimum centre distance, free of backlash");
+  q.record<place_quantities>("minimum_center_distance",
+                             "of the teeth as cut [T4.15]; null: the teeth are too thin",
+                             &CrossedPair::min_distance);
+  all.under("Contact ratio of 1 and more, free of backlash");
+  q.record<places_quantities>("contact_ratio_range", "where AE ≥ p_bn [T4.23]; null: nowhere",
+                              &CrossedPair::contact_ratio_range);
 }
 
 void say_contact(Quantities<V>& q) {
-  q.pure(kContact, "contact_ratio", "total contact ratio", "ε_γ",
+  q.under(kContact);
+  auto of_involutes = q.part(as<InvolutePair>);
+  auto of_crossed = q.part(as<CrossedPair>);
+  q.term("contact_ratio",
          "ε_α + ε_β, crossed AE/p_bn; 0 when the teeth do not meet; of circular arcs ε_β times the "
          "points of contact per tooth",
-         [](const V& v) { return Value(v.contact_ratio()); })
+         &V::contact_ratio)
       .always()
-      .shown([](const V& v) { return !v.crossed(); });
-  // Crossed axes have one contact ratio: there is no transverse one to add an overlap to.
-  q.pure(kContact, "contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn",
-         crossed([](const InvolutePair& p) { return p.contact_ratio(); }))
+      .shown([](const V& v) { return !is<CrossedPair>(v); });
+  // Crossed axes have a single contact ratio, because there is no transverse one to which an
+  // overlap is added.
+  of_crossed
+      .number("contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn", &CrossedPair::contact_ratio)
       .doors(kPeople);
-  q.pure(kContact, "contact_ratio_crossed_true", "effective contact ratio", "",
-         "the path clipped to the usable flanks and faces",
-         crossed([](const InvolutePair& p) { return p.contact_ratio_true(); }))
+  of_crossed
+      .number("contact_ratio_crossed_true", "effective contact ratio", "",
+              "the path clipped to the usable flanks and faces", &CrossedPair::contact_ratio_true)
       .doors(kPeople);
-  q.pure(kContact, "transverse_contact_ratio", "transverse contact ratio", "ε_α",
-         "tip form circle to tip form circle; null on crossed axes",
-         [](const V& v) {
-           return v.involute() ? Value(v.involute()->transverse_contact_ratio()) : Value(0.0);
-         })
-      .shown(is_involute);
-  q.pure(kContact, "contact_ratio_true", "effective total contact ratio", "",
-         "the path clipped to the usable flanks [T2.19], of crossed pairs to the faces too; 0 when "
-         "nothing is left of it",
-         [](const V& v) -> Value {
-           if (v.involute()) return v.involute()->contact_ratio_true();
-           return v.arcs()->contacts.empty() ? Value() : Value(v.arcs()->contact_ratio);
-         })
-      .shown(is_parallel);
-  q.pure(kContact, "transverse_contact_ratio_true", "effective transverse contact ratio", "",
-         "the path clipped to the usable flanks",
-         parallel([](const InvolutePair& p) { return p.mesh.true_ratio; }))
+  q.term("transverse_contact_ratio", "tip form circle to tip form circle; null on crossed axes",
+         by_kind([](const ParallelPair& p) { return Value(p.transverse_contact_ratio()); },
+                 [](const CrossedPair&) { return Value(); },
+                 [](const ArcPair&) { return Value(0.0); }))
+      .shown(is<InvolutePair>);
+  q.term("contact_ratio_true",
+         "the path clipped to the usable flanks [T2.19], of crossed pairs to the faces too; 0 if "
+         "nothing of it remains",
+         by_kind([](const InvolutePair& p) { return Value(p.contact_ratio_true()); },
+                 [](const ArcPair& p) {
+                   return p.contacts.empty() ? Value() : Value(p.contact_ratio_true());
+                 }))
+      .shown(is<ParallelPair>);
+  q.part(as<ParallelPair>)
+      .number("transverse_contact_ratio_true", "effective transverse contact ratio", "",
+              "the path clipped to the usable flanks",
+              [](const ParallelPair& p) { return p.mesh.true_ratio; })
       .doors(kPeople);
-  q.pure(kContact, "overlap_ratio", "overlap ratio", "ε_β", "null on crossed axes",
-         [](const V& v) -> Value {
-           if (v.arcs()) return v.arcs()->overlap_ratio;
-           return v.crossed() ? Value() : Value(v.involute()->mesh.overlap_ratio);
-         });
-  q.mm(kFace, "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-       "circular arcs only: the smallest common face width with a contact point at all times",
-       [](const V& v) { return Value(v.arcs()->face_for_contact); })
-      .when(is_arcs);
-  q.record(kContact, "line_of_action",
-           "for circular arcs, the path of the contact point over the common face; null without "
-           "contact",
-           table_of<line_quantities>,
-           [](const V& v) { return record_of(line_quantities(), line_of(v)); })
-      .shown(is_involute);
-  q.mm(kContact, "base_tangent_distance_mm", "distance of the base tangent points", "N",
-       "in the transverse section [T2.14]; crossed: L, along the common normal [T4.19]",
-       involute([](const InvolutePair& p) {
-         return p.mesh.base_tangent_distance /
-                (p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0);
-       }))
+  q.term("overlap_ratio", "null on crossed axes",
+         by_kind([](const ParallelPair& p) { return Value(p.mesh.overlap_ratio); },
+                 [](const CrossedPair&) { return Value(); },
+                 [](const ArcPair& p) { return Value(p.overlap_ratio); }));
+  q.under(kFace);
+  q.part(as<ArcPair>)
+      .number(
+          "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
+          "circular arcs only: the smallest common face width with a contact point at all times",
+          [](const ArcPair& p) { return p.face_for_contact; })
+      .when();
+  q.under(kContact);
+  q.record<line_quantities>(
+       "line_of_action",
+       "for circular arcs, the path of the contact point over the common face; null without "
+       "contact",
+       [](const V& v) { return record_value(line_quantities(), line_of(v)); })
+      .shown(is<InvolutePair>);
+  of_involutes
+      .number(
+          "base_tangent_distance_mm", "distance of the base tangent points", "N",
+          "in the transverse section [T2.14]; crossed: L, along the common normal [T4.19]",
+          [](const InvolutePair& p) { return p.mesh.base_tangent_distance / p.mesh.line_cosine; })
       .doors(kJson)
-      .when(is_involute);
-  q.record("", "path", "points of the path of contact", table_of<path_quantities>,
-           involute([](const InvolutePair& p) { return path_quantities().of(p); }))
+      .when();
+  of_involutes
+      .record<path_quantities>("path", "points of the path of contact",
+                               [](const InvolutePair& p) { return path_quantities().of(p); })
       .doors(kJson)
-      .when(is_involute);
-  q.record("", "overlap",
-           "overlap of the bodies in the middle of the backlash, deepest first [T2.34], on crossed "
-           "axes of tips and roots [T4.33]; null: not computed (circular arcs of unequal lead, an "
-           "internal gear whose cutter is not known)",
-           table_of<collision_quantities>,
-           [](const V& v) {
-             const auto& overlap = v.mounted().overlap;
-             return overlap ? Value(collision_quantities().each(*overlap)) : Value();
-           })
+      .when();
+  q.record<collision_quantities>(
+       "overlap",
+       "overlap of the bodies in the middle of the backlash, deepest first [T2.34], on crossed "
+       "axes of tips and roots [T4.33]; null: not computed (circular arcs of unequal lead, an "
+       "internal gear whose cutter is not known)",
+       [](const V& v) {
+         const auto& overlap = v.mounted().overlap;
+         return overlap ? Value(collision_quantities().each(*overlap)) : Value();
+       })
       .list({0})
       .doors(kJson);
-  q.record("", "beyond_flank", "contact on a root or a tip beyond the flank, without overlap",
-           table_of<collision_quantities>,
-           [](const V& v) { return Value(collision_quantities().each(v.mounted().beyond_flank)); })
+  q.record<collision_quantities>("beyond_flank",
+                                 "contact on a root or a tip beyond the flank, without overlap",
+                                 [](const V& v) { return v.mounted().beyond_flank; })
       .always()
       .list({0})
       .doors(kJson);
-  q.record("", "interference",
-           "what explains an overlap; if overlap is not computed, all findings of circles and "
-           "corners",
-           table_of<interference_quantities>,
-           [](const V& v) { return Value(interference_quantities().each(interference_of(v))); })
+  q.record<interference_quantities>(
+       "interference",
+       "reasons for an overlap; if overlap is not computed, all findings of circles and "
+       "corners",
+       [](const V& v) { return interference_of(v); })
       .always()
       .list({0})
       .doors(kJson);
 }
 
 void say_clearances(Quantities<V>& q) {
-  q.mm(kClearances, "tip_clearance_mm", "tip clearance", "c",
-       "tip of gear 1 to root of gear 2, then the other",
-       [](const V& v) { return Value(v.mounted().tip_clearance); })
-      .per_gear();
-  q.mm(kClearances, "contact_root_diameter_mm", "active root diameter", "d_Nf",
-       "per gear, where contact starts; null past the base tangent point",
-       involute([](const InvolutePair& p) { return p.contact_root_diameter; }))
+  q.under(kClearances);
+  q.term("tip_clearance_mm", "tip of gear 1 to root of gear 2, then the other", [](const V& v) {
+     return v.mounted().tip_clearance;
+   }).per_gear();
+  auto of_involutes = q.part(as<InvolutePair>);
+  of_involutes
+      .number("contact_root_diameter_mm", "active root diameter", "d_Nf",
+              "per gear, where contact starts; null past the base tangent point",
+              &InvolutePair::contact_root_diameter)
       .per_gear()
-      .when(is_involute)
-      .expected(is_involute);
-  q.mm(kClearances, "form_clearance_mm", "form clearance at the root", "c_F",
-       "per gear, (d_Nf − d_Ff)/2 [T2.25]; null past the base tangent point and without a d_Ff",
-       involute([](const InvolutePair& p) { return p.form_clearance; }))
+      .when()
+      .expected();
+  of_involutes
+      .number(
+          "form_clearance_mm", "form clearance at the root", "c_F",
+          "per gear, (d_Nf − d_Ff)/2 [T2.25]; null past the base tangent point and without a d_Ff",
+          &InvolutePair::form_clearance)
       .per_gear()
-      .when(is_involute)
-      .expected(is_involute);
-  q.mm(kClearances, "fillet_clearance_mm", "fillet clearance to the mating tip corner", "",
-       "per gear, least distance [T2.26]; null on crossed axes and "
-       "where no corner gets that deep",
-       involute([](const InvolutePair& p) { return p.fillet_clearance; }))
+      .when()
+      .expected();
+  q.number(
+       "fillet_clearance_mm", "fillet clearance to the mating tip corner", "",
+       "per gear, least distance [T2.26]; null on crossed axes and where no corner gets that deep",
+       by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
+               [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
+               [](const ArcPair&) { return Value(); }))
       .per_gear()
-      .when(is_involute)
-      .expected(is_parallel);
-  q.mm(kClearances, "tip_shortening_mm", "tip alteration", "k m_n",
-       "that would keep the racks' clearance [T2.21], ≤ 0 as a rule",
-       involute([](const InvolutePair& p) { return p.tip_shortening; }))
-      .when(is_involute);
+      .when(is<InvolutePair>)
+      .expected(is<ParallelPair>);
+  of_involutes
+      .number("tip_shortening_mm", "tip alteration", "k m_n",
+              "that would keep the racks' clearance [T2.21], ≤ 0 as a rule",
+              &InvolutePair::tip_shortening)
+      .when();
 }
 
 void say_sliding(Quantities<V>& q) {
-  q.record(kContact, "specific_sliding",
-           "[at A, at E]: sliding distance per mm of contact travel on the flank. Parallel axes "
-           "[T2.22]: < 0 where the mating gear drags the flank, null at and beyond a base tangent "
-           "point; crossed [T4.25]: of whole velocities, ≥ 0",
-           table_of<two_gears>, involute([](const InvolutePair& p) {
-             return each_gear(std::array{p.sliding_A.zeta_1, p.sliding_E.zeta_1},
-                              std::array{p.sliding_A.zeta_2, p.sliding_E.zeta_2});
-           }))
-      .doors(kJson);
-  q.pure(kContact, "specific_sliding_at_A", "specific sliding at A", "ζ", "per gear",
-         involute([](const InvolutePair& p) {
-           return std::array{p.sliding_A.zeta_1, p.sliding_A.zeta_2};
-         }))
+  q.under(kContact);
+  add_sliding(
+      q,
+      "[at A, at E]: sliding distance per mm of contact travel on the flank. Parallel axes "
+      "[T2.22]: < 0 where the mating gear drags the flank, null at and beyond a base tangent "
+      "point; crossed [T4.25]: of whole velocities, ≥ 0",
+      [](const V& v) -> std::optional<SlidingAtEnds> {
+        const InvolutePair* p = v.involute();
+        if (!p) return std::nullopt;
+        const auto &a = p->sliding_A, &e = p->sliding_E;
+        return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
+      });
+}
+
+// Null on crossed axes.
+void say_parallel(Quantities<V>& all) {
+  auto q = all.part(as<ParallelPair>);
+  all.under(kFace);
+  q.record<needed_face_quantities>(
+       "needed_face_width_mm",
+       "the face for a total contact ratio of 1 and 1.2, and for an overlap of 1 [T6.14]; null "
+       "on crossed axes",
+       [](const ParallelPair& p) { return needed_face_quantities().of(p); })
+      .when(is<InvolutePair>);
+  all.under(kContact);
+  q.term("approach_contact_ratio", "before the pitch point, gear 1 driving; null on crossed axes",
+         [](const ParallelPair& p) { return approach_and_recess(p)[0]; })
+      .when(is<InvolutePair>);
+  q.term("recess_contact_ratio", "after the pitch point, gear 1 driving; null on crossed axes",
+         [](const ParallelPair& p) { return approach_and_recess(p)[1]; })
+      .when(is<InvolutePair>);
+  q.number("axial_force_ratio", "axial over tangential force", "F_z/F_t",
+           "per gear, along +z, while gear 1 drives in its sense [T6.15]; null on crossed axes",
+           [](const ParallelPair& p) { return axial_force(p); })
       .per_gear()
-      .doors(kPeople)
-      .expected(is_involute);
-  q.pure(kContact, "specific_sliding_at_E", "specific sliding at E", "ζ", "per gear",
-         involute([](const InvolutePair& p) {
-           return std::array{p.sliding_E.zeta_1, p.sliding_E.zeta_2};
-         }))
-      .per_gear()
-      .doors(kPeople)
-      .expected(is_involute);
-  q.record(kFace, "needed_face_width_mm",
-           "the face for a total contact ratio of 1 and 1.2, and for an overlap of 1 [T6.14]; null "
-           "on crossed axes",
-           table_of<needed_face_quantities>,
-           parallel([](const InvolutePair& p) { return needed_face_quantities().of(p); }))
-      .when(is_involute);
-  q.pure(kContact, "approach_contact_ratio", "approach contact ratio", "",
-         "before the pitch point, gear 1 driving; null on crossed axes",
-         parallel([](const InvolutePair& p) { return approach_and_recess(p)[0]; }))
-      .when(is_involute);
-  q.pure(kContact, "recess_contact_ratio", "recess contact ratio", "",
-         "after the pitch point, gear 1 driving; null on crossed axes",
-         parallel([](const InvolutePair& p) { return approach_and_recess(p)[1]; }))
-      .when(is_involute);
-  q.pure(kContact, "axial_force_ratio", "axial over tangential force", "F_z/F_t",
-         "per gear, along +z, while gear 1 drives in its sense [T6.15]; null on crossed axes",
-         parallel([](const InvolutePair& p) { return axial_force(p); }))
-      .per_gear()
-      .when(is_involute)
-      .shown([](const V& v) { return v.involute()->input.gears[0].helix_angle != 0.0; });
-  q.pure(kBacklash, "backlash_per_center_distance",
-         "circumferential backlash per mm of centre "
-         "distance",
-         "", "[T6.16]; null on crossed axes",
-         parallel([](const InvolutePair& p) { return backlash_per_distance(p); }))
-      .when(is_involute);
-  q.record(kContact, "sliding_velocity_mm_per_rad",
-           "speed of the contact over flank 1 less that over flank 2, per radian of gear 1 [T4.24]",
-           table_of<sliding_velocity_quantities>,
-           involute([](const InvolutePair& p) { return sliding_velocity_quantities().of(p); }))
+      .when(is<InvolutePair>)
+      .shown([](const V& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
+  all.under(kBacklash);
+  q.number("backlash_per_center_distance", "circumferential backlash per mm of centre distance", "",
+           "[T6.16]; null on crossed axes",
+           [](const ParallelPair& p) { return backlash_per_distance(p); })
+      .when(is<InvolutePair>);
+}
+
+void say_friction(Quantities<V>& q) {
+  q.under(kContact);
+  auto of_involutes = q.part(as<InvolutePair>);
+  of_involutes
+      .record<sliding_velocity_quantities>(
+          "sliding_velocity_mm_per_rad",
+          "speed of the contact along flank 1 minus that along flank 2, per radian of gear 1 "
+          "[T4.24]",
+          [](const InvolutePair& p) { return sliding_velocity_quantities().of(p); })
       .doors(kJson)
-      .when(is_involute);
-  q.record(
-       kContact, "efficiency",
-       "by friction of the flanks alone [T4.27]; tooth pairs in contact at one time carry equal "
-       "parts of a constant normal force. Null without `friction_coefficient`, and with "
-       "`contact_ratio_true` below 1",
-       table_of<efficiency_quantities>, involute([](const InvolutePair& p) {
-         return record_of(efficiency_quantities(), p.efficiency);
-       }))
+      .when();
+  auto of_efficiency = q.part(efficiency_of);
+  of_efficiency
+      .record<efficiency_quantities>(
+          "efficiency",
+          "by friction of the flanks alone [T4.27]; tooth pairs in contact at one time carry equal "
+          "parts of a constant normal force. Null without `friction_coefficient`, and with "
+          "`contact_ratio_true` below 1",
+          [](const Efficiency& e) { return efficiency_quantities().of(e); })
       .doors(kJson);
-  q.add(Type::number, Unit::percent, kContact, "efficiency_driving",
-        "efficiency, this gear driving", "η", "per gear",
-        [](const V& v) -> Value {
-          if (!v.involute() || !v.involute()->efficiency) return {};
-          const Efficiency& e = *v.involute()->efficiency;
-          return std::array{e.gear1_drives, e.gear2_drives};
-        })
+  of_efficiency
+      .number("efficiency_driving", "efficiency, this gear driving", "η", "per gear",
+              [](const Efficiency& e) {
+                return std::array{e.gear1_drives, e.gear2_drives};
+              })
+      .unit(Unit::percent)
       .per_gear()
       .otherwise("self-locking")
       .doors(kPeople);
@@ -388,18 +399,26 @@ void say(Quantities<V>& q) {
   say_contact(q);
   say_clearances(q);
   say_sliding(q);
-  q.record(kBacklash, "backlash", "of the flanks as cut at this centre distance",
-           table_of<backlash_quantities>,
-           [](const V& v) { return record_of(backlash_quantities(), backlash_of(v)); });
-  q.record(kMargins, "internal", "internal pairs only", table_of<internal_quantities>,
-           involute([](const InvolutePair& p) { return internal_quantities().of(p); }))
-      .when([](const V& v) { return v.kind() == PairKind::parallel_internal; });
-  q.record("Point of contact", "arc_contacts",
-           "circular arcs only: the points of contact; empty for gears of unequal lead",
-           table_of<arc_contact_quantities>,
-           [](const V& v) { return Value(arc_contact_quantities().each(arc_contacts_of(v))); })
+  say_parallel(q);
+  say_friction(q);
+  q.under(kBacklash);
+  q.record<backlash_quantities>(
+      "backlash", "of the flanks as cut at this centre distance",
+      [](const V& v) { return record_value(backlash_quantities(), backlash_of(v)); });
+  q.under(kMargins);
+  q.part(margins_of)
+      .record<internal_quantities>(
+          "internal", "internal pairs only",
+          [](const InternalMargins& m) { return internal_quantities().of(m); })
+      .when();
+  q.under("Point of contact");
+  q.part(as<ArcPair>)
+      .record<arc_contact_quantities>(
+          "arc_contacts",
+          "circular arcs only: the points of contact; empty for gears of unequal lead",
+          [](const ArcPair& p) { return arc_contacts_of(p); })
       .list({0})
-      .when(is_arcs);
+      .when();
 }
 
 }  // namespace

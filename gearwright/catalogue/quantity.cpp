@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 
 namespace gearwright {
@@ -16,92 +15,10 @@ const QuantityInfo* QuantityTable::find(std::string_view key) const {
   return it == list.end() ? nullptr : *it;
 }
 
-std::string_view unit_text(Unit unit) {
-  switch (unit) {
-    case Unit::mm: return "mm";
-    case Unit::um: return "µm";
-    case Unit::deg: return "°";
-    case Unit::arcsec: return "″";
-    case Unit::per_mm: return "1/mm";
-    case Unit::mm_per_rad: return "mm/rad";
-    case Unit::m_per_s: return "m/s";
-    case Unit::newton: return "N";
-    case Unit::newton_metre: return "N m";
-    case Unit::kilowatt: return "kW";
-    case Unit::megapascal: return "N/mm²";
-    case Unit::per_minute: return "1/min";
-    case Unit::hertz: return "Hz";
-    case Unit::newton_per_mm: return "N/mm";
-    case Unit::newton_per_mm_um: return "N/(mm µm)";
-    case Unit::newton_per_um: return "N/µm";
-    case Unit::celsius: return "°C";
-    case Unit::kg: return "kg";
-    case Unit::kg_per_mm: return "kg/mm";
-    case Unit::percent: return "%";
-    case Unit::none:
-    case Unit::modules:
-    case Unit::modules_squared: return "";
-  }
-  return "";
-}
+int digits_of(const QuantityInfo& info) { return info.digits.value_or(unit_digits(info.unit)); }
 
-std::string_view unit_suffix(Unit unit) {
-  switch (unit) {
-    case Unit::mm: return "_mm";
-    case Unit::um: return "_um";
-    case Unit::deg: return "_deg";
-    case Unit::arcsec: return "_arcsec";
-    case Unit::per_mm: return "_per_mm";
-    case Unit::mm_per_rad: return "_mm_per_rad";
-    case Unit::m_per_s: return "_m_per_s";
-    case Unit::newton: return "_N";
-    case Unit::newton_metre: return "_Nm";
-    case Unit::kilowatt: return "_kW";
-    case Unit::megapascal: return "_MPa";
-    case Unit::per_minute: return "_rpm";
-    case Unit::hertz: return "_hz";
-    case Unit::newton_per_mm: return "_N_per_mm";
-    case Unit::celsius: return "_C";
-    case Unit::kg: return "_kg";
-    case Unit::newton_per_mm_um:
-    case Unit::newton_per_um:
-    case Unit::kg_per_mm:
-    case Unit::none:
-    case Unit::percent:
-    case Unit::modules:
-    case Unit::modules_squared: return "";
-  }
-  return "";
-}
-
-int digits_of(const QuantityInfo& info) {
-  if (info.digits) return *info.digits;
-  switch (info.unit) {
-    case Unit::mm:
-    case Unit::arcsec:
-    case Unit::mm_per_rad:
-    case Unit::m_per_s: return 4;
-    case Unit::celsius:
-    case Unit::newton:
-    case Unit::newton_metre:
-    case Unit::per_minute: return 1;
-    case Unit::hertz: return 3;
-    case Unit::kilowatt:
-    case Unit::newton_per_mm:
-    case Unit::megapascal: return 2;
-    case Unit::newton_per_mm_um:
-    case Unit::newton_per_um:
-    case Unit::um:
-    case Unit::percent: return 3;
-    case Unit::kg:
-    case Unit::kg_per_mm:
-    case Unit::per_mm: return 6;
-    case Unit::none:
-    case Unit::deg:
-    case Unit::modules:
-    case Unit::modules_squared: return 5;
-  }
-  return 5;
+Value angles_in(Unit unit, Angle angle) {
+  return unit == Unit::arcsec ? angle.arcsec() : angle.deg();
 }
 
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none) {
@@ -118,7 +35,7 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
     return fmt::format("{}", *whole);
   if (const auto* word = std::get_if<std::string>(&value.variant())) {
     std::string text = *word;
-    // One of some identifiers: "beyond_tip" reads as two words.
+    // One of some identifiers: "beyond_tip" is printed as two words.
     if (!info.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
@@ -131,14 +48,14 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
 
 namespace {
 
-// One quantity of the records side by side; null where a record lacks it.
+// One quantity of records side by side; null if a record lacks it.
 struct Across {
   const QuantityInfo* info;
   std::vector<const Member*> members;
 };
 
-// The quantities of all records in their common order: every record follows one table, so one that
-// a record lacks stands where the others have it.
+// The quantities of all records in their common order. Every record follows one table, so a
+// quantity that a record lacks has the place that it has in the others.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -182,7 +99,7 @@ class Groups {
   std::vector<TextGroup> take() { return std::move(groups_); }
 
  private:
-  // A record's own quantities, under its group; a list of records one after the other.
+  // A record's own quantities, under its group. The records of a list follow each other.
   void nest(const Across& a, const std::string& title) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

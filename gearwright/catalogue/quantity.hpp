@@ -1,6 +1,6 @@
-// The catalogue of results: what is said of each quantity, once, and how it is got.
+// The catalogue of results: the only description of each quantity, with its getter.
 //
-//   QuantityInfo            key, words (the standard's term), symbol, unit, digits, one sentence
+//   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
 //   Quantity<S>     the same with the way to get it from a subject S: a gear, a pair, a contact
 //   Quantities<S>   all quantities of a subject; of(subject) is the record that every door takes
 //
@@ -8,65 +8,32 @@
 // docs/spec.md are made from it. A new quantity is one entry of one of the *_quantities.cpp files.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/term.hpp"
 #include "gearwright/catalogue/value.hpp"
 
 namespace gearwright {
 
-enum class Unit {
-  none,
-  mm,
-  um,
-  deg,
-  arcsec,
-  per_mm,
-  mm_per_rad,
-  m_per_s,
-  newton,
-  newton_metre,
-  kilowatt,
-  megapascal,
-  per_minute,
-  hertz,
-  newton_per_mm,
-  newton_per_mm_um,  ///< stiffness of a mesh per face width
-  newton_per_um,
-  celsius,
-  kg,
-  kg_per_mm,
-  modules,          ///< normal modules; no unit for people
-  modules_squared,  ///< of a region of two shifts
-  percent           ///< a share of 1; people read 100 times it
-};
-
-enum class Type {
-  number,
-  whole,
-  index,  ///< a whole number that may pass 2³¹
-  flag,
-  word,
-  text,
-  record,
-  map
-};
-
-/// Where a quantity is given.
+/// The interfaces at which a quantity is given.
 enum Doors : unsigned {
-  kJson = 1,     ///< JSON, and what reads it
+  kJson = 1,     ///< JSON, and readers of JSON
   kListing = 2,  ///< the tables of the terminal
   kPage = 4,     ///< the tables of the report
   kPeople = kListing | kPage,
   kAllDoors = kJson | kPeople
 };
 
-/// What two values of a list are.
+/// The meaning of two values of a list.
 enum class Two {
   values,  ///< two of a list
   gears,   ///< gear 1, gear 2: a column each
@@ -75,33 +42,35 @@ enum class Two {
 
 struct QuantityTable;
 
-/// What is said of a quantity.
+/// The description of a quantity.
 struct QuantityInfo {
   std::string key;     ///< in JSON, with its unit: "tip_diameter_mm"
   std::string words;   ///< the term of ISO 21771 or ISO 1122-1 where there is one
   std::string symbol;  ///< "d_a", indices after the underscore
   Unit unit = Unit::none;
-  std::string group{};    ///< heading for people
-  std::string meaning{};  ///< one sentence, and when it exists; without the full stop
+  std::string group{};    ///< heading for users
+  std::string meaning{};  ///< one sentence, and the condition of its existence; without the full
+                          ///< stop
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0: any; empty: one value
   Two two = Two::values;              ///< of a list of two
   bool always = false;                ///< never null
   std::vector<std::string> one_of{};  ///< of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for people; absent: those of the unit
-  std::string nothing{};                   ///< what people read where there is no value
-  const QuantityTable& (*of)() = nullptr;  ///< of a record: what it holds
+  std::optional<int> digits{};             ///< decimals for users; absent: those of the unit
+  std::string nothing{};                   ///< text for users if there is no value
+  const QuantityTable& (*of)() = nullptr;  ///< for a record: its contents
   std::string column{};                    ///< in CSV and Parquet; "#" is the gear's number
-  bool greater_first = false;              ///< the better are the greater
-  bool optional_key = false;               ///< absent, not null, where it does not exist
+  bool greater_first = false;              ///< greater values are better
+  bool optional_key = false;               ///< the key is absent, rather than null, if the quantity
+                                           ///< does not exist
 };
 
-/// What may stand in a record, in order.
+/// The possible members of a record, in order.
 struct QuantityTable {
   std::string name;  ///< "gear", "pair", "pair.backlash"
   std::vector<const QuantityInfo*> list;
-  std::vector<std::string> groups;  ///< headings for people, in their order
+  std::vector<std::string> groups;  ///< headings for users, in their order
 
   const QuantityInfo* find(std::string_view key) const;
 };
@@ -110,11 +79,14 @@ template <class S>
 struct Quantity {
   QuantityInfo info;
   std::function<Value(const S&)> get;
-  std::function<bool(const S&)> exists{};  ///< else the key is absent; none: always there
-  std::function<bool(const S&)> worth{};   ///< else no row for people; none: always
-  std::function<bool(const S&)> asked{};   ///< people see a dash where it has no value
+  std::function<bool(const S&)> exists{};  ///< if false, the key is absent; by default always
+                                           ///< present
+  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default always
+  std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
+  std::function<bool(const S&)> there{};   ///< of an entry of a part: whether the subject has that
+                                           ///< part
 
-  // Refinements of an entry, in the order in which one says them.
+  // Refinements of an entry, in the usual order.
   Quantity& always() { return info.always = true, *this; }
   Quantity& digits(int n) { return info.digits = n, *this; }
   Quantity& doors(unsigned d) { return info.doors = d, *this; }
@@ -122,6 +94,8 @@ struct Quantity {
   Quantity& list(std::vector<int> l) { return info.list = std::move(l), *this; }
   Quantity& per_gear() { return info.list = {2}, info.two = Two::gears, *this; }
   Quantity& ends() { return info.list = {2}, info.two = Two::ends, *this; }
+  Quantity& unit(Unit u) { return info.unit = u, *this; }
+  Quantity& words(std::string w) { return info.words = std::move(w), *this; }
   Quantity& column(std::string name) { return info.column = std::move(name), *this; }
   Quantity& greater_first() { return info.greater_first = true, *this; }
   Quantity& otherwise(std::string text) { return info.nothing = std::move(text), *this; }
@@ -130,15 +104,118 @@ struct Quantity {
     return exists = std::move(f), *this;
   }
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
+  // The same condition: only if the subject has the part.
+  Quantity& when() { return when(there); }
+  Quantity& expected() { return expected(there); }
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
 };
 
-template <class S>
-class Quantities {
- public:
-  using Get = std::function<Value(const S&)>;
+/// Whether T is an angle, or angles that may be absent, two or many.
+template <class T>
+struct HasAngles : std::is_same<T, Angle> {};
+template <class T>
+struct HasAngles<std::optional<T>> : HasAngles<T> {};
+template <class T, std::size_t n>
+struct HasAngles<std::array<T, n>> : HasAngles<T> {};
+template <class T>
+struct HasAngles<std::vector<T>> : HasAngles<T> {};
 
-  /// `fill` says the quantities, in the order of the keys.
+/// Angles as values, in degrees or seconds of arc.
+Value angles_in(Unit unit, Angle angle);
+template <class T>
+Value angles_in(Unit unit, const std::optional<T>& maybe) {
+  return maybe ? angles_in(unit, *maybe) : Value();
+}
+template <class Range>
+Value angles_in(Unit unit, const Range& angles) {
+  ValueList list;
+  for (const auto& a : angles) list.push_back(angles_in(unit, a));
+  return list;
+}
+
+template <class S>
+class Quantities;
+
+/// The record of a subject, of one that may be absent, of each of a range; or the finished value.
+template <class T, class R>
+Value record_value(const Quantities<T>& quantities, const R& found) {
+  if constexpr (std::is_same_v<R, T>) {
+    return quantities.of(found);
+  } else if constexpr (std::is_same_v<R, std::optional<T>> || std::is_same_v<R, const T*>) {
+    return found ? Value(quantities.of(*found)) : Value();
+  } else if constexpr (std::is_convertible_v<R, Value> && !std::is_same_v<R, std::vector<T>>) {
+    return found;
+  } else {
+    return quantities.each(found);
+  }
+}
+
+/// The getter of an entry: `get` is a member of S or a function of S; angles are converted to the
+/// unit of the key.
+template <class S, class G>
+std::function<Value(const S&)> getter(Unit unit, G get) {
+  using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
+  if constexpr (HasAngles<R>::value) {
+    return [unit, get](const S& s) { return angles_in(unit, std::invoke(get, s)); };
+  } else {
+    return get;
+  }
+}
+
+/// The forms of an entry of S, which `Self` adds: one quantity each, in the unit that its key ends
+/// with. `symbol` may be empty.
+template <class Self, class S>
+class QuantityForms {
+ public:
+  template <class G>
+  auto& number(const char* key, const char* words, const char* symbol, const char* meaning, G get) {
+    return self().add(Type::number, key, words, symbol, meaning, std::move(get));
+  }
+  template <class G>
+  auto& whole(const char* key, const char* words, const char* symbol, const char* meaning, G get) {
+    return self().add(Type::whole, key, words, symbol, meaning, std::move(get));
+  }
+  template <class G>
+  auto& flag(const char* key, const char* words, const char* meaning, G get) {
+    return self().add(Type::flag, key, words, "", meaning, std::move(get)).always();
+  }
+  template <class G>
+  auto& word(const char* key, const char* words, const char* meaning, G get) {
+    return self().add(Type::word, key, words, "", meaning, std::move(get));
+  }
+  template <class G>
+  auto& text(const char* key, const char* meaning, G get) {
+    return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
+  }
+  /// A quantity of several tables, whose words and symbol are those of its term.
+  template <class G>
+  auto& term(const char* key, const char* meaning, G get) {
+    const Term& t = term_of(key);
+    auto& q = self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
+    q.info.always = t.type == Type::flag;
+    return q;
+  }
+  /// A record of the quantities `of`, or a list of them: `get` gives the subject, an optional or a
+  /// pointer that may be empty, a range of subjects, or the finished value.
+  template <const auto& (*of)(), class G>
+  auto& record(const char* key, const char* meaning, G get) {
+    auto& q = self().add(Type::record, key, key, "", meaning,
+                         [get](const S& s) { return record_value(of(), std::invoke(get, s)); });
+    q.info.of = []() -> const QuantityTable& { return of().table(); };
+    return q;
+  }
+
+ private:
+  Self& self() { return static_cast<Self&>(*this); }
+};
+
+template <class S, class P>
+class PartQuantities;
+
+template <class S>
+class Quantities : public QuantityForms<Quantities<S>, S> {
+ public:
+  /// `fill` adds the quantities, in the order of the keys.
   template <class Fill>
   Quantities(std::string name, const Fill& fill) {
     fill(*this);
@@ -148,48 +225,24 @@ class Quantities {
   Quantities(const Quantities&) = delete;  // the table points into the list
   Quantities& operator=(const Quantities&) = delete;
 
-  /// The headings in the order in which people meet them; others follow as they come.
+  /// The headings in the order for users; others are appended in the order of their first use.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
-  // One quantity each. `group` heads it for people, `symbol` may be empty.
-  Quantity<S>& add(Type type, Unit unit, const char* group, const char* key, const char* words,
-                   const char* symbol, const char* meaning, Get get) {
-    list_.push_back({{key, words, symbol, unit, group, meaning, type}, std::move(get)});
+  /// Sets the heading of the quantities that follow; there is none at first.
+  void under(const char* group) { group_ = group; }
+
+  template <class G>
+  Quantity<S>& add(Type type, const char* key, const char* words, const char* symbol,
+                   const char* meaning, G get) {
+    const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
+    list_.push_back({{key, words, symbol, unit, group_, meaning, type}, getter<S>(unit, get)});
     return list_.back();
   }
-  Quantity<S>& mm(const char* group, const char* key, const char* words, const char* symbol,
-                  const char* meaning, Get get) {
-    return add(Type::number, Unit::mm, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& deg(const char* group, const char* key, const char* words, const char* symbol,
-                   const char* meaning, Get get) {
-    return add(Type::number, Unit::deg, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& pure(const char* group, const char* key, const char* words, const char* symbol,
-                    const char* meaning, Get get) {
-    return add(Type::number, Unit::none, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& whole(const char* group, const char* key, const char* words, const char* symbol,
-                     const char* meaning, Get get) {
-    return add(Type::whole, Unit::none, group, key, words, symbol, meaning, std::move(get));
-  }
-  Quantity<S>& flag(const char* group, const char* key, const char* words, const char* meaning,
-                    Get get) {
-    return add(Type::flag, Unit::none, group, key, words, "", meaning, std::move(get)).always();
-  }
-  Quantity<S>& word(const char* group, const char* key, const char* words, const char* meaning,
-                    Get get) {
-    return add(Type::word, Unit::none, group, key, words, "", meaning, std::move(get));
-  }
-  Quantity<S>& text(const char* key, const char* meaning, Get get) {
-    return add(Type::text, Unit::none, "", key, key, "", meaning, std::move(get)).doors(kJson);
-  }
-  /// A record, or a list of them, of what `of` says.
-  Quantity<S>& record(const char* group, const char* key, const char* meaning,
-                      const QuantityTable& (*of)(), Get get) {
-    Quantity<S>& q = add(Type::record, Unit::none, group, key, key, "", meaning, std::move(get));
-    q.info.of = of;
-    return q;
+
+  /// Entries of a part of the subject; `find` returns the part, or null.
+  template <class P>
+  PartQuantities<S, P> part(const P* (*find)(const S&)) {
+    return {*this, find};
   }
 
   const QuantityTable& table() const { return table_; }
@@ -208,7 +261,7 @@ class Quantities {
     }
     return record;
   }
-  /// The records of many, in their order.
+  /// The records of several subjects, in their order.
   template <class Range>
   ValueList each(const Range& subjects) const {
     ValueList list;
@@ -217,24 +270,48 @@ class Quantities {
   }
 
  private:
-  std::deque<Quantity<S>> list_;  // entries stay where they are while more are added
+  std::deque<Quantity<S>> list_;  // the addresses of entries stay valid while more are added
   QuantityTable table_;
+  const char* group_ = "";
 };
 
-/// "mm", "°", "µm"; empty for pure numbers.
-std::string_view unit_text(Unit unit);
-/// How a key ends that has this unit: "_mm", "_deg"; empty for pure numbers.
-std::string_view unit_suffix(Unit unit);
+/// Entries for a part that only some subjects have: one kind of pair, or a result that may be
+/// absent. Their getters take the part; without it the value is null.
+template <class S, class P>
+class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
+ public:
+  using Find = const P* (*)(const S&);
 
-/// Decimals that people read: 4 of mm (0.1 µm, the last digit of a gear drawing), 5 of degrees
-/// (0.17 µm on a radius of 1 m) and of pure numbers.
+  PartQuantities(Quantities<S>& all, Find find) : all_(all), find_(find) {}
+
+  template <class G>
+  Quantity<S>& add(Type type, const char* key, const char* words, const char* symbol,
+                   const char* meaning, G get) {
+    const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
+    Quantity<S>& q =
+        all_.add(type, key, words, symbol, meaning,
+                 [find = find_, get = getter<P>(unit, std::move(get))](const S& subject) {
+                   const P* part = find(subject);
+                   return part ? get(*part) : Value();
+                 });
+    q.there = [find = find_](const S& subject) { return find(subject) != nullptr; };
+    return q;
+  }
+
+ private:
+  Quantities<S>& all_;
+  Find find_;
+};
+
+/// Decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), 5 for degrees (0.17 µm
+/// on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
-/// A value as people read it, without its unit; `none` where there is no value. Lists become
-/// "x, y, z", two ends "lo … hi".
+/// A value as text for users, without its unit; `none` if there is no value. Lists become "x, y,
+/// z", two ends "lo … hi".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–");
 
-/// A row for people: one quantity, a text for each column. A pair's common value has one text.
+/// A row for users: one quantity, a text for each column. A pair's common value has one text.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -246,9 +323,9 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// What people see of records side by side (two gears), or of one with values per gear (a pair):
-/// the quantities of that door which any of the records shows, under their headings.
-/// Records inside are rows too, under their own words. `table` is that of the records.
+/// The table for users of records side by side (two gears), or of one record with values per gear
+/// (a pair): the quantities of that interface that at least one record shows, under their headings.
+/// Inner records are rows too, under their own words. `table` is that of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    std::string_view none = "–");

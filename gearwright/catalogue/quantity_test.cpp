@@ -4,11 +4,16 @@
 //   (2) words are a term: they begin small and have no full stop; so has no meaning
 //   (3) a value has the type and the lengths that are said of it, and is there where it always is
 //   (4) what a getter gives once, all doors give: no number for people where JSON has null
+//   (5) what several tables call by one key, in the same words and with the same symbol, is a term
 #include "gearwright/catalogue/quantity.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <set>
+#include <string>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
@@ -67,6 +72,28 @@ TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
       }
     }
   }
+}
+
+TEST(Catalogue, SharedWordsAreTerms) {
+  EXPECT_TRUE(std::is_sorted(terms().begin(), terms().end(), [](const Term& a, const Term& b) {
+    return std::string_view(a.key) < b.key;
+  }));
+  std::map<std::pair<Type, std::array<std::string, 3>>, std::set<std::string>> tables;
+  for (const QuantityTable* t : all_tables())
+    for (const QuantityInfo* s : t->list)
+      // Both tables of stiffness are filled by one function.
+      if (s->type != Type::record && s->type != Type::text && s->type != Type::map &&
+          !t->name.ends_with("stiffness"))
+        tables[{s->type, {s->key, s->words, s->symbol}}].insert(t->name);
+  std::size_t shared = 0;
+  for (const auto& [said, in] : tables) {
+    if (in.size() < 2) continue;
+    ++shared;
+    const auto is_this = [&](const Term& term) { return term.key == said.second[0]; };
+    EXPECT_TRUE(std::any_of(terms().begin(), terms().end(), is_this))
+        << said.second[0] << " is worded in " << in.size() << " tables: " << *in.begin();
+  }
+  EXPECT_GT(shared, 30u);
 }
 
 TEST(Catalogue, WordsAreTerms) {

@@ -21,11 +21,10 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
   return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
 }
 
-// The cutter's own numbers come first; what stands beside them counts more.
+// The defaults of the cutter come first. Other keys take precedence.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
-// If the default rounding of the tip is the full radius, the last digits may not push it out of the
-// tip.
+// If the default tip rounding is the full radius, rounding errors must not move it beyond the tip.
 std::optional<KeyFault> complete_arc_rack(ArcRack& rack, const KeyGiven& given) {
   constexpr double kInside = 1.0 - 1e-12;
   const double greatest = full_radius(rack);
@@ -54,7 +53,7 @@ const KeyTable& straight_rack_keys() {
                    "addendum of the gear tooth above the datum line")
            .with_also({"addendum_factor"}),
        Key::number("dedendum", "h_fP*", some_length(), &StraightRack::dedendum, "1.25",
-                   "how deep the cutter goes")
+                   "depth of the cutter below the datum line")
            .with_also({"dedendum_factor"}),
        Key::number("root_fillet_radius", "ρ_fP*", no_or_some_length(" (0 is a sharp corner)"),
                    &StraightRack::root_fillet_radius, "0.38",
@@ -101,10 +100,9 @@ const KeyTable& arc_rack_keys() {
        Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "F 0.9, P 0",
                    "addendum of the tooth above the pitch cylinder"),
        Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "F 0.3, P 1.05",
-                   "how deep the cutter goes"),
+                   "depth of the cutter below the datum line"),
        Key::number("root_fillet_radius", "ρ_r*", no_or_some_length(" (0 is a sharp corner)"),
-                   &ArcRack::root_fillet_radius,
-                   "F 0.35, P 0.5; the full radius where that is less",
+                   &ArcRack::root_fillet_radius, "F 0.35, P 0.5; the full radius if it is smaller",
                    "the cutter's tip rounding [T7.4]; at most the full radius [T7.5]")},
       complete_arc_rack};
   return table;
@@ -128,7 +126,7 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("addendum", "h_a*", some_length(), &DoubleArcRack::addendum, "0.9",
                    "addendum of the tooth above the datum line"),
        Key::number("dedendum", "h_f*", some_length(), &DoubleArcRack::dedendum, "1.1",
-                   "how deep the cutter goes"),
+                   "depth of the cutter below the datum line"),
        Key::number("convex_radius", "ρ_a*", some_length(), &DoubleArcRack::convex_radius, "1.3",
                    "radius of the convex arc"),
        Key::number("convex_height", "x_a*", any_length(), &DoubleArcRack::convex_height, "0.0163",
@@ -150,7 +148,7 @@ const KeyTable& rack_of_arcs_keys() {
        Key::number("addendum", "h_a*", {}, &RackOfArcs::addendum, kRequired,
                    "addendum of the gear's tooth above the datum line"),
        Key::number("dedendum", "h_f*", {}, &RackOfArcs::dedendum, kRequired,
-                   "how deep the cutter goes"),
+                   "depth of the cutter below the datum line"),
        {.key = "arcs",
         .kind = KeyKind::table,
         .list = KeyList{.most = kMaxArcs,

@@ -18,7 +18,7 @@ using R = RatingTable;
 
 constexpr double kMaxFactor = 100.0;
 
-// A factor that takes the place of its formula.
+// A factor that replaces its formula.
 Key factor(std::string_view key, std::string_view symbol, double RatingInput::*member,
            std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
@@ -31,7 +31,7 @@ Key factor(std::string_view key, std::string_view symbol,
                      meaning);
 }
 
-// A number of each gear; one alone holds for both.
+// A number of each gear; a single one applies to both.
 Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
@@ -46,13 +46,13 @@ std::string set_quality(RatingTable& rating, const std::array<double, 2>& grade)
   return "";
 }
 
-// Both gears have one rim in the stiffness of their bodies: the thinner one.
+// In the stiffness of the bodies, both gears have the rim of the thinner one.
 void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.input.rim = {rim[0], rim[1]};
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// A load that is given twice must agree; of a spectrum alone the heaviest step is the load.
+// A load that is given twice must agree. With a spectrum alone, the heaviest step is the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {
@@ -124,7 +124,7 @@ const KeyTable& rating_keys() {
        Key::positive("torque_Nm", "T_1", &R::torque, "the power", "torque on gear 1; or the power")
            .with_also({"torque", "moment", "t"}),
        Key::positive("speed_rpm", "n_1", {&R::input, &RatingInput::speed},
-                     "only beside a given `dynamic_factor`", "speed of gear 1")
+                     "only with a given `dynamic_factor`", "speed of gear 1")
            .with_also({"speed", "rpm", "n"}),
        factor("application_factor", "K_A", &RatingInput::application_factor, "1",
               "additional load from the driving and the driven machine"),
@@ -186,10 +186,10 @@ const KeyTable& rating_keys() {
        factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
               "by formula", "transverse load factor of the root, given"),
        Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none: 1 counts",
-                     "wanted safety of the flanks")
+                     "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none: 1 counts",
-                     "wanted safety of the roots")
+                     "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &R::tooth_contact, "false",
                  "true: also compute Hertz pressure and root stress of the teeth under T_1 K_A K_γ "
@@ -241,12 +241,12 @@ const KeyTable& rating_plastic_keys() {
        Key::number("duty", "ED", Range::between(0, 1), &P::duty, "1",
                    "share of running time in ten minutes"),
        Key::not_negative("heat_transfer_flank", "k_ϑ,Fla", &P::flank_heat_transfer,
-                         "9000 of two plastics, 6300 beside metal",
+                         "9000 for two plastics, 6300 with metal",
                          "heat transfer of the flanks, K (m/s)^0.75 mm^1.75/W")
            .with_fields({"flank_heat_transfer"}),
        Key::not_negative("heat_transfer_root", "k_ϑ,Fu", &P::root_heat_transfer,
-                         "2148 of two plastics, 895 beside metal",
-                         "heat transfer of the roots, the same")
+                         "2148 for two plastics, 895 with metal",
+                         "heat transfer of the roots, in the same unit")
            .with_fields({"root_heat_transfer"})}};
   return table;
 }

@@ -1,8 +1,5 @@
 #include "gearwright/catalogue/rating_quantities.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
@@ -60,7 +57,7 @@ const Factor* cycles(const R& r, std::size_t i) { return r.N_L[i] ? &*r.N_L[i] :
 
 constexpr const char* kWhole = "Spectrum, ISO 6336-6";
 constexpr const char* kSizing = "With the wanted safeties";
-constexpr const char* kBeside = "Beside it, the teeth under load";
+constexpr const char* kBeside = "In addition, the teeth under load";
 
 constexpr Unit kNone = Unit::none;
 constexpr Unit kStress = Unit::megapascal;
@@ -113,7 +110,7 @@ const std::vector<FactorEntry>& entries() {
       {kFlank, "Z_X", "size factor", "Z_X", kNone, 4, nullptr, per<&R::Z_X>},
       {kFlank, "sigma_HG_MPa", "pitting stress limit", "σ_HG", kStress, 2, nullptr,
        per<&R::sigma_HG>},
-      {kFlank, "S_H", "safety against pitting", "S_H", kNone, 3, nullptr, per<&R::S_H>},
+      {kFlank, "S_H", term_of("S_H").words, "S_H", kNone, 3, nullptr, per<&R::S_H>},
       {kRoot, "Y_F", "form factor", "Y_F", kNone, 4, nullptr, per<&R::Y_F>},
       {kRoot, "Y_S", "stress correction factor", "Y_S", kNone, 4, nullptr, per<&R::Y_S>},
       {kRoot, "Y_epsilon", "contact ratio factor", "Y_ε", kNone, 4, maybe<&R::Y_epsilon>},
@@ -133,7 +130,7 @@ const std::vector<FactorEntry>& entries() {
        per<&R::Y_R_relT>},
       {kRoot, "Y_X", "size factor", "Y_X", kNone, 4, nullptr, per<&R::Y_X>},
       {kRoot, "sigma_FG_MPa", "root stress limit", "σ_FG", kStress, 2, nullptr, per<&R::sigma_FG>},
-      {kRoot, "S_F", "safety against root breakage", "S_F", kNone, 3, nullptr, per<&R::S_F>}};
+      {kRoot, "S_F", term_of("S_F").words, "S_F", kNone, 3, nullptr, per<&R::S_F>}};
   return kAll;
 }
 
@@ -144,7 +141,7 @@ Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-// Null of a plastic whose strength stands by temperature.
+// Null for a plastic whose strength depends on temperature.
 Value strengths(const V& v, double Material::*member) {
   ValueList values;
   for (const Material& m : v.input.materials)
@@ -158,67 +155,67 @@ Value tolerance(const V& v, double Tolerances::*member) {
 }
 
 void say_inputs(Quantities<V>& q) {
-  q.word("", "standard", "standard", "and its edition", [](const V& v) {
-     return Value(name(v.rating.edition));
+  q.under("");
+  q.word("standard", "standard", "and its edition", [](const V& v) {
+     return name(v.rating.edition);
    }).always();
-  q.add(Type::number, Unit::kilowatt, kLoad, "power_kW", "power", "P", "null without a speed",
-        [](const V& v) { return v.power_kW > 0 ? Value(v.power_kW) : Value(); });
-  q.add(Type::number, Unit::newton_metre, kLoad, "torque_Nm", "torque", "T", "of the nominal load",
-        [](const V& v) { return Value(v.torque); })
-      .per_gear();
-  q.add(Type::number, Unit::per_minute, kLoad, "speed_rpm", "speed", "n",
-        "null where none is given",
-        [](const V& v) { return v.speed[0] > 0 ? Value(v.speed) : Value(); })
-      .per_gear();
-  q.add(Type::text, kNone, kMaterial, "material", "material", "", "by name or kind",
-        [](const V& v) {
-          ValueList names;
-          for (const Material& m : v.input.materials)
-            names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
-          return Value(names);
-        })
-      .per_gear();
-  q.add(Type::number, kStress, kMaterial, "sigma_Hlim_MPa", "allowable contact stress number",
-        "σ_Hlim", "of the reference test gears",
-        [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
+  q.under(kLoad);
+  q.term("power_kW", "null without a speed",
+         [](const V& v) { return v.power_kW > 0 ? Value(v.power_kW) : Value(); });
+  q.number("torque_Nm", "torque", "T", "of the nominal load", &V::torque).per_gear();
+  q.term("speed_rpm", "null where none is given", [](const V& v) {
+     return v.speed[0] > 0 ? Value(v.speed) : Value();
+   }).per_gear();
+  q.under(kMaterial);
+  q.add(Type::text, "material", "material", "", "by name or kind", [](const V& v) {
+     ValueList names;
+     for (const Material& m : v.input.materials)
+       names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
+     return Value(names);
+   }).per_gear();
+  q.number("sigma_Hlim_MPa", "allowable contact stress number", "σ_Hlim",
+           "of the reference test gears",
+           [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
       .per_gear()
       .digits(0);
-  q.add(Type::number, kStress, kMaterial, "sigma_Flim_MPa", "allowable bending stress number",
-        "σ_Flim", "of the reference test gears",
-        [](const V& v) { return strengths(v, &Material::sigma_Flim); })
+  q.number("sigma_Flim_MPa", "allowable bending stress number", "σ_Flim",
+           "of the reference test gears",
+           [](const V& v) { return strengths(v, &Material::sigma_Flim); })
       .per_gear()
       .digits(0);
-  q.add(Type::number, Unit::um, kGeneral, "f_pb_um", "base pitch deviation", "f_pb",
-        "of the accuracy grade", [](const V& v) { return tolerance(v, &Tolerances::f_pb); })
+  q.under(kGeneral);
+  q.number("f_pb_um", "base pitch deviation", "f_pb", "of the accuracy grade",
+           [](const V& v) { return tolerance(v, &Tolerances::f_pb); })
       .per_gear()
       .digits(1);
-  q.add(Type::number, Unit::um, kGeneral, "f_falpha_um", "profile form deviation", "f_fα",
-        "of the accuracy grade", [](const V& v) { return tolerance(v, &Tolerances::f_falpha); })
+  q.number("f_falpha_um", "profile form deviation", "f_fα", "of the accuracy grade",
+           [](const V& v) { return tolerance(v, &Tolerances::f_falpha); })
       .per_gear()
       .digits(1);
 }
 
 void say_section(Quantities<V>& q) {
   using C = CriticalSection;
-  q.mm(kRoot, "h_F_mm", "bending moment arm", "h_F", "above the critical section",
-       [](const V& v) { return section(v, &C::h_F); })
+  q.under(kRoot);
+  q.number("h_F_mm", "bending moment arm", "h_F", "above the critical section",
+           [](const V& v) { return section(v, &C::h_F); })
       .per_gear()
       .digits(3);
-  q.mm(kRoot, "s_Fn_mm", "chord of the critical section", "s_Fn", "in the normal section",
-       [](const V& v) { return section(v, &C::s_Fn); })
+  q.number("s_Fn_mm", "chord of the critical section", "s_Fn", "in the normal section",
+           [](const V& v) { return section(v, &C::s_Fn); })
       .per_gear()
       .digits(3);
-  q.mm(kRoot, "rho_F_mm", "fillet radius there", "ρ_F", "",
-       [](const V& v) { return section(v, &C::rho_F); })
+  q.number("rho_F_mm", "fillet radius there", "ρ_F", "",
+           [](const V& v) { return section(v, &C::rho_F); })
       .per_gear()
       .digits(3);
-  q.deg(kRoot, "alpha_Fen_deg", "direction of the load", "α_Fen",
-        "at the outer point of single pair contact",
-        [](const V& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
+  q.number("alpha_Fen_deg", "direction of the load", "α_Fen",
+           "at the outer point of single pair contact",
+           [](const V& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
       .per_gear()
       .digits(3);
-  q.mm(kRoot, "d_en_mm", "diameter of that point", "d_en", "of the virtual spur gear",
-       [](const V& v) { return section(v, &C::d_en); })
+  q.number("d_en_mm", "diameter of that point", "d_en", "of the virtual spur gear",
+           [](const V& v) { return section(v, &C::d_en); })
       .per_gear()
       .digits(3);
 }
@@ -229,75 +226,78 @@ Value of_spectrum(const V& v, std::array<double, 2> SpectrumRating::*member) {
 
 void say_spectrum(Quantities<V>& q) {
   using S = SpectrumRating;
-  q.pure(kWhole, "damage_flank", "damage of the flanks", "U_H",
-         "by Miner's rule, 1 at failure; null without a spectrum, or if a step exceeds the static "
-         "strength",
-         [](const V& v) { return of_spectrum(v, &S::damage_flank); })
+  q.under(kWhole);
+  q.number(
+       "damage_flank", "damage of the flanks", "U_H",
+       "by Miner's rule, 1 at failure; null without a spectrum, or if a step exceeds the static "
+       "strength",
+       [](const V& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
-  q.pure(kWhole, "damage_root", "damage of the roots", "U_F", "the same",
-         [](const V& v) { return of_spectrum(v, &S::damage_root); })
+  q.number("damage_root", "damage of the roots", "U_F", "the same",
+           [](const V& v) { return of_spectrum(v, &S::damage_root); })
       .per_gear()
       .digits(4);
-  q.pure(kWhole, "S_H_spectrum", "safety against pitting", "S_H", "of the whole spectrum",
-         [](const V& v) { return of_spectrum(v, &S::S_H); })
+  q.number("S_H_spectrum", "safety against pitting", "S_H", "of the whole spectrum",
+           [](const V& v) { return of_spectrum(v, &S::S_H); })
       .per_gear()
       .digits(3);
-  q.pure(kWhole, "S_F_spectrum", "safety against root breakage", "S_F", "of the whole spectrum",
-         [](const V& v) { return of_spectrum(v, &S::S_F); })
+  q.number("S_F_spectrum", "safety against root breakage", "S_F", "of the whole spectrum",
+           [](const V& v) { return of_spectrum(v, &S::S_F); })
       .per_gear()
       .digits(3);
-  q.add(Type::number, Unit::newton_metre, kSizing, "torque_holding_Nm", "greatest torque", "T_1",
-        "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, or "
-        "1 if they are absent; null: there is none",
-        [](const V& v) { return Value(v.torque_holding); });
-  q.mm(kSizing, "face_width_holding_mm", "required face width", "b",
-       "with the same safeties, up to 40 modules; null: there is none",
-       [](const V& v) { return Value(v.face_holding); })
+  q.under(kSizing);
+  q.number(
+      "torque_holding_Nm", "greatest torque", "T_1",
+      "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, or "
+      "1 if they are absent; null: there is none",
+      &V::torque_holding);
+  q.number("face_width_holding_mm", "required face width", "b",
+           "with the same safeties, up to 40 modules; null: there is none", &V::face_holding)
       .digits(2);
 }
 
-// A number of the loaded teeth over the standard's.
+// A number of the loaded teeth divided by that of the standard.
 Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
 
 void say_contact(Quantities<V>& q) {
   const auto asked = [](const V& v) { return v.contact.has_value(); };
-  q.add(Type::number, Unit::newton_metre, kBeside, "contact_torque_Nm", "torque on the teeth",
-        "T_1", "T_1 K_A K_γ K_v; the contact computation determines its distribution",
-        [](const V& v) { return Value(v.contact->torque); })
+  q.under(kBeside);
+  q.number("contact_torque_Nm", "torque on the teeth", "T_1",
+           "T_1 K_A K_γ K_v; the contact computation determines its distribution",
+           [](const V& v) { return v.contact->torque; })
       .when(asked);
-  q.add(Type::number, kStress, kBeside, "contact_pressure_MPa", "greatest Hertz pressure", "p_H",
-        "over all positions and the whole face, as `load` has it",
-        [](const V& v) { return Value(v.contact->pressure); })
+  q.number("contact_pressure_MPa", "greatest Hertz pressure", "p_H",
+           "over all positions and the whole face, as in `load`",
+           [](const V& v) { return v.contact->pressure; })
       .when(asked);
-  q.pure(kBeside, "contact_pressure_over_sigma_H", "over the standard's contact stress", "p_H/σ_H",
-         "",
-         [](const V& v) {
-           return over({v.contact->pressure, v.contact->pressure}, v.rating.sigma_H);
-         })
+  q.number("contact_pressure_over_sigma_H", "over the standard's contact stress", "p_H/σ_H", "",
+           [](const V& v) {
+             return over({v.contact->pressure, v.contact->pressure}, v.rating.sigma_H);
+           })
       .per_gear()
       .digits(3)
       .when(asked);
-  q.add(Type::number, kStress, kBeside, "contact_root_stress_MPa", "greatest root stress", "σ_1",
-        "the greatest principal stress at the surface of the root",
-        [](const V& v) { return Value(v.contact->root_stress); })
+  q.number("contact_root_stress_MPa", "greatest root stress", "σ_1",
+           "the greatest principal stress at the surface of the root",
+           [](const V& v) { return v.contact->root_stress; })
       .per_gear()
       .when(asked);
-  q.pure(kBeside, "contact_root_stress_over_sigma_F", "over the standard's root stress", "σ_1/σ_F",
-         "", [](const V& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
+  q.number("contact_root_stress_over_sigma_F", "over the standard's root stress", "σ_1/σ_F", "",
+           [](const V& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
       .per_gear()
       .digits(3)
       .when(asked);
-  q.pure(kBeside, "contact_face_load_factor", "face load factor of the contact", "K_Hβ",
-         "the greatest load of a slice over the mean, mean of the positions",
-         [](const V& v) { return Value(v.contact->face_load_factor); })
+  q.number("contact_face_load_factor", "face load factor of the contact", "K_Hβ",
+           "the greatest load of a slice over the mean, mean of the positions",
+           [](const V& v) { return v.contact->face_load_factor; })
       .digits(3)
       .when(asked);
 }
 
-// Of plastics only: no such rows, and no keys, of a rating by ISO 6336.
+// For plastics only. A rating by ISO 6336 does not have these rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void say_temperatures(Quantities<V>& q) {
@@ -307,23 +307,24 @@ void say_temperatures(Quantities<V>& q) {
       return Value(ValueList{number(&t[0]), number(&t[1])});
     };
   };
-  q.add(Type::number, Unit::celsius, kMaterial, "flank_temperature_C", "temperature of the flanks",
-        "ϑ_Fla", "by VDI 2736, or as given; of plastic gears", of(&ToothTemperatures::flank))
+  q.under(kMaterial);
+  q.number("flank_temperature_C", "temperature of the flanks", "ϑ_Fla",
+           "by VDI 2736, or as given; of plastic gears", of(&ToothTemperatures::flank))
       .per_gear()
       .when(by_vdi);
-  q.add(Type::number, Unit::celsius, kMaterial, "root_temperature_C", "temperature of the roots",
-        "ϑ_Fu", "the same", of(&ToothTemperatures::root))
+  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu", "the same",
+           of(&ToothTemperatures::root))
       .per_gear()
       .when(by_vdi);
 }
 
 void say_factor(Quantities<V>& q, const FactorEntry& e) {
-  auto& quantity =
-      q.add(Type::number, e.unit, e.group, e.key, e.words, e.symbol, "", [&e](const V& v) {
-        if (e.of) return number(e.of(v.rating));
-        return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
-      });
-  quantity.digits(e.digits);
+  q.under(e.group);
+  auto& quantity = q.number(e.key, e.words, e.symbol, "", [&e](const V& v) {
+    if (e.of) return number(e.of(v.rating));
+    return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
+  });
+  quantity.unit(e.unit).digits(e.digits);
   if (e.each) quantity.per_gear();
   if (std::string_view(e.key) == "Y_epsilon") quantity.when(by_vdi);
 }
@@ -333,14 +334,14 @@ void say(Quantities<V>& q) {
   say_inputs(q);
   say_temperatures(q);
   for (const FactorEntry& e : entries()) {
-    // The section stands before what is made of it.
+    // The section is listed before the values computed from it.
     if (std::string_view(e.key) == "Y_F") say_section(q);
     say_factor(q, e);
   }
   say_spectrum(q);
   say_contact(q);
-  q.add(Type::map, kNone, "", "formulas", "formulas", "",
-        "of each factor its place in the standard and the branch taken: {key: {formula, branch}}",
+  q.add(Type::map, "formulas", "formulas", "",
+        "clause of the standard and branch of each factor: {key: {formula, branch}}",
         [](const V& v) {
           ValueMap all;
           for (const FactorSource& s : factor_sources(v.rating)) {

@@ -1,7 +1,7 @@
 // The quantities of a strength rating: `rating` of a result.
 //
-// A factor is said once, with where it stands in the rating; value, formula number and branch are
-// taken from there by every door.
+// A factor is described once, with its member of the rating. All interfaces take value, formula
+// number and branch from there.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace gearwright {
 
-/// What the teeth themselves bear beside the standard: loaded tooth contact, over all positions.
+/// Tooth contact under load in addition to the standard, over all positions.
 struct ToothContact {
-  double torque;                      ///< T_1 K_A K_γ K_v  N m, which lies on gear 1
+  double torque;                      ///< T_1 K_A K_γ K_v  N m, on gear 1
   double pressure;                    ///< p_H  N/mm², the greatest
   std::array<double, 2> root_stress;  ///< N/mm², the greatest principal stress
   double face_load_factor;            ///< K_Hβ of the line load
@@ -35,7 +35,7 @@ struct RatingView {
 
 const Quantities<RatingView>& rating_quantities();
 
-/// Where a factor stands in the standard, and the branch that was taken; of gear 1 and gear 2 where
+/// The clause of a factor in the standard, and the branch that was used; for gear 1 and gear 2 if
 /// the branches differ.
 struct FactorSource {
   std::string key, formula;
@@ -43,7 +43,7 @@ struct FactorSource {
 };
 std::vector<FactorSource> factor_sources(const Rating& rating);
 
-/// "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85"; empty for a key that is no factor.
+/// "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85"; empty for a key that is not a factor.
 std::string source_text(const Rating& rating, std::string_view key);
 
 }  // namespace gearwright

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -24,6 +25,7 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/pair/collision_causes.hpp"
 
 namespace gearwright {
 namespace {
@@ -69,6 +71,8 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},
+      {"search.drives", &drive_search_quantities().table()},
+      {"search.drives.designs", &found_drive_quantities().table()},
       {"file", &file_quantities().table()},
       {"warning", &warning_quantities().table()},
       {"drawing", &drawing_quantities().table()},
@@ -118,6 +122,15 @@ TEST(ResultDocument, CodesAreTheWarnings) {
     text += fmt::format("| `{}` | {} | {} |\n", m.text, level, cell(m.sentence));
   }
   expect_block(kDocument, "codes", "warning", text);
+}
+
+TEST(ResultDocument, CausesAreTheCollisions) {
+  std::string text = "| cause | meaning |\n|---|---|\n";
+  for (const CauseMeaning& m : collision_causes()) {
+    EXPECT_STREQ(to_string(m.cause), m.text);
+    text += fmt::format("| `{}` | {} |\n", m.text, cell(m.sentence));
+  }
+  expect_block(kDocument, "causes", "collision", text);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using S = ScatterInput;
 constexpr const char* kRange =
     "[least, greatest], uniform, or a table with `range` and `distribution`";
 
-// A toleranced number, which a list or a table describes; the reader has code for it.
+// A toleranced number in the form of a list or a table, which the reader handles.
 Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range,
                std::string_view meaning) {
   return {.key = key,
@@ -38,12 +38,21 @@ std::optional<KeyFault> check_scatter(S& s, const KeyGiven&) {
                                          kMaxScatterSamples, all)};
 }
 
+std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
+  if (!r.range) return std::nullopt;
+  const auto [lo, hi] = *r.range;
+  if (lo <= 0.0 && hi >= 0.0 && lo < hi) return std::nullopt;
+  return KeyFault{"range",
+                  "must hold 0 and another value, because no correction at all must be among the "
+                  "choices; [0, 20] for example"};
+}
+
 }  // namespace
 
 const KeyTable& scatter_keys() {
   static const KeyTable table{
       "scatter",
-      "What tolerances do to the pair; every range is added to what the spec has",
+      "Effect of tolerances on the pair; every range is added to the value in the spec",
       {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &S::samples, "1024",
                    "samples of each replicate, a power of two"),
        Key::number("replicates", "R", KeyRange::between(1, 1024), &S::replicates, "8",
@@ -63,6 +72,16 @@ const KeyTable& scatter_keys() {
                  "times the work"),
        Key::flag("worst_case", &S::worst_case, "false",
                  "true: the greatest peak to peak and the least play within all ranges [T14.15]"),
+       Key::flag("loosening", &S::loosening, "false",
+                 "true: how far each tolerance may grow until the greatest of `percentiles` of the "
+                 "peak to peak has grown by 5 %, and which one to tighten first [T14.19]"),
+       Key::number(
+           "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
+           "ISO 1328 grade, one for both gears or two, which gives the tolerances that are not "
+           "given below: f_Hα, f_Hβ, waves of f_fα and f_fβ, and the pitches of each gear, the "
+           "axes by ISO/TR 10064-3, and the centre distance by `[pair] "
+           "center_distance_tolerance` [T14.23]")
+           .with_list(KeyList{.least = 1, .most = 2, .single = true}),
        Key::part("errors", scatter_error_keys, {}, "ranges of the keys of [errors]"),
        Key::part("bearings", scatter_bearing_keys, {},
                  "bores in circles, instead of the centre distance and the shaft deviations"),
@@ -72,7 +91,9 @@ const KeyTable& scatter_keys() {
         .kind = KeyKind::any,
         .form = "a table of names, each with a list of inputs: { housing = "
                 "[\"errors.crossing_deg\", \"errors.center_distance_mm\"] }",
-        .meaning = "inputs that `indices` treats as one; an input in no group is one of its own"}},
+        .meaning = "inputs that `indices` treats as one; an input in no group is one of its own"},
+       Key::part("robust", scatter_robust_keys, &S::robust,
+                 "corrections that minimise a percentile of the peak to peak")},
       check_scatter};
   return table;
 }
@@ -100,12 +121,26 @@ const KeyTable& scatter_bearing_keys() {
 }
 
 const KeyTable& scatter_gear_keys() {
+  using G = ScatterGear;
+  constexpr KeyList kWaves{.least = 2, .most = 2, .order = kLowerFirst};
   static const KeyTable table{
       "scatter_gear",
-      "Ranges of the teeth of a gear, each added to what the gear has",
+      "Ranges of the teeth of a gear, each added to the value of the gear",
       {toleranced("thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
                   "normal tooth thickness of an involute gear; it changes the play and the mean of "
                   "the transmission error [T14.13]"),
+       {.key = "pitch",
+        .kind = KeyKind::word,
+        .words = {"F_p"},
+        .meaning = "the pitches of the teeth vary within F_pT and f_ptT of the grade [T14.20]"},
+       Key::number("profile_waves", "", KeyRange::between(1, 100), &G::profile_waves,
+                   "[1, 4] with a grade",
+                   "least and greatest number of waves of the profile form over the usable flank, "
+                   "f_fαT of the grade high [T14.21]")
+           .with_list(kWaves),
+       Key::number("helix_waves", "", KeyRange::between(1, 100), &G::helix_waves,
+                   "[1, 4] with a grade", "the same of the helix form over the face, f_fβT high")
+           .with_list(kWaves),
        Key::part("modifications", scatter_modification_keys, {},
                  "ranges of modifications, of both flanks")}};
   return table;
@@ -120,6 +155,26 @@ const KeyTable& scatter_modification_keys() {
                                   KeyRange::between(-5000, 5000), m.words));
     return t;
   }();
+  return table;
+}
+
+const KeyTable& scatter_robust_keys() {
+  using R = ScatterRobust;
+  static const KeyTable table{
+      "scatter_robust",
+      "Corrections for a percentile of the peak-to-peak transmission error [T14.18]",
+      {Key::word("corrections", correction_words(), &R::corrections, "those of `[compensate]`",
+                 "those that may be made, each as `[compensate]` has it and added to what the spec "
+                 "has")
+           .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
+           .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
+       Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
+                   "the percentile to minimise"),
+       Key::number("range", "", KeyRange::between(-1000, 1000), &R::range,
+                   "the ranges of `[compensate]`",
+                   "least and greatest value of every correction, in its unit; 0 lies between them")
+           .with_list(KeyList{.least = 2, .most = 2, .order = kLowerFirst})},
+      check_robust};
   return table;
 }
 

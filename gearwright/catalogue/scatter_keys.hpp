@@ -1,4 +1,5 @@
-// The keys of [scatter] and its tables: what varies from pair to pair, and what is computed of it.
+// The keys of [scatter] and its tables: the variations from pair to pair, and the requested
+// results.
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
@@ -22,8 +23,18 @@ struct ScatterBearings {
 /// [scatter.gearN]. Distributions are in the units of their keys.
 struct ScatterGear {
   std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
-  /// By modification_entries(), of both flanks, µm.
+  /// By modification_entries(), for both flanks, µm.
   std::array<std::optional<DistributionSpec>, 7> modifications;
+  bool pitch = false;                               ///< by the grade
+  std::optional<std::array<int, 2>> profile_waves;  ///< least and most, of f_fα of the grade
+  std::optional<std::array<int, 2>> helix_waves;    ///< of f_fβ
+};
+
+/// [scatter.robust]
+struct ScatterRobust {
+  std::vector<std::size_t> corrections;  ///< places in kCorrections; empty: the pair's own
+  double percentile = 95.0;
+  std::optional<std::array<double, 2>> range;  ///< of every correction, in its unit
 };
 
 /// [scatter]
@@ -37,16 +48,19 @@ struct ScatterInput {
   double confidence = 0.95;
   bool indices = false;
   bool worst_case = false;
+  bool loosening = false;
+  std::optional<std::array<int, 2>> quality;  ///< A of gear 1, gear 2; none: those of the gears
   /// By error_entries(), in the unit of the key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;
   std::array<ScatterGear, 2> gears;
-  /// [scatter.groups]: a name and the inputs that it holds, as the user wrote them.
+  /// [scatter.groups]: a name and its inputs, as the user wrote them.
   struct Group {
     std::string name;
     std::vector<std::string> inputs;
   };
   std::vector<Group> groups;
+  std::optional<ScatterRobust> robust;
 };
 
 constexpr int kMaxScatterSamples = 1 << 19;  ///< samples times replicates
@@ -56,6 +70,7 @@ const KeyTable& scatter_error_keys();
 const KeyTable& scatter_bearing_keys();
 const KeyTable& scatter_gear_keys();
 const KeyTable& scatter_modification_keys();
+const KeyTable& scatter_robust_keys();
 /// One toleranced number in full.
 const KeyTable& scatter_range_keys();
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/quantity.hpp"
-#include "gearwright/scatter/scatter.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/scatter/robust.hpp"
 
 namespace gearwright {
 
-/// A quantity of a member, as results name it.
+/// A quantity of a member, with its name in results.
 struct ScatterEntry {
   ScatterQuantity quantity;
   const char* key;    ///< "peak_to_peak_arcsec"
@@ -32,7 +32,7 @@ struct SpreadView {
   const ScatterEntry* entry;
   const Spread* spread;
   ValueList
-      samples;  ///< by percentile: the sample next to it, as errors of a spec and what else it adds
+      samples;  ///< by percentile: the next sample, as errors of a spec, and its other changes
 };
 
 struct IndexView {
@@ -45,16 +45,30 @@ struct WorstView {
   ValueMap at;  ///< by input
 };
 
+/// Statistics of the family without or with corrections, from the samples used for comparison.
+struct JudgedView {
+  const Scatter* scatter;
+  SpreadView peak_to_peak;
+};
+
+struct RobustView {
+  std::vector<FoundCorrection> corrections;
+  double percent;
+  JudgedView before, after;
+  Value spec;  ///< the whole spec with the corrections in it
+};
+
 struct ScatterView {
   const Scatter* scatter;
   const ScatterTask* task;
   std::vector<std::string> inputs;
   std::array<std::optional<SpreadView>, kScatterQuantities> spread;
   std::optional<WorstView> worst_peak_to_peak, worst_least_play;
+  std::optional<RobustView> robust;
 };
 
 const Quantities<ScatterView>& scatter_quantities();
-/// Of one quantity, of a probability.
+/// Quantities of one quantity, and of a probability.
 const Quantities<SpreadView>& spread_quantities();
 const Quantities<Probability>& probability_quantities();
 

@@ -27,7 +27,7 @@ std::vector<std::string_view> objective_words() {
   return {kObjectiveNames.begin(), kObjectiveNames.end()};
 }
 
-// What people call an objective.
+// Other names of an objective.
 struct Called {
   std::string_view word, objective;
 };
@@ -43,14 +43,14 @@ constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
                                           {"slip", "sliding"},
                                           {"specific_sliding", "sliding"}}};
 
-// The objective that a word means, "mass" of "weight"; empty: none.
+// The objective that a word means: "mass" for "weight"; empty if there is none.
 std::string_view objective_called(std::string_view word) {
   const auto row =
       std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
   return row == kCalled.end() ? std::string_view() : row->objective;
 }
 
-// A number among the limits: a least or a greatest one, or a margin.
+// A number among the limits: a least or a greatest value, or a margin.
 template <class V>
 Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLimits::*member,
           std::string_view fallback, std::string_view meaning) {
@@ -166,13 +166,13 @@ std::vector<Key> limit_keys() {
                 "the same as a switch: true is `\"exclude\"`, false `\"flag\"`")
           .with_fields({"limits.avoid_interference"}),
       limit("safety_flank_min", "S_Hmin", Range::positive(), &SearchLimits::safety_flank,
-            "of `[rating]`, where designs are rated; else none",
+            "of `[rating]` if designs are rated, otherwise none",
             "least safety against pitting of both gears, by `[rating]` and "
             "`[gearN.material]` as `rate` has it, at the shifts of the design")
           .with_also({"sh_min", "safety_flank"}),
       limit("safety_root_min", "S_Fmin", Range::positive(), &SearchLimits::safety_root,
-            "of `[rating]`, where designs are rated; else none",
-            "least safety against root breakage, the same")
+            "of `[rating]` if designs are rated, otherwise none",
+            "least safety against root breakage, likewise")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
                 "true: only z1, z2 without a common factor (hunting tooth); others are not "
@@ -181,19 +181,49 @@ std::vector<Key> limit_keys() {
 
 std::vector<Key> design_keys() {
   return {
-      Key::word("mounting", {"extended", "tight"}, {}, "\"extended\"; of internal pairs \"tight\"",
+      Key::word("mounting", {"extended", "tight"}, {},
+                "\"extended\"; of internal pairs and of designs that are drawn \"tight\"",
                 "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
                 "true: tips are shortened by the clearance that tight centres remove"),
       Key::positive("face_width_mm", "b", &P::face_width, "of `[gear1]`, else 10 m_n",
-                    "face width of both gears"),
-      Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules, "10",
-                  "face width of both gears in modules, if it is not given in mm")
-          .with_excludes({"face_width_mm"})
+                    "face width of both gears; of a band each design takes the least width with "
+                    "the required safeties and overlap ratio")
+          .with_list(kBand)
+          .with_form(std::string("a width in mm") + kBandForm),
+      Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules,
+                  "10 without other widths", "the same in modules")
+          .with_list(kBand)
+          .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
+      Key::number("face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
+                  "none", "the same in reference diameters of the pinion")
+          .with_list(kBand)
+          .with_form(std::string("a number") + kBandForm)
+          .with_fields({"face_diameters"}),
+      Key::positive("face_width_step_mm", "", &P::face_step, "1",
+                    "widths within a band are multiples of it")
+          .with_fields({"face_step"}),
+      Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
+                "\"cd25\" of designs that are drawn, if they are mounted tight",
+                "thickness allowances of both gears by DIN 3967, `\"cd25\"`; `\"none\"`: nominal "
+                "teeth")
+          .with_fields({"allowances.series"}),
+      Key::number(
+          "backlash_mm", "j_n", Range::not_negative(),
+          {&P::allowances, &SearchAllowances::backlash}, "by `thickness_series`",
+          "normal backlash of every design, least and greatest; the teeth are thinned for it")
+          .with_list(kBand)
+          .with_form("a backlash in mm, or a band [least, greatest]")
+          .with_excludes({"thickness_series"})
+          .with_fields({"allowances.backlash"}),
+      Key::text("center_distance_tolerance",
+                {&P::allowances, &SearchAllowances::distance_tolerance}, "none",
+                "tolerance of the centre distance by ISO 286, `\"JS7\"`")
+          .with_fields({"allowances.distance_tolerance"}),
       Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
-                  "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; a "
-                  "internal gear's pinion takes all"),
+                  "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; the "
+                  "pinion of an internal pair takes all"),
       Key::word("objective", objective_words(), &P::objectives, "\"contact_ratio\"",
                 "criterion of the ranking: `contact_ratio` (greatest effective), `ratio` (nearest "
                 "to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
@@ -216,7 +246,7 @@ std::vector<Key> design_keys() {
 
 const KeyTable& search_keys() {
   static const KeyTable table = [] {
-    KeyTable t{"search", "What a design search is asked", {}};
+    KeyTable t{"search", "Inputs of a design search", {}};
     for (const auto& keys : {trial_keys(), limit_keys(), design_keys()})
       t.keys.insert(t.keys.end(), keys.begin(), keys.end());
     return t;

@@ -1,4 +1,4 @@
-// The keys of [search]: what a design search is asked.
+// The keys of [search]: the inputs of a design search.
 #pragma once
 
 #include "gearwright/catalogue/key.hpp"

@@ -20,89 +20,111 @@ namespace {
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
   static const Quantities<C> kAll("search.changes", [](Quantities<C>& q) {
-    q.text("key", "of the spec", [](const C& c) { return Value(spelled_change(c).key); }).always();
-    q.text("from", "as given", [](const C& c) { return Value(spelled_change(c).from); }).always();
+    q.text("key", "of the spec", [](const C& c) { return spelled_change(c).key; }).always();
+    q.text("from", "as given", [](const C& c) { return spelled_change(c).from; }).always();
     q.text("to", "with which a design exists", [](const C& c) {
-       return Value(spelled_change(c).to);
+       return spelled_change(c).to;
      }).always();
-    q.pure("", "effort", "effort", "", "they are ordered by it", [](const C& c) {
-       return Value(c.effort);
-     }).always();
+    q.number("effort", "effort", "", "they are ordered by it", &C::effort).always();
   });
   return kAll;
 }
-const Quantities<SearchLimits>& margin_quantities() {
-  using L = SearchLimits;
-  static const Quantities<L> kAll("search.margins", [](Quantities<L>& q) {
-    q.word("", "interference", "interference", "`exclude` or `flag`",
-           [](const L& l) { return Value(l.avoid_interference ? "exclude" : "flag"); })
+const Quantities<SearchProblem>& margin_quantities() {
+  using P = SearchProblem;
+  static const Quantities<P> kAll("search.margins", [](Quantities<P>& q) {
+    q.word("interference", "interference", "`exclude` or `flag`",
+           [](const P& p) { return Value(p.limits.avoid_interference ? "exclude" : "flag"); })
         .one_of({"exclude", "flag"})
         .always();
-    q.pure("", "tip_clearance_min", "tip clearance", "c", "`null`: none is asked",
-           [](const L& l) { return Value(l.tip_clearance); });
-    q.pure("", "form_clearance_min", "form clearance", "c_F", "along the line of action",
-           [](const L& l) { return Value(l.form_clearance); })
+    q.number("tip_clearance_min", "tip clearance", "c", "`null`: none is asked",
+             [](const P& p) { return Value(p.limits.tip_clearance); });
+    q.number("form_clearance_min", "form clearance", "c_F", "along the line of action",
+             [](const P& p) { return Value(p.limits.form_clearance); })
         .always();
-    q.pure("", "safety_flank_min", "safety against pitting", "S_Hmin", "where one is asked",
-           [](const L& l) { return Value(l.safety_flank); })
-        .when([](const L& l) { return l.safety_flank.has_value(); });
-    q.pure("", "safety_root_min", "safety against root breakage", "S_Fmin", "where one is asked",
-           [](const L& l) { return Value(l.safety_root); })
-        .when([](const L& l) { return l.safety_root.has_value(); });
+    q.number("safety_flank_min", "safety against pitting", "S_Hmin", "where one is asked",
+             [](const P& p) { return Value(p.limits.safety_flank); })
+        .when([](const P& p) { return p.limits.safety_flank.has_value(); });
+    q.number("safety_root_min", "safety against root breakage", "S_Fmin", "where one is asked",
+             [](const P& p) { return Value(p.limits.safety_root); })
+        .when([](const P& p) { return p.limits.safety_root.has_value(); });
+    const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
+    q.word("mounting", "mounting", "of designs that are drawn",
+           [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
+        .one_of({"extended", "tight"})
+        .when(drawn);
+    q.text("thickness_series", "series of DIN 3967 of both gears; `null`: none", [](const P& p) {
+       return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
+     }).when(drawn);
+    q.term(
+         "backlash_mm", "least and greatest that the teeth are thinned for; `null`: by the series",
+         [](const P& p) { return p.allowances.backlash ? Value(*p.allowances.backlash) : Value(); })
+        .ends()
+        .when(drawn);
+    q.text("center_distance_tolerance", "of ISO 286; `null`: none", [](const P& p) {
+       return p.allowances.distance_tolerance ? Value(*p.allowances.distance_tolerance) : Value();
+     }).when(drawn);
+    q.number("profile_shift", "limits of the profile shifts", "x", "lower and upper, of both",
+             [](const P& p) {
+               return Value(std::array{p.limits.min_shift, p.limits.max_shift});
+             })
+        .list({2})
+        .when(drawn);
+    q.number("sliding_max", "limit of the specific sliding", "|ζ|", "", [](const P& p) {
+       return Value(p.limits.sliding);
+     }).when(drawn);
   });
   return kAll;
 }
-const QuantityTable& margin_table() { return margin_quantities().table(); }
-const QuantityTable& change_table() { return change_quantities().table(); }
-const QuantityTable& design_table() { return design_quantities().table(); }
 
 void say_search(Quantities<SearchView>& q) {
   using S = SearchView;
   const auto count = [&q](const char* key, const char* meaning,
                           std::int64_t SearchCounts::*member) -> Quantity<S>& {
     return q
-        .add(Type::index, Unit::none, "", key, key, "", meaning,
-             [member](const S& s) { return Value(s.answer->counts.*member); })
+        .add(Type::index, key, key, "", meaning,
+             [member](const S& s) { return s.answer->counts.*member; })
         .always();
   };
   const auto grid = [](const S& s) { return s.problem->shift_step.has_value(); };
   count("tested", "trials: modules, z1, z2, helices and racks tried", &SearchCounts::tested);
   count("feasible_count", "those with a region", &SearchCounts::feasible);
-  q.add(Type::map, Unit::none, "", "rejected", "rejected", "",
+  q.add(Type::map, "rejected", "rejected", "",
         "number of trials that each limit ruled out; the first limit that leaves nothing counts, "
         "in the order `shift_limits`, `center_distance`, `contact_ratio`, `overlap_ratio`, "
         "`sliding`, `tip_clearance`, `interference`, of a rated search `safety_flank`, "
-        "`safety_root`; no working angle counts as `contact_ratio`",
+        "`safety_root`, of drawn designs `verdict`; no working angle counts as `contact_ratio`",
         [](const S& s) {
           ValueMap map;
-          for (std::size_t i = 0; i < static_cast<std::size_t>(s.problem->limit_count()); ++i)
-            map.emplace_back(name(static_cast<Limit>(i)), s.answer->counts.rejected[i]);
+          for (const Limit limit : s.problem->rejecting_limits())
+            map.emplace_back(name(limit),
+                             s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
           return Value(std::move(map));
         })
       .always();
-  q.record("", "margins", "limits that every design satisfies; clearances in modules", margin_table,
-           [](const S& s) { return Value(margin_quantities().of(s.problem->limits)); })
+  q.record<margin_quantities>("margins",
+                              "limits that every design satisfies; clearances in modules",
+                              [](const S& s) { return Value(margin_quantities().of(*s.problem)); })
       .always();
   count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
   count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)
       .when(grid);
-  q.record("", "changes",
-           "if no design is feasible: single changes that would make designs feasible, the "
-           "smallest first; for at most 2 million trials",
-           change_table, [](const S& s) { return Value(change_quantities().each(*s.changes)); })
+  q.record<change_quantities>(
+       "changes",
+       "if no design is feasible: single changes that would make designs feasible, the "
+       "smallest first; for at most 2 million trials",
+       [](const S& s) { return change_quantities().each(*s.changes); })
       .always()
       .list({0})
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
-  q.record(
-       "", "safest",
+  q.record<design_quantities>(
+       "safest",
        "if no design is feasible: the rated design, among at most 10 000, that comes nearest to "
        "the required safeties",
-       design_table,
        [](const S& s) {
          return s.safest ? Value(design_quantities().of({s.problem, s.safest})) : Value();
        })
       .when([](const S& s) { return s.safest != nullptr; });
-  q.add(Type::index, Unit::none, "", "pareto", "Pareto front", "",
+  q.add(Type::index, "pareto", "Pareto front", "",
         "positions in `designs` of the Pareto-optimal designs, with several objectives",
         [](const S& s) {
           const auto& front = s.answer->pareto;
@@ -111,8 +133,8 @@ void say_search(Quantities<SearchView>& q) {
       .list({0})
       .always()
       .doors(kJson);
-  q.record("", "designs", "best first, every feasible one up to 100 000, or `--top`", design_table,
-           [](const S&) { return Value(ValueList()); })
+  q.record<design_quantities>("designs", "best first, every feasible one up to 100 000, or `--top`",
+                              [](const S&) { return Value(ValueList()); })
       .list({0})
       .always();
 }

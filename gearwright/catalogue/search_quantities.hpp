@@ -16,12 +16,13 @@ namespace gearwright {
 struct DesignView {
   const SearchProblem* problem;
   const DesignRow* row;
-  std::function<Value()> edges{};  ///< of the region; none: they are left out
+  std::function<Value()> edges{};  ///< of the region; none: they are omitted
 };
 
 const Quantities<DesignView>& design_quantities();
 
-/// A finished search. Its designs come one by one (design_quantities), for there may be many.
+/// A finished search. Its designs are read one by one (design_quantities), because there may be
+/// many.
 struct SearchView {
   const SearchProblem* problem;
   const SearchAnswer* answer;
@@ -30,16 +31,16 @@ struct SearchView {
 };
 const Quantities<SearchView>& search_quantities();
 
-/// A point of the grid of shifts: columns alone.
+/// A point of the grid of shifts, for columns only.
 const Quantities<ShiftPoint>& point_quantities();
 
-/// A change as a file says it: search.interference, "exclude", "flag".
+/// A change in the words of a file: search.interference, "exclude", "flag".
 struct SpelledChange {
   std::string key, from, to;
 };
 SpelledChange spelled_change(const NearestChange& change);
 
-/// Degrees as they were given: −12, not what −12° in radians comes back as.
+/// Degrees as they were given: −12, not the result of converting −12° to radians and back.
 double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gearwright/catalogue/drive_keys.hpp"
+#include "gearwright/catalogue/drive_search_keys.hpp"
 #include "gearwright/catalogue/rack_bar_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
@@ -31,6 +32,12 @@ Key gear_2_key() {
   return k;
 }
 
+Key search_key() {
+  Key k = table_key("search", search_keys, {}, "inputs of a search for pairs or for drives");
+  k.tables.push_back(drive_search_keys);
+  return k;
+}
+
 }  // namespace
 
 const KeyTable& spec_keys() {
@@ -51,13 +58,13 @@ const KeyTable& spec_keys() {
                  "how the contact of the pair is computed"),
        table_key("compensate", compensate_keys, &SpecTables::compensate,
                  "which corrections the verb compensate may make"),
-       table_key("scatter", scatter_keys, {}, "tolerances, and what the verb scatter is asked of them"),
+       table_key("scatter", scatter_keys, {},
+                 "tolerances, and what the verb scatter is asked of them"),
        table_key("load", load_keys, &SpecTables::load,
                  "settings of the verb load: torques and resolution"),
        table_key("rating", rating_keys, &SpecTables::rating,
                  "settings of the verb rate: load, life, accuracy, mounting"),
-       table_key("fit", fit_keys, &SpecTables::fit, "what the verb fit is asked"),
-       table_key("search", search_keys, {}, "what a design search is asked"),
+       table_key("fit", fit_keys, &SpecTables::fit, "settings of the verb fit"), search_key(),
        table_key("planetary", planetary_keys, {}, "a planetary set, for the verb drive"),
        stage_key(), table_key("drive", drive_keys, {}, "a drive as a graph, for the verb drive")}};
   return table;

@@ -1,4 +1,4 @@
-// The tables of a spec file, and what stands in them but for gears and searches.
+// The tables of a spec file, with their keys except those of gears and searches.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-/// The tables that spec_keys() fills by itself; gears and [scatter] have readers of their own.
+/// The tables that spec_keys() fills directly. Gears and [scatter] have their own readers.
 struct SpecTables : GivenPair {
   std::string title;
   DrawingInput drawing;
@@ -29,10 +29,10 @@ struct SpecTables : GivenPair {
   RatingTable rating;
 };
 
-/// What stands in the file itself: title, [gear1], [gear2], [pair] and so on.
+/// The keys of the file itself: title, [gear1], [gear2], [pair] and so on.
 const KeyTable& spec_keys();
 
-/// Every table that spec_keys() leads to, itself first, each once.
+/// Every table that spec_keys() leads to, each once, beginning with itself.
 std::vector<const KeyTable*> all_key_tables();
 
 }  // namespace gearwright

@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Whole numbers without a point, as people write them.
+// Whole numbers without a point.
 Json number_json(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
 }
 
-// Numbers of a list have no limit but their own.
+// Numbers of a list have only their own limits.
 Json number_schema(const Key& key) {
   const bool whole = key.kind == KeyKind::whole;
   const double most = whole ? kMaxWholeInput : kMaxInput;
@@ -122,13 +122,13 @@ Json table_schema(const KeyTable& table) {
 
 Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
 
-// A search may choose the teeth of a gear, and a drive has gears of its own. In any other spec there
-// is at least one gear, and it is complete.
+// A search may choose the teeth of a gear, and a drive has its own gears. Any other spec needs at
+// least one complete gear.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});
   rack["properties"] = {{"form", {{"const", "rack"}}}};
-  // It has the rest from the first.
+  // Gear 2 takes the other values from gear 1.
   const Json second{{"anyOf", {required({"teeth"}), rack}}};
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
@@ -149,7 +149,7 @@ Json whole_gear() {
                 required({"transverse_module_mm"}),
                 required({"basic"}),
                 required({"cut_by"}),
-                required({"measured"})};  // the last: a gear that identify is to find
+                required({"measured"})};  // for a gear that identify is to find
   return s;
 }
 

@@ -1,15 +1,15 @@
-// The JSON Schema (draft 2020-12) of specs, made from the key tables: what editors complete TOML
-// from, and what any validator checks a spec against before it is sent.
+// The JSON Schema (draft 2020-12) of specs, made from the key tables: editors use it to complete
+// TOML, and any validator can check a spec with it.
 //
-// It says what can be said of one key or of keys beside each other; what follows from geometry only
-// the program knows.
+// It describes single keys and combinations of keys. Only the program can check conditions of
+// geometry.
 #pragma once
 
 #include <string>
 
 namespace gearwright {
 
-/// As a file: two spaces a level, a line feed at the end.
+/// As a file: two spaces per level, a line feed at the end.
 std::string spec_schema();
 
 }  // namespace gearwright

@@ -21,7 +21,7 @@ std::string joined(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : std::string(path) + "." + std::string(key);
 }
 
-// All keys of `table`, which stands at `path`, that set the member.
+// All keys of `table` at `path` that set the member.
 void find_keys(const KeyTable& table, const std::string& path, std::string_view member,
                std::vector<Spelling>& found) {
   for (const Key& key : table.keys) {
@@ -41,13 +41,13 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
       for (const auto part : key.tables) find_keys(part(), here + index, rest.substr(1), found);
     }
   }
-  // What one flank has may be said of both.
+  // A member of one flank may also be set by a key for both flanks.
   if (&table != &modification_keys()) return;
   for (const std::string_view side : kFlankMembers)
     if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
 }
 
-// Of several keys the one that was given; else the one that documents show first.
+// Of several keys the given one, otherwise the first one in documents.
 std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
   if (found.empty()) return std::nullopt;
   for (const Spelling& s : found)
@@ -63,7 +63,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// The key that has the member's own number: another one makes it, a diametral pitch a module.
+// The key for the member's own number. Another key computes it, such as a diametral pitch for a
+// module.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)
@@ -71,7 +72,7 @@ std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s)
   return plain;
 }
 
-// Words as a file has them, in quotes.
+// Words in the form of a file, in quotes.
 std::string spelled_value(const std::string& value, const Key& key) {
   const bool word = key.kind != KeyKind::number && key.kind != KeyKind::whole && !value.empty() &&
                     value != "true" && value != "false" &&
@@ -79,7 +80,7 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
-// A member named in a sentence about `owner`: the nearest table that has it counts.
+// A member named in a sentence about `owner`: the nearest table that has it is used.
 std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
   for (std::string_view around = owner; !around.empty();) {
     if (const auto s = spelling_of(joined(around, member), given))
@@ -122,7 +123,7 @@ Error spelled(const Error& error, const GivenKeys& given) {
   if (!s) return worded;
   worded.field = s->path;
   worded.value = spelled_value(worded.value, *s->key);
-  // A rack that nobody wrote down in a file is not what somebody did wrong.
+  // The message does not blame a default rack, which is not in the file.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
   if (of_rack && !worded.value.empty() && !given.contains(s->path))
     worded.rule = "not given, and this default does not suit the other values: " + worded.rule;

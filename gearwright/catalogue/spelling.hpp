@@ -1,11 +1,11 @@
-// What the door to a spec file does with an error of the library: it puts the file's keys in place
-// of the members of structs, and leaves the sentence as it is.
+// Conversion of an error of the library for a spec file: the keys of the file replace the members
+// of structs, and the sentence is unchanged.
 //
 //   gear1.tip_diameter = 10: must be greater than the root diameter 35 mm
 //   gear1.tip_diameter_mm = 10: must be greater than the root diameter 35 mm
 //
-// Members that a sentence names stand between backticks; they are looked for beside the member that
-// the error is about, then in the tables around it.
+// Members in a sentence are in backticks. They are searched for next to the member of the error,
+// then in the enclosing tables.
 #pragma once
 
 #include <set>
@@ -16,18 +16,18 @@
 
 namespace gearwright {
 
-/// Paths of the keys that a spec gives, "gear1.left_tip_relief_um": where several keys set one
-/// member, the error is about the one that was given.
+/// Paths of the keys that a spec gives, "gear1.left_tip_relief_um": if several keys set one member,
+/// the error names the given one.
 using GivenKeys = std::set<std::string, std::less<>>;
 
-/// With keys for members; what is no member of an input stays, so that spelling twice does nothing.
+/// The error with keys for members. Other words are unchanged, so repeated spelling has no effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
-/// A sentence about `owner`, "gear1"; empty: about the spec.
+/// A sentence about `owner`, "gear1"; if empty, about the spec.
 std::string spelled(std::string_view sentence, const GivenKeys& given = {},
                     std::string_view owner = {});
 
-/// The key of one member, "search.limits.contact_ratio"; itself where there is none.
+/// The key of one member, "search.limits.contact_ratio"; the member itself if there is none.
 std::string spelled_member(std::string_view member, const GivenKeys& given = {});
 
 }  // namespace gearwright

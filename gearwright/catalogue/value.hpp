@@ -1,7 +1,7 @@
-// A value of a result as every door takes it: nothing, a flag, a number, a word, a list, a record.
+// A value of a result for all interfaces: null, a flag, a number, a word, a list, a record.
 //
-// What the catalogue's getters give, already in the unit that the key names. JSON, tables, CSV and
-// later Python and the browser turn it into their own kind; none of them knows where it came from.
+// The catalogue's getters return it in the unit of the key. JSON, tables, CSV, Python and the
+// browser convert it to their own types, independently of its origin.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct Member;
 
 using ValueList = std::vector<Value>;
 using ValueRecord = std::vector<Member>;                      ///< in the catalogue's order
-using ValueMap = std::vector<std::pair<std::string, Value>>;  ///< by names that a job makes
+using ValueMap = std::vector<std::pair<std::string, Value>>;  ///< with names from the job
 
 class Value {
  public:
@@ -31,7 +31,8 @@ class Value {
 
   // NOLINTBEGIN(google-explicit-constructor): a getter returns what it has.
   Value() noexcept;  ///< nothing: JSON's null
-  // In value.cpp, where a Member is complete: clang wants that of whatever may destroy the variant.
+  // Defined in value.cpp, where Member is complete, as clang requires for functions that may
+  // destroy the variant.
   Value(bool flag);
   Value(int whole);
   Value(long whole);
@@ -66,7 +67,7 @@ class Value {
   const ValueList* list() const { return std::get_if<ValueList>(&variant_); }
   const ValueRecord* record() const { return std::get_if<ValueRecord>(&variant_); }
   const ValueMap* map() const { return std::get_if<ValueMap>(&variant_); }
-  /// The number of a double or a whole number; none of anything else.
+  /// The number of a double or a whole number; none for other types.
   std::optional<double> number() const {
     if (const auto* x = std::get_if<double>(&variant_)) return *x;
     if (const auto* n = std::get_if<long long>(&variant_)) return static_cast<double>(*n);
@@ -77,14 +78,14 @@ class Value {
   Variant variant_;
 };
 
-/// One quantity of a record: what is said of it, and its value.
+/// One quantity of a record: its description and its value.
 struct Member {
   const QuantityInfo* info;  ///< of the catalogue, which lives as long as the program
   Value value;
-  bool shown = true;  ///< worth a row for people in this very record: it has a value, or is missed
+  bool shown = true;  ///< users see a row: the record has a value, or a dash for a missing one
 };
 
-/// Nothing anywhere in it: no value, or a list of such.
+/// True if it contains no value, directly or in lists.
 bool all_nothing(const Value& value);
 
 }  // namespace gearwright

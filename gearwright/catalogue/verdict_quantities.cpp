@@ -35,7 +35,11 @@ const char* member_of(Adjustable what) {
 Value change_of(const Finding& finding) {
   ValueMap keys;
   if (!finding.change) return keys;
-  const auto [what, gear, value] = *finding.change;
+  const auto& [what, gear, value, path] = *finding.change;
+  if (!path.empty()) {
+    keys.emplace_back(path, Value(value));
+    return keys;
+  }
   const auto add = [&, what = what, value = value](const std::string& table) {
     keys.emplace_back(spelled_member(table + "." + member_of(what)), Value(value));
   };
@@ -54,17 +58,14 @@ const Quantities<Finding>& finding_quantities() {
     q.text("code",
            "of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
            "`contact_place`, `root_safety`, `flank_safety`",
-           [](const F& f) { return Value(to_string(f.code)); })
+           [](const F& f) { return to_string(f.code); })
         .always();
-    q.word("", "level", "level", "green: good to know",
-           [](const F& f) { return Value(to_string(f.level)); })
+    q.word("level", "level", "green: good to know", [](const F& f) { return to_string(f.level); })
         .always()
         .one_of({"green", "amber", "red"});
-    q.whole("", "gear", "gear", "", "1 or 2; null for the pair or the spec",
-            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
-    q.text("message", "one sentence for people", [](const F& f) {
-       return Value(f.message);
-     }).always();
+    q.term("gear", "1 or 2; null for the pair or the spec",
+           [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
+    q.text("message", "one sentence for people", &F::message).always();
     q.text("at",
            "the ends of the tolerances at which the finding occurs; null if it occurs as "
            "drawn",
@@ -72,17 +73,15 @@ const Quantities<Finding>& finding_quantities() {
     q.text("remedy",
            "a change that helps, tried before it is printed; null if no single change was found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
-    q.add(Type::map, Unit::none, "", "change", "change", "",
+    q.add(Type::map, "change", "change", "",
           "the keys of the spec that the remedy sets, with their values", change_of)
         .always();
-    q.add(Type::map, Unit::none, "", "values", "values", "",
+    q.add(Type::map, "values", "values", "",
           "the number that is too small, first, and its limit, by keys with their units", values_of)
         .always();
   });
   return kAll;
 }
-
-const QuantityTable& finding_table() { return finding_quantities().table(); }
 
 }  // namespace
 
@@ -90,23 +89,22 @@ const Quantities<Verdict>& verdict_quantities() {
   using V = Verdict;
   static const Quantities<V> kAll("verdict", [](Quantities<V>& q) {
     q.word(
-         "", "level", "verdict",
+         "level", "verdict",
          "green: it runs and nothing needs a look; amber: it runs, and the user should look at the "
          "findings; red: as specified it cannot be made or does not run",
-         [](const V& v) { return Value(to_string(v.level)); })
+         [](const V& v) { return to_string(v.level); })
         .always()
         .one_of({"green", "amber", "red"});
-    q.text("headline", "the verdict in words, with the worst finding and what would help",
-           [](const V& v) { return Value(v.headline); })
+    q.text("headline", "the verdict in words, with the worst finding and a remedy", &V::headline)
         .always();
-    q.record("", "findings", "worst first: all warnings, and margins that are too small",
-             finding_table, [](const V& v) { return Value(finding_quantities().each(v.findings)); })
+    q.record<finding_quantities>(
+         "findings", "worst first: all warnings, and margins that are too small", &V::findings)
         .always()
         .list({0});
-    q.add(Type::text, Unit::none, "", "not_judged", "not judged", "",
-          "what the spec has data for and this verb did not compute: `pair`, `contact`, `load`, "
+    q.add(Type::text, "not_judged", "not judged", "",
+          "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, "
           "`rating`",
-          [](const V& v) { return Value(ValueList(v.not_judged.begin(), v.not_judged.end())); })
+          [](const V& v) { return ValueList(v.not_judged.begin(), v.not_judged.end()); })
         .always()
         .list({0});
   });

@@ -37,9 +37,9 @@ struct BumpPlace {
 
 /// The bump at s, along the flank's inward normal; with τ ≠ 0 along that of the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
-/// The same along the axis.
+/// The same bump with its force along the axis.
 Functional axial_bump(const SectionMesh& mesh, double s, double c);
-/// The same on tooth k.
+/// The functional moved to tooth k.
 Functional on_tooth(const SectionMesh& mesh, const Functional& f, int k);
 
 }  // namespace gearwright::detail

@@ -18,8 +18,9 @@ struct FlankMetric {
   double zz = 1.0;  ///< G
 };
 
-/// In plane strain, without the constant that the logarithm leaves open: two bumps of half width c
-/// at one place; the centre of a Hertz strip of half width a. [T12.11]
+/// In plane strain, up to the constant that the logarithm leaves undetermined: the indentation by
+/// two bumps of half width c at one place, and that at the centre of a Hertz strip of half width a.
+/// [T12.11]
 double plane_bump(double c, double poisson_ratio);
 double plane_hertz(double a, double poisson_ratio);
 
@@ -28,7 +29,7 @@ struct Offsets {
   std::vector<double> x, weight;
 };
 Offsets bump_offsets(double ds, double c, double c_other);
-/// The same for the centre of a Hertz strip.
+/// Offsets for the centre of a Hertz strip.
 Offsets hertz_offsets(double a);
 
 /// Mean of 1/R over two slices of width h whose middles are d apart.

@@ -17,8 +17,8 @@ constexpr double kNearestToTip = 0.02;  // modules
 
 using detail::FlankMetric;
 
-// −H[b, b] + H[a, a] between a loaded part of the face and a place or the part itself, mirrored at
-// both ends.
+// −H[b, b] + H[a, a] between a loaded part of the face and a place, or within that part, mirrored
+// at both ends.
 class Local {
  public:
   Local(const FlankMetric& metric, double c, double a, double nu)

@@ -12,17 +12,18 @@
 
 namespace gearwright {
 
-/// On the flank at y > 0 of tooth 0, which `outline` gives.
+/// A probe on the flank at y > 0 of tooth 0, which is the side of `outline`.
 struct ComplianceProbe {
   double diameter = 0.0;                          ///< mm
-  std::optional<std::array<double, 2>> loaded{};  ///< z from, to, mm; none: a wide gear
-  std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; else 0.05 m_n
+  std::optional<std::array<double, 2>> loaded{};  ///< z from, to, mm; none for a load along a wide
+                                                  ///< gear
+  std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; default 0.05 m_n
   std::vector<double> read{};                     ///< z  mm
 };
 
 struct ProbeAnswer {
-  /// Along the normal under the load. A wide gear: mm per N/mm; else the mean over the loaded part,
-  /// mm per N.
+  /// Deflection along the normal under the load. For a wide gear it is in mm per N/mm, otherwise
+  /// the mean over the loaded part in mm per N.
   double own = 0.0;
   std::vector<double> profile;  ///< mm per N, at `read`
 };
@@ -31,7 +32,8 @@ struct ProbeAnswer {
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
-/// The same for the gear's transverse section with another turn per mm than its own helix gives.
+/// The same for the gear's transverse section with a turn per mm that differs from that of its own
+/// helix.
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 

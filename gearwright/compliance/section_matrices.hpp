@@ -34,7 +34,7 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// `wave`: B is that of U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6]; else that of
+/// If `wave`, B belongs to U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6], otherwise to
 /// free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
@@ -51,12 +51,12 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// `matrices`: of waves for double, of free functions of z for complex numbers.
+  /// `matrices` are those of waves for double, and of free functions of z for complex numbers.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;
-  /// Displacements of all dof under the columns of `loads`. k = 0: without axial loads where τ = 0.
-  /// Factorises K(k) each time; from any thread.
+  /// Displacements of all dof under the columns of `loads`. For k = 0 and τ = 0 there must be no
+  /// axial loads. Each call factorises K(k). Calls from any thread are allowed.
   Fields solve(double k, const Eigen::MatrixXd& loads) const;
 
  private:

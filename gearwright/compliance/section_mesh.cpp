@@ -172,7 +172,7 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   SectionMesh mesh;
   mesh.module = module;
   mesh.to_tip = options.to_tip;
-  mesh.outward = outline.teeth > 0 ? 1.0 : -1.0;
+  mesh.outward = outline.side();
   mesh.tooth_count = std::abs(outline.teeth);
   mesh.bore_radius = bore_radius / module;
   std::vector<Part> parts;
@@ -215,7 +215,7 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
                   : "is the outside of an internal gear's rim, and must leave one around "
                     "the teeth: at least {}");
   }
-  // The foot of the tooth's centre line, and the circle on which the body begins.
+  // The base point on the tooth's centre line, and the circle on which the body begins.
   const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
   const double below = 0.45 * options.rim;
   const double left = out * (foot - ri);

@@ -52,7 +52,7 @@ struct SectionMesh {
   int side_teeth = 1;
   int tooth_count = 0;       ///< |z|
   double root_radius = 0.0;  ///< normal modules
-  double bore_radius = 0.0;  ///< where the body is held
+  double bore_radius = 0.0;  ///< radius at which the body is held
 
   /// The exact outline of tooth 0: the arc, the position on it, 0 … 1, and the point.
   struct OnArc {
@@ -72,7 +72,7 @@ struct SectionMesh {
   std::vector<double> lengths;  ///< at kLengthSteps places per element
 };
 
-/// Domain    0 < bore radius (contract), of an internal gear the outside radius of its rim
+/// Domain    0 < bore radius (contract), which is the outside radius of the rim of an internal gear
 /// Errors    `bore.diameter` that leaves no rim; `teeth` where elements fold: the outline is undercut
 ///           or pointed beyond what this mesh can follow
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,

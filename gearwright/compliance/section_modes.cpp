@@ -11,8 +11,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// Wave numbers along the face, per module, k = 0 apart: 0.3 is a wave of 21 modules, 13 one of half
-// a module, shorter than any bump.
+// Wave numbers along the face, per module, without k = 0. 0.3 is a wave of 21 modules. 13 is a wave
+// of half a module, which is shorter than any bump.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
 // Waves that follow the helix. Without them the root stress of 17:43, β = 20°, is 6 % too high.
 constexpr std::array kHelixWaves{0.5, 2.0, 6.0};
@@ -76,8 +76,8 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
-// Waves of a spur section, of a helical gear (τ ≠ 0) under axial loads too; plane strain; for the
-// free ends plane stress, and the warping by which a section in plane strain becomes one.
+// Fields of a spur section: waves (of a helical gear, τ ≠ 0, under axial loads too), plane strain,
+// and for the free ends plane stress and the warping that leads from plane strain to plane stress.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {

@@ -23,9 +23,9 @@ struct SectionModes {
   ModeMatrices matrices;   ///< of the section as it turns with its own helix
 };
 
-/// Modes for loads at these places of the flank, of a helical gear (τ ≠ 0) for waves along its helix
-/// too. Singular values below `tolerance` of the greatest are dropped. Every wave and every part
-/// counts as one step of the progress.
+/// Modes for loads at these places of the flank. Those of a helical gear (τ ≠ 0) include waves
+/// along its helix. Singular values below `tolerance` of the greatest are dropped. Every wave and
+/// every part counts as one step of the progress.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);

@@ -19,7 +19,8 @@ enum class ComplianceAccuracy { full, draft };
 
 /// The body of a gear, for its compliance.
 struct ElasticBody {
-  double bore_diameter = 0.0;  ///< mm, held there; of an internal gear the outside of its rim
+  double bore_diameter = 0.0;  ///< mm, where the body is held; the outside of the rim of an
+                               ///< internal gear
   double poisson_ratio = 0.3;
   double youngs_modulus = 206000.0;  ///< MPa
 };
@@ -45,7 +46,8 @@ struct ToothSection {
   FlankMetric metric(double s) const;
 };
 
-/// For the section of a gear that turns by `twist` per mm, its own value or that of a probe.
+/// Options for the section of a gear that turns by `twist` per mm, which is the gear's own value or
+/// that of a probe.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 

@@ -41,7 +41,8 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
   make_local(request);
 }
 
-// Lagrange's, of the four even places about x, at the ends of the first or the last four.
+// Weights of Lagrange's cubic through the four evenly spaced places about x, or through the first
+// or the last four near an end.
 ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
   const double step = places[1] - places[0];
   Weights w{};
@@ -67,7 +68,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Readings by modes: the places of tooth −side … side.
+  // Readings in terms of modes, for the places of tooth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -94,7 +95,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   // A spur gear is its own mirror image by the middle of the face.
   const bool symmetric = s.tau == 0.0;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
-  // Every place by itself.
+  // Every place is computed independently.
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
     count_step(request.progress);
     const int i = static_cast<int>(at);
@@ -204,7 +205,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
-      // Across the end of the face.
+      // The metric across the end of the face.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {

@@ -2,9 +2,9 @@
 // positions along the flank, used for all rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
-//   The first two terms are the table, by cubic interpolation in s and s′; the third lives along
-//   the contact line. E = 1, lengths in normal modules: C is E·u·m_n/F, forces and displacements
-//   are those of a whole slice.                  theory: docs/theory/12-loaded-contact.md
+//   The first two terms are the table, by cubic interpolation in s and s′; the third is computed
+//   along the contact line. E = 1, lengths in normal modules: C is E·u·m_n/F, forces and
+//   displacements are those of a whole slice.    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
 #include <memory>
@@ -49,19 +49,19 @@ class ToothTable {
   /// Coefficients between the positions of one line; symmetric.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
   /// Displacements on the line of tooth `k` under forces on a line of tooth 0, k not 0. Beyond
-  /// side_teeth() those of the last real tooth, because only the rotation of the body reaches that
-  /// far.
+  /// side_teeth(), the result is that of the last real tooth, because only the rotation of the body
+  /// reaches that far.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
 
-  /// Forces on the table's grid, a row per slice, a column per place along the flank: those of the
-  /// slices of a line; a force of 1 at a place.
+  /// Forces on the table's grid, with a row per slice and a column per place along the flank: the
+  /// forces on the slices of a line, or a force of 1 at a place.
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
-  /// Displacement on tooth `k`, as the mean that `read` weighs, under forces on tooth 0, without the
-  /// contact itself: the first two terms of [T12.9], of H the half space alone. Its mirror image at
-  /// a free end stays in C_FE, because no H[a, a] restores it.
+  /// Displacement on tooth `k`, as a mean with the weights `read`, under forces on tooth 0, without
+  /// the contact itself. It consists of the first two terms of [T12.9], where H is that of the half
+  /// space alone. Its mirror image at a free end stays in C_FE, because no H[a, a] restores it.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
 
   /// Stress at the root points of tooth k, −1 … 1, under forces on the grid of tooth 0: adds to

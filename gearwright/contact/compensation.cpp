@@ -13,16 +13,18 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when f changes by less: this part of itself, or a hundredth of kSameError.
+// A search ends when f changes by less than this relative amount, or by less than a hundredth of
+// kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// f of corrections at which contact is lost, rad: far above any other, and finite for the optimiser.
+// f of corrections at which contact is lost, rad. It is far above any other value, and finite for
+// the optimiser.
 constexpr double kLost = 1e3;
-// The same of an aim, in what nobody cares for less.
+// The same limits for an aim, in units of its smallest relevant improvement.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// What an arcsec of transmission error costs beyond the limit, on top of all that the pattern of no
-// corrections costs: so that nothing beyond the limit is better than nothing, and the way back from
-// there leads down.
+// Cost of an arcsec of transmission error beyond the limit. It comes on top of the cost of the
+// pattern without corrections, so that no correction beyond the limit is better than none, and f
+// decreases on the way back to the limit.
 constexpr double kOverLimit = 100.0;
 
 // f at a number of positions.
@@ -31,7 +33,7 @@ class Judge {
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
     const ContactScore score = worst(curves(zero));
-    // Where contact is lost already, regaining it may cost what it will.
+    // If contact is already lost, regaining it has no cost limit.
     if (!task.centering && !score.lost)
       limit_ = std::max(kQuiet, score.peak_to_peak + 0.5 * kSameError).rad();
     centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
@@ -62,7 +64,7 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  /// f that differs by less is the same; a search ends; contact is lost.
+  /// Least relevant difference of f; difference at which a search ends; value if contact is lost.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
@@ -94,12 +96,12 @@ class Judge {
 
   const CompensationTask& task_;
   int positions_;
-  double limit_ = kInfinity;  // of the peak to peak, rad
+  double limit_ = kInfinity;  // limit of the peak to peak, rad
   double centering_ = 0.0, place_of_none_ = 0.0;
   int evaluations_ = 0;
 };
 
-// The least squares answer of the problem as it looks from v = 0, each scenario about its own mean.
+// The least squares solution of the problem linearised at v = 0, each scenario about its own mean.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
@@ -151,23 +153,7 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimis
   return minimise(how, search, std::move(v));
 }
 
-// Values as a workshop would write them: whole numbers of a part of a step, each the nearest double
-// to its decimal, and 0 without a sign.
-std::vector<double> rounded(const CompensationTask& task, const std::vector<double>& v,
-                            double parts) {
-  std::vector<double> r = v;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    const Correction& c = task.corrections[k];
-    const double per_unit = parts / c.step;
-    double n = std::round(v[k] * per_unit);
-    if (n / per_unit > c.hi) --n;
-    if (n / per_unit < c.lo) ++n;
-    r[k] = n == 0.0 ? 0.0 : n / per_unit;
-  }
-  return r;
-}
-
-// The best so far, and what it is worth.
+// The best corrections so far, and their score.
 struct Best {
   Judge& judge;
   std::vector<double> v;
@@ -188,7 +174,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // Curves are what costs: so many in all, whatever the number of scenarios.
+  // Most of the time is spent on curves, so their total number is limited for any number of
+  // scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
@@ -200,13 +187,14 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
     best.take(start);
     best.take(optimise(task, judge, Minimiser::downhill, budget, 1.0, start));
   }
-  // A crease may have stopped it: again, with smaller steps.
+  // A crease may have stopped the search, so it is repeated with smaller steps.
   for (const double step : {1.0, 0.1, 0.01})
     best.take(optimise(task, judge, Minimiser::downhill, budget, step, best.v));
   return best.v;
 }
 
-// What is told is judged at the positions told of: a peak may lie between those of the search.
+// The result is judged at the positions that are reported, because a peak may lie between those of
+// the search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -221,16 +209,17 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
-  constexpr double kPartLost = 0.01;  // of what is gained, for values that can be written down
+  constexpr double kPartLost = 0.01;  // permitted loss of the gain, for values that can be written
+                                      // down
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
-    // The nearest values, or the next ones where those are on the wrong side of a crease.
-    Best drawn(fine, rounded(task, best.v, parts));
+    // The nearest values, or the next ones if the nearest are on the wrong side of a crease.
+    Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
         std::vector<double> next = drawn.v;
         next[k] += away * task.corrections[k].step / parts;
-        drawn.take(rounded(task, next, parts));
+        drawn.take(as_written(task.corrections, next, parts));
       }
     }
     if (drawn.least <= best.least + loss && drawn.least < none - same) return drawn.v;
@@ -247,7 +236,22 @@ bool Compensation::nothing_to_correct() const {
 Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
-  return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;  // of NaN the least
+  // the least value also for NaN
+  return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
+}
+
+std::vector<double> as_written(const std::vector<Correction>& corrections,
+                               std::vector<double> values, double parts) {
+  GW_EXPECTS(values.size() == corrections.size() && parts > 0.0);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Correction& c = corrections[k];
+    const double per_unit = parts / c.step;
+    double n = std::round(values[k] * per_unit);
+    if (n / per_unit > c.hi) --n;
+    if (n / per_unit < c.lo) ++n;
+    values[k] = n == 0.0 ? 0.0 : n / per_unit;
+  }
+  return values;
 }
 
 Compensation compensate(const CompensationTask& task) {
@@ -255,7 +259,8 @@ Compensation compensate(const CompensationTask& task) {
   GW_EXPECTS(task.positions >= 2 && task.fine_positions >= 2);
   for (const Correction& c : task.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
-  // Two or three searches of the box and as many descents as there are starts, most ended early.
+  // Two or three searches of the box and as many descents as there are starts; most of them end
+  // early.
   constexpr std::int64_t kUsual = 1000;
   begin_stage(task.progress, "corrections tried", kUsual);
   Judge coarse(task, task.positions);

@@ -36,7 +36,7 @@ double least_squares_slope(const std::vector<ContactPoint>& points) {
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
   const ContactPair& pair = transmission.pair();
   if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
-  // In N the rotation runs the other way.
+  // In N the rotation has the opposite sign.
   const double step = pair.pitch() / n;
   auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
   std::reverse(touches.begin(), touches.end());
@@ -47,13 +47,18 @@ std::vector<Angle> harmonics(const std::vector<double>& te) {
   GW_EXPECTS(!te.empty());
   constexpr int kMax = 20;
   const auto n = static_cast<int>(te.size());
+  std::vector<Complex> roots;
+  for (int i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / n;
+    roots.emplace_back(std::cos(turn), -std::sin(turn));
+  }
   std::vector<Angle> amplitude;
-  const double mean = te[0];  // of no consequence but for rounding
+  const double mean = te[0];  // no effect except on rounding
   for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
-      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
-      sum += (te[static_cast<std::size_t>(i)] - mean) * Complex(std::cos(turn), -std::sin(turn));
+      const auto turn = static_cast<std::size_t>((static_cast<long long>(h) * i) % n);
+      sum += (te[static_cast<std::size_t>(i)] - mean) * roots[turn];
     }
     amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
   }
@@ -67,7 +72,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
-  // A step each for the touch, the kind and every influence.
+  // One step each for the touch, the kind and every influence.
   const auto wanted =
       static_cast<std::int64_t>(rotations.size()) *
           static_cast<std::int64_t>(2 + request.influences.size()) +
@@ -78,7 +83,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   begin_stage(request.progress, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
               wanted);
   if (rotations.empty()) {
-    // Errors stand still: every pitch is like the first, its tooth pair one further.
+    // Errors do not rotate, so every pitch is like the first, with its tooth pair one further.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);
     for (int i = 0; i < request.pitches * n; ++i) {

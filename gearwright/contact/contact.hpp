@@ -1,8 +1,8 @@
 // Tooth contact analysis: a mounted pair under errors, turned through one pitch or more.
 //
-// This is the room's door; what is behind it: the field (gap_field.hpp), the search for its
-// greatest value (touch.hpp), a pair followed through its range (transmission.hpp), what a touch
-// means (contact_point.hpp).                         theory: docs/theory/08-contact.md
+// This is the entry of the room. It uses the field (gap_field.hpp), the search for its greatest
+// value (touch.hpp), a pair followed through its range (transmission.hpp), and the description of a
+// touch (contact_point.hpp).                         theory: docs/theory/08-contact.md
 #pragma once
 
 #include <vector>
@@ -16,20 +16,21 @@ struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
   int pitches = 1;                 ///< ≥ 1
   double marking = 0.00635;        ///< δ  mm
-  std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
+  std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of `positions`
   std::vector<Influence> influences{};
-  Progress* progress = nullptr;  ///< told how far it is
+  Progress* progress = nullptr;  ///< reports the progress
 };
 
 struct ContactResult {
-  ContactResult() = default;  ///< empty, and no aggregate: analyse_contact() makes it
+  ContactResult() = default;  ///< empty, and not an aggregate; analyse_contact() makes it
   std::vector<ContactPoint> positions;
-  std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 where lost
+  std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if contact is
+                                                        ///< lost
   Angle peak_to_peak;                                   ///< over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< amplitudes of 1, 2, … per pitch; empty for rotations
-  bool contact_lost = false;     ///< a position at which no pair touches
-  long unfinished = 0;           ///< searches that did not end: 0 unless something is odd
+  std::vector<Angle> harmonics;  ///< amplitudes of 1, 2, … per pitch; empty for given rotations
+  bool contact_lost = false;     ///< true if no pair touches at some position
+  long unfinished = 0;           ///< searches that did not end; normally 0
   TouchCount work;
 };
 
@@ -40,17 +41,17 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
 /// Touches at `first + i step` of the housing's rotation, one pitch in n steps.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
 
-/// Amplitudes of 1, 2, … waves per pitch, at most 20, of TE at equal steps of a pitch.
+/// Amplitudes of orders 1, 2, … of the mesh frequency, at most 20, of TE at equal steps of a pitch.
 ///
 /// Formula   [T8.18]
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te);
 
-/// TE alone over one pitch from −half a pitch on, rad; NaN where contact is lost. What maps and
-/// optimisers call.
+/// TE alone over one pitch from −half a pitch on, rad; NaN if contact is lost. Maps and optimisers
+/// use it.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
-/// Greatest less least; NaN when nothing touches.
+/// Greatest minus least value; NaN if nothing touches.
 double peak_to_peak(const std::vector<double>& te);
 
 }  // namespace gearwright

@@ -17,7 +17,7 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// What a cell's border by u (below, above) or by z is to the cell across.
+// Border type (ridge or seam) towards the neighbouring cell, by u (below, above) or by z.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -123,8 +123,8 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.piece = cell.piece;
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
-      // Borders of the field and of the profile come from ln ρ and differ by its rounding. A cell
-      // that only touches this piece of the profile is another one's.
+      // Borders of the field and of the profile are computed from ln ρ and differ by rounding. A
+      // cell that only touches this piece of the profile belongs to another piece.
       constexpr double kSameBorder = 1e-12;  // of u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {
@@ -138,7 +138,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       const double z_b = turned * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
-      // In N z may run the other way.
+      // In N, z may have the opposite sign.
       if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned > 0.0);
       if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned < 0.0);
       patches_[which].push_back(c);

@@ -1,5 +1,5 @@
-// Two mounted gears as contact sees them: their touching flanks cut into smooth patches, in a world
-// in which every case looks the same.
+// Two mounted gears for the contact analysis: their touching flanks cut into smooth patches, in a
+// frame N in which all cases are equal.
 //
 //   Housing f   kinematics/pose.hpp; errors tilt and shift axis 1, ΔC moves axis 2
 //   World N     gear 2 turns counter-clockwise and is touched on the clockwise side of its tooth
@@ -9,7 +9,7 @@
 //                                               rotations change sign
 //                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
 //
-// Tooth pair k stands where pair 0 stood k pitches of gear 1 earlier; k runs over all integers.
+// Tooth pair k is at the place of pair 0 k pitches of gear 1 earlier; k runs over all integers.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace gearwright {
 
-/// Errors of mounting and of cutting, all at once. Order and signs: docs/spec.md, [errors].
+/// All errors of mounting and of cutting. Order and signs: docs/spec.md, [errors].
 struct ContactErrors {
   double center_distance = 0.0;         ///< ΔC  mm
   Angle crossing{};                     ///< Δγ  about the centre line
@@ -45,9 +45,9 @@ struct ContactMount {
   Angle shaft_angle{};           ///< Σ
   bool gear2_drives = false;
   ContactErrors errors;
-  /// Root fillets and rounded tips touch too, not the flanks alone: what they do first. No tip of a
-  /// modified flank, whose removal does not go on there. Domain: a changed lead only where
-  /// recut_outline knows the root
+  /// Root fillets and rounded tips are included, so that contact of a fillet before the flanks is
+  /// found. Tips of modified flanks are not included, because their removal does not continue
+  /// there.   Domain: a changed lead only if recut_outline can compute the root
   bool fillets = false;
 };
 
@@ -68,25 +68,25 @@ class ContactPair {
   const ContactMount& place() const { return place_; }
   double normal_pressure_angle() const { return alpha_n_; }  ///< of gear 1's straight rack, rad
 
-  /// A rotation of gear 1 as N counts it, and back.
+  /// A rotation of gear 1 in N, and the reverse.
   double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }
-  /// A point (w1, z) of gear 1 before mounting, in the housing.
+  /// A point (w1, z) of gear 1 before mounting, in the housing frame.
   Vec3 in_housing(const Complex& w1, double z) const;
-  /// A direction of N in the housing.
+  /// A direction of N in the housing frame.
   Vec3 direction_in_housing(const Vec3& v) const;
   /// Rotates the directions of gear 1 before mounting into N.
   const Mat3& tilt() const { return tilt_; }
   double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< of y, in N
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< of z, in N
   const Vec3& lift() const { return lift_; }                          ///< Δz  mm, in N
-  /// Radius at which the root fillet ends, mm; none: ContactMount::fillets does not say so, or there
-  /// is none.
+  /// Radius at which the root fillet ends, mm; none without ContactMount::fillets or without a
+  /// fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
   /// κ in N per mm of f_Hβ at the reference cylinder over the face.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:
-  // `twist`: of the lead, and of the lead error on top.
+  // `twist` is that of the lead, and that of the lead error in addition.
   void add_patches(int which, const ContactGear& gear, const std::array<double, 2>& twist,
                    double center, double side, bool right);
   void set_mount();

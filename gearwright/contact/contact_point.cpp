@@ -13,7 +13,7 @@ namespace {
 
 using End = FlankPatch::End;
 
-// The kind of a bound of D, or none where the flank only goes on in the next patch.
+// The kind of a bound of D; none if the flank continues in the next patch.
 TouchKind kind_of(const GapField& field, int j) {
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();
@@ -48,13 +48,13 @@ TouchKind kind_of(const GapField& field, const detail::ActiveSet& set) {
   return second == TouchKind::none ? first : TouchKind::corner;
 }
 
-constexpr double kOnBound = 1e-12;  // scaled: rounding of a place on a bound
+constexpr double kOnBound = 1e-12;  // scaled: rounding error of a place on a bound
 
 struct Place {
   double s, z;
 };
 
-// A walk from the touch along the soft direction of the field, while the flanks stay together.
+// Follows the soft direction of the field from the touch while the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -75,10 +75,10 @@ class LineWalk {
     arm_ = GapField::arm(j);
   }
 
-  // Could the flanks be together over half the patch?
+  // True if the flanks may be in contact over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // Both ends of D on the straight line through the touch; none if the gap opens before.
+  // Both ends of D on the straight line through the touch; none if the gap opens before them.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -87,7 +87,7 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A line that is a point is none; shorter than that nobody could tell them apart.
+    // A line shorter than this counts as a point, because the two cannot be distinguished.
     constexpr double kPoint = 1e-6;  // of half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
@@ -132,7 +132,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// A bound that holds with weight is an edge, though the edge may touch along all of its length.
+// A bound that is active with a positive multiplier is an edge, although the edge may touch along
+// all of its length.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   return weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) >
@@ -144,7 +145,7 @@ void curvatures(const ContactPair& pair, const GapJet& j, bool line, double mark
                 ContactPoint& p) {
   const Vec3 r_s = pair.direction_in_housing(pair.tilt() * space(j.w1_s, 0.0));
   const Vec3 r_z = pair.direction_in_housing(pair.tilt() * space(j.w1_z, 1.0));
-  const Vec3 axis(0, 0, 1);  // of the housing: where axis 1 should be
+  const Vec3 axis(0, 0, 1);  // nominal direction of axis 1 in the housing
   const Vec3 e1 = (axis - p.normal * p.normal.dot(axis)).normalized();
   const Vec3 e2 = p.normal.cross(e1);
   const SymmetricEigen eigen = gap_form(j, r_s, r_z, e1, e2).principal;
@@ -220,7 +221,8 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.kind = kind_of(field, touch.touch.active);
   Place at{touch.touch.s, touch.touch.z};
   const bool edge = holds_with_weight(transmission, touch);
-  // Without weight the next patch goes on as this one does, but for a slope that does not count here.
+  // Without a multiplier, the next patch continues like this one, except for a slope that is
+  // irrelevant here.
   if (p.kind == TouchKind::ridge && !edge) p.kind = TouchKind::interior;
   if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {
     if (const auto ends = walk.ends()) {
@@ -232,7 +234,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
       }
       if (line[0].z() > line[1].z()) std::swap(line[0], line[1]);
       p.line = line;
-      // Every point of it touches: its middle stands for all.
+      // Every point of the line touches, so its middle represents all of them.
       at = {0.5 * ((*ends)[0].s + (*ends)[1].s), 0.5 * ((*ends)[0].z + (*ends)[1].z)};
     }
   }
@@ -245,7 +247,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   if (rack_angle) p.rack_angle = Angle::radians(*rack_angle);
   const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
   const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
-  // Out of gear 1: in N the flank's azimuth side, against its body.
+  // Out of gear 1. In N it points to the side of the azimuth of the flank, against its body.
   Vec3 normal = r_s.cross(r_z).normalized();
   const Vec3 round = pair.tilt() * space(Complex(0, 1) * j.w1, 0.0);
   if (normal.dot(round) * field.one().profile.side() < 0.0) normal = -normal;

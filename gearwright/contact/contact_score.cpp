@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Below these a number is the rounding of a 0.
+// A number below these limits is the rounding error of 0.
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
 constexpr double kNoPlace = 1e-9;
 
@@ -50,7 +50,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
     }
     c.te.push_back(t.te());
     ++n;
-    // Along a contact line every point touches: the pattern is where the line is, all over.
+    // Along a contact line every point touches, so the pattern coincides with the line.
     if (!t.touch.flat) height += t.touch.z / z_half;
     if (target.width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
@@ -67,7 +67,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
 }
 
 void take_worst(ContactScore& worst, const ContactScore& s) {
-  // max of NaN and a number is either, by their order.
+  // The maximum of NaN and a number depends on their order.
   if (s.nothing_touches() || worst.nothing_touches()) {
     worst.peak_to_peak = Angle::radians(kNan);
   } else {

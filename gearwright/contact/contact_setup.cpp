@@ -18,7 +18,7 @@ bool any_modification(const FlankModifications& m) {
          m.lead_crowning != 0.0 || m.lead_slope != 0.0;
 }
 
-// Tips that pass each other, or why else no tooth finds another.
+// The reason why no teeth touch, such as tips that pass each other.
 std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
@@ -108,15 +108,16 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
   for (int i = 0; i < 2; ++i) {
     setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
     const SetupChange::Flank& f = change.flank[i];
-    if (f.lead_slope == 0.0 && f.lead_crowning == 0.0 && f.profile_slope == 0.0 &&
-        f.profile_crowning == 0.0)
-      continue;
-    // The flanks that touch: right ones of external gears when gear 1 drives.
+    if (f == SetupChange::Flank{}) continue;
+    // The touching flanks, which are the right flanks of external gears if gear 1 drives.
     const bool left = change.left != (i == 1 && gears_[1]->internal());
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
       m.lead_crowning += f.lead_crowning;
       m.profile_crowning += f.profile_crowning;
+      m.tip_relief.amount += f.tip_relief;
+      m.root_relief.amount += f.root_relief;
+      m.end_relief.amount += f.end_relief;
       if (left == (side == 1)) {
         m.lead_slope += f.lead_slope;
         m.profile_slope += f.profile_slope;
@@ -133,7 +134,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // a check of the drawing's setting
+    rack->pressure_angle.reset();  // only a check of the setting on the drawing
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())
@@ -166,6 +167,7 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
 
 std::optional<Error> ContactSetup::make_fields(std::array<bool, 2> wanted) {
   for (int i = 0; i < 2; ++i) {
+    wanted[i] = wanted[i] || removal_[i][0];
     removal_[i] = {};
     if (!wanted[i] && !any_modification(modifications_[i])) continue;
     for (int side = 0; side < 2; ++side) {
@@ -182,6 +184,13 @@ Result<ContactSetup> ContactSetup::with_modifications(
   ContactSetup setup = *this;
   setup.modifications_ = modifications;
   if (auto error = setup.make_fields({})) return *error;
+  return setup;
+}
+
+ContactSetup ContactSetup::with_fields(std::array<bool, 2> wanted) const {
+  ContactSetup setup = *this;
+  const auto error = setup.make_fields(wanted);
+  GW_EXPECTS(!error);
   return setup;
 }
 

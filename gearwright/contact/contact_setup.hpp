@@ -1,7 +1,8 @@
-// A mounted pair as contact takes it: its gears, their modifications and its errors, and what
-// corrections would make of it.
+// A mounted pair for the contact analysis: its gears, their modifications and its errors, and the
+// effect of corrections.
 //
-// A ContactPair points to its gears and to what is removed from their flanks; a ContactSetup owns them.
+// A ContactPair points to its gears and to the material removed from their flanks; a ContactSetup
+// owns them.
 #pragma once
 
 #include <array>
@@ -19,21 +20,25 @@ namespace gearwright {
 /// Of gear 1 and gear 2: the right flank, the left flank.
 using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
 
-/// What a workshop changes: amounts on top of the drawing's.
+/// Changes made by a workshop: amounts in addition to those of the drawing.
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ
   struct Flank {
     double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; the slope on the driven flanks
     double profile_slope = 0.0, profile_crowning = 0.0;  ///< only, right if gear 1 drives
+    double tip_relief = 0.0, root_relief = 0.0, end_relief = 0.0;  ///< of reliefs that are placed
+
+    bool operator==(const Flank&) const = default;
   };
   std::array<Flank, 2> flank;
-  bool left = false;  ///< the slopes are meant for the left flanks of gear 1 (gear 2 drives)
+  bool left = false;  ///< the slopes apply to the left flanks of gear 1 (gear 2 drives)
 };
 
 class ContactSetup {
  public:
-  /// `fields`: gears whose removed material is needed though nothing is removed, for its derivatives.
+  /// `fields`: gears that need a field of removed material for its derivatives, even if nothing is
+  /// removed.
   ///
   /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
   ///           `errors.cutter_lead[N]` as check_cutter_lead
@@ -41,25 +46,27 @@ class ContactSetup {
                                  const PairModifications& modifications = {},
                                  std::array<bool, 2> fields = {});
 
-  /// It points to this setup, which must outlive it.
+  /// The pair points to this setup, which must outlive it.
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
-  /// The same with a copy of what it points to.
+  /// The same pair with a copy of this setup.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// With root fillets and tips beside the flanks; none: a cutter's lead was changed, and the root
-  /// is no rack's.
+  /// With root fillets and tips in addition to the flanks; none if a cutter's lead was changed and
+  /// the root was not cut by a rack.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
   const RemovalField* removal(int gear, bool left) const;
-  /// The same with corrections made; an error where there are no such teeth.
+  /// The setup with these corrections; an error if there are no such teeth.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
-  /// The same with other modifications.   Errors `gearN.modifications.…` as make_removal_field
+  /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
-  /// The gear that a rack F cuts, 1 or 2; none: the teeth are no such pair.
+  /// The same with removed material on these gears, even if it is none; its derivatives need it.
+  ContactSetup with_fields(std::array<bool, 2> wanted) const;
+  /// The gear that a rack F cuts, 1 or 2; none for other teeth.
   std::optional<int> convex_gear() const;
 
  private:
@@ -72,30 +79,30 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// Whether something is removed, or a relief of 0 is placed.
+/// True if material is removed or a relief of amount 0 has a place.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
-/// A cutter may be set wrong by this much: nothing, or why not.
+/// Checks that the lead angle of a cutter can deviate by this amount; empty if it can.
 ///
-/// Errors    `errors.cutter_lead[N]` of a spur gear, of one that a gear has cut, or where the lead
+/// Errors    `errors.cutter_lead[N]` of a spur gear, of one that a gear has cut, or if the lead
 ///           angle leaves kMinLead to kMaxLead
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// The error of a flank's modifications, side 0 right, as one of gear 1 or 2.
+/// The error of the modifications of a flank (side 0 is the right one), as an error of gear 1 or 2.
 Error of_flank(int which, int side, Error error);
 
-/// The usable flank of a gear, which its modifications lie on.
+/// The usable flank of a gear, to which its modifications apply.
 ///
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// No tooth touches at any position: the tips pass each other, or why else. The second: under
-/// `errors`, a corner of [compensate.range] of this name.
+/// The error that no teeth touch at any position, with the reason, such as tips that pass each
+/// other. The second form names the corner of [compensate.range] with these errors.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// The error is why this pair has no contact at all, and not a number that is wrong.
+/// True if the error is that this pair has no contact at all, rather than an invalid number.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

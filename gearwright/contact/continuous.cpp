@@ -6,40 +6,43 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/contact/sensitivity.hpp"
+#include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr int kHalvings = 16;    // to the end of a branch: 1.5e-5 of a step
+constexpr int kHalvings = 16;    // bisections to the end of a branch: 1.5e-5 of a step
 constexpr double kSame = 1e-13;  // rad: two values of TE that differ by rounding
-constexpr double kFlat = 1e-12;  // rad: closer to a handover or a turn nothing changes
-constexpr int kMaxSteps = 30;    // of a search for a handover or a turn, which needs five
+constexpr double kFlat = 1e-12;  // rad: no change closer than this to a handover or turn
+constexpr int kMaxSteps = 30;    // limit of a search for a handover or a turn, which needs five
 
-// The curve between positions, with the branches that lead at them.
+// The curve between positions, with the branches that have the greatest T at them.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
       : transmission_(transmission),
         touches_(touches),
-        // In N the rotation of the housing runs backwards where gear 2 drives.
+        // In N the rotation of the housing is reversed if gear 2 drives.
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // Position i counts on beyond a pitch, where all is the same but the number of the tooth pair.
+  // Position i may exceed a pitch. The touch is then the same except for the number of the tooth
+  // pair.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The branch of `touch`, `steps` away; NaN where it touches no more.
-  double branch(const PairTouch& touch, double steps) const {
-    const PairTouch there = moved(touch, steps);
-    return there.found() ? there.te() : std::numeric_limits<double>::quiet_NaN();
+  // The branch of `touch`, `steps` away; not found where it touches no more.
+  PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
+  // The same; the search starts at a touch of that branch which may be nearer.
+  PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
+    if (!touch.found() || steps == 0.0) return touch;
+    return transmission_.follow(start.found() ? start : touch, touch.phi + steps * step_);
   }
 
-  // Whether position i + 1 is led by the branch that leads at i.
+  // True if the branch that is greatest at i is also greatest at i + 1.
   bool same(long i) const {
     const PairTouch& a = at(i);
     const PairTouch& b = at(i + 1);
@@ -47,7 +50,8 @@ class Branches {
            std::abs(b.phi - a.phi - step_) < 0.5 * std::abs(step_);
   }
 
-  // How far along a step the branch of `touch` goes on, one way: all of it, or to its last touch.
+  // The part of a step over which the branch of `touch` continues in one direction: all of it, or
+  // up to its last touch.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -62,42 +66,55 @@ class Branches {
     return lo;
   }
 
-  // TE where the lead goes from the branch of i to that of i + 1; none: nothing to be found there.
-  std::optional<double> handover(long i) const {
+  // The place between i and i + 1 where the leading branch changes; none: it does not change.
+  std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const PairTouch& a = at(i);
     const PairTouch& b = at(i + 1);
-    // Branch b begins at lo, or goes on before i; branch a ends at hi, or goes on after i + 1.
+    // Branch b begins at lo or continues to before i; branch a ends at hi or continues beyond i +
+    // 1.
     double lo = 1.0 - reach(b, -1.0);
     double hi = reach(a, 1.0);
     if (lo >= hi) return std::nullopt;
-    double at_lo = branch(a, lo) - branch(b, lo - 1.0);
-    double at_hi = branch(a, hi) - branch(b, hi - 1.0);
+    std::array<PairTouch, 2> both{a, b};
+    const auto at_both = [&](double t) {
+      return std::array{moved(a, t, both[0]), moved(b, t - 1.0, both[1])};
+    };
+    const auto begin = at_both(lo);
+    const auto end = at_both(hi);
+    double at_lo = ahead_in(begin);
+    double at_hi = ahead_in(end);
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
-    // A branch that begins ahead of the other, or ends so, makes TE jump: its limit on the low side.
-    if (at_lo <= kSame) return branch(a, lo);
-    if (at_hi >= -kSame) return branch(b, hi - 1.0);
+    // TE jumps if a branch begins or ends ahead of the other. The value is the limit on the low
+    // side.
+    if (at_lo <= kSame) return std::array{begin[0], PairTouch()};
+    if (at_hi >= -kSame) return std::array{end[1], PairTouch()};
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
-      const double of_a = branch(a, t);
-      const double of_b = branch(b, t - 1.0);
-      const double ahead = of_a - of_b;
+      both = at_both(t);
+      const double ahead = ahead_in(both);
       if (std::isnan(ahead)) return std::nullopt;
       if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) {
-        // A third branch that leads at a neighbour may lead here, too.
-        double te = std::max(of_a, of_b);
-        if (!same(i - 1)) te = not_below(te, branch(at(i - 1), 1.0 + t));
-        if (!same(i + 1)) te = not_below(te, branch(at(i + 2), t - 2.0));
-        return te;
+        // A third branch that is greatest at a neighbour may be greatest here as well.
+        std::array<PairTouch, 2> lead = both;
+        double te = std::max(both[0].te(), both[1].te());
+        for (const bool before : {true, false}) {
+          if (before ? same(i - 1) : same(i + 1)) continue;
+          const PairTouch third = before ? moved(at(i - 1), 1.0 + t) : moved(at(i + 2), t - 2.0);
+          if (!third.found() || !(third.te() > te)) continue;
+          lead = {third, PairTouch()};
+          te = third.te();
+        }
+        return lead;
       }
       narrow(ahead > 0.0, t, ahead, lo, at_lo, hi, at_hi, stays);
     }
     return std::nullopt;
   }
 
-  // The value where the branch that leads at i turns, within a step uphill (`up`) or downhill of it.
+  // Extremum of the leading branch within a step of i: a maximum (`up`) or a minimum.
   // Its slope is exact, continuous, and may bend sharply where the contact reaches an edge.
-  std::optional<double> turning_point(long i, bool up) const {
+  std::optional<PairTouch> turning_point(long i, bool up) const {
     const PairTouch& here = at(i);
     double lo = 0.0;
     double at_lo = slope(here);
@@ -107,19 +124,20 @@ class Branches {
     const PairTouch end = moved(here, hi);
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
-      // Where a branch begins or ends it may be at its greatest.
-      return up && std::abs(hi) < 1.0 ? std::optional(end.te()) : std::nullopt;
+      // The branch may be greatest where it begins or ends.
+      return up && std::abs(hi) < 1.0 ? std::optional(end) : std::nullopt;
     }
-    double best = here.te();
+    PairTouch best = here;
+    PairTouch turn = here;
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
-      const PairTouch turn = moved(here, t);
+      turn = moved(here, t, turn);
       if (!turn.found()) return std::nullopt;
-      best = up ? std::max(best, turn.te()) : std::min(best, turn.te());
+      if (up ? turn.te() > best.te() : turn.te() < best.te()) best = turn;
       const double at_turn = slope(turn);
       const bool low = (at_turn > 0.0) == (at_lo > 0.0);
-      // No more than this is left between here and the other end of the bracket.
+      // The remaining change up to the other end of the bracket is below this.
       if (std::abs(at_turn * ((low ? hi : lo) - t)) < kFlat) break;
       narrow(low, t, at_turn, lo, at_lo, hi, at_hi, stays);
     }
@@ -127,16 +145,17 @@ class Branches {
   }
 
  private:
-  PairTouch moved(const PairTouch& touch, double steps) const {
-    if (!touch.found() || steps == 0.0) return touch;
-    return transmission_.follow(touch, touch.phi + steps * step_);
+  // Lead of the first over the second; NaN if one has no contact.
+  static double ahead_in(const std::array<PairTouch, 2>& both) {
+    return both[0].found() && both[1].found() ? both[0].te() - both[1].te()
+                                              : std::numeric_limits<double>::quiet_NaN();
   }
-  // Of T, rad per step.
+  // Slope of T, rad per step.
   double slope(const PairTouch& touch) const {
     return step_ * rotation_slope(transmission_, touch);
   }
-  static double not_below(double te, double other) { return other > te ? other : te; }
-  // The bracket of a root after a look at t; an end that stays twice gets half its value (Illinois).
+  // Narrows the bracket of a root after the evaluation at t. An end that stays twice gets half its
+  // value (Illinois).
   static void narrow(bool low, double t, double value, double& lo, double& at_lo, double& hi,
                      double& at_hi, int& stays) {
     (low ? lo : hi) = t;
@@ -156,12 +175,21 @@ class Branches {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches) {
   const Branches curve(transmission, touches);
-  CurveExtremes e{std::numeric_limits<double>::infinity(),
-                  -std::numeric_limits<double>::infinity()};
+  CurveExtremes e{
+      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, {}};
+  const auto take_top = [&](const PairTouch& t) {
+    if (t.te() > e.greatest) e.greatest = (e.top = t).te();
+  };
+  const auto take_bottom = [&](const PairTouch& a, const PairTouch& b) {
+    const double te = b.found() ? std::max(a.te(), b.te()) : a.te();
+    if (!(te < e.least)) return;
+    e.least = te;
+    e.bottom = {a, b};
+  };
   for (const PairTouch& t : touches) {
     if (!t.found()) continue;
-    e.least = std::min(e.least, t.te());
-    e.greatest = std::max(e.greatest, t.te());
+    take_bottom(t, {});
+    take_top(t);
   }
   GW_EXPECTS(e.least <= e.greatest);
   if (e.greatest - e.least < kSame) return e;
@@ -172,21 +200,46 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     const PairTouch& after = curve.at(i + 1);
     if (!here.found() || !after.found()) continue;
     if (!curve.same(i)) {
-      if (const auto te = curve.handover(i)) e.least = std::min(e.least, *te);
+      if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // Where a line through two positions reaches beyond the extreme so far, the curve may turn.
+    // The curve may have an extreme where a line through two positions exceeds the extreme so far.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // A branch nowhere exceeds TE, but it may lie below it beyond a handover.
+    // A branch never exceeds TE, but beyond a handover it may lie below TE.
     if (here.te() + reach > e.greatest) {
-      if (const auto te = curve.turning_point(i, true)) e.greatest = std::max(e.greatest, *te);
+      if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }
     if (here.te() - reach < e.least && curve.same(i - 1) && curve.same(i)) {
-      if (const auto te = curve.turning_point(i, false)) e.least = std::min(e.least, *te);
+      if (const auto turn = curve.turning_point(i, false)) take_bottom(*turn, {});
     }
   }
   return e;
+}
+
+std::optional<Angle> continuous_span(const ContactPair& pair, int positions) {
+  Transmission transmission(pair);
+  const auto touches = one_pitch(transmission, -0.5 * pair.pitch(), positions);
+  for (const PairTouch& t : touches)
+    if (!t.found()) return std::nullopt;
+  return Angle::radians(continuous_extremes(transmission, touches).span());
+}
+
+double span_slope(Transmission& transmission, const CurveExtremes& extremes,
+                  const Influence& influence) {
+  const double turned = transmission.pair().turned();
+  const auto slope = [&](const PairTouch& t) {
+    return turned * sensitivity(transmission, t, influence).te;
+  };
+  const auto& [a, b] = extremes.bottom;
+  double bottom = slope(a);
+  if (b.found()) {
+    const double of_a = rotation_slope(transmission, a);
+    const double of_b = rotation_slope(transmission, b);
+    // Branches with equal slopes have no other crossing.
+    if (of_a != of_b) bottom = (of_a * slope(b) - of_b * bottom) / (of_a - of_b);
+  }
+  return slope(extremes.top) - bottom;
 }
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
 // Oracle: the comb of thousands of positions. Laws: (1) least is at most, and greatest at least, that of
-// the touches   (2) the positions do not matter.
+// the touches   (2) the positions do not matter   (3) slopes are those of the span.
 #include "gearwright/contact/continuous.hpp"
 
 #include <gtest/gtest.h>
@@ -77,6 +77,54 @@ TEST(Continuous, DoesNotDependOnThePositions) {
   for (const int n : {33, 96, 128, 1000}) EXPECT_NEAR(continuous(pair, n), few, 1e-11) << n;
   // The comb has errors a thousand times as great.
   EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
+}
+
+TEST(Continuous, SlopesAreThoseOfDifferences) {
+  // (3): central differences of the span itself, one error and one amount after the other.
+  std::mt19937 seeded(16);
+  const auto random = [&](double w) { return std::uniform_real_distribution<>(-w, w)(seeded); };
+  const auto span_at = [](testing::SamplePair sample, FlankModifications m, ErrorKind kind,
+                          double by, double crowning) {
+    ContactErrors& e = sample.place.errors;
+    if (kind == ErrorKind::center_distance) e.center_distance += by;
+    if (kind == ErrorKind::crossing) e.crossing += Angle::radians(by);
+    if (kind == ErrorKind::intersecting) e.intersecting += Angle::radians(by);
+    m.lead_crowning += crowning;
+    sample.modify(1, m);
+    return continuous(sample.pair(), 32);
+  };
+  FlankModifications m;
+  m.lead_crowning = 0.004;
+  m.profile_crowning = 0.003;
+  for (int i = 0; i < 8; ++i) {
+    testing::SamplePair sample = testing::involutes(23, 61, i % 2 == 0 ? -20 : 0);
+    sample.place.errors = {.center_distance = random(0.02),
+                           .crossing = Angle::degrees(random(0.03)),
+                           .intersecting = Angle::degrees(random(0.03))};
+    sample.place.gear2_drives = i % 4 >= 2;
+    sample.modify(1, m);
+    const ContactPair pair = sample.pair();
+    Transmission transmission(pair);
+    const CurveExtremes extremes =
+        continuous_extremes(transmission, one_pitch(transmission, -0.5 * pair.pitch(), 32));
+    for (const ErrorKind kind :
+         {ErrorKind::center_distance, ErrorKind::crossing, ErrorKind::intersecting}) {
+      const double h = 1e-6;
+      const double difference =
+          (span_at(sample, m, kind, h, 0) - span_at(sample, m, kind, -h, 0)) / (2 * h);
+      const double slope = span_slope(transmission, extremes, {kind});
+      EXPECT_NEAR(slope, difference, 1e-4 * std::abs(difference) + 1e-7)
+          << i << " error " << static_cast<int>(kind);
+    }
+    const double h = 1e-6;  // mm
+    const double difference =
+        (span_at(sample, m, ErrorKind::axial, 0, h) - span_at(sample, m, ErrorKind::axial, 0, -h)) /
+        (2 * h);
+    const double slope =
+        span_slope(transmission, extremes,
+                   {ErrorKind::center_distance, 1, RemovalField::Parameter::lead_crowning});
+    EXPECT_NEAR(slope, difference, 1e-4 * std::abs(difference) + 1e-7) << i << " crowning";
+  }
 }
 
 TEST(Continuous, ConjugateFlanksHaveNoSpan) {

@@ -6,12 +6,10 @@
 
 namespace gearwright {
 
-namespace {
-
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
-                      const std::vector<double>& value, bool left) {
+                      const std::vector<double>& value, bool gear2_drives) {
   SetupChange change;
-  change.left = left;
+  change.left = gear2_drives;
   for (std::size_t k = 0; k < corrections.size(); ++k) {
     const auto gear = static_cast<std::size_t>(std::max(1, corrections[k].gear) - 1);
     SetupChange::Flank& flank = change.flank[gear];
@@ -23,18 +21,58 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
       case CorrectionOf::lead_crowning: flank.lead_crowning = mm; break;
       case CorrectionOf::profile_slope: flank.profile_slope = mm; break;
       case CorrectionOf::profile_crowning: flank.profile_crowning = mm; break;
+      case CorrectionOf::tip_relief: flank.tip_relief = mm; break;
+      case CorrectionOf::root_relief: flank.root_relief = mm; break;
+      case CorrectionOf::end_relief: flank.end_relief = mm; break;
     }
   }
   return change;
 }
 
-}  // namespace
-
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction) {
-  if (correction.what == CorrectionOf::tool_setting) return setup.convex_gear().has_value();
-  if (correction.what != CorrectionOf::cutter_lead) return true;
-  const Gear& gear = setup.gear(correction.gear);
-  return gear.twist() != 0.0 && !gear.cut_by;
+  const auto placed = [&](Relief FlankModifications::*relief) {
+    const auto& flanks = setup.modifications()[static_cast<std::size_t>(correction.gear - 1)];
+    return (flanks[0].*relief).reach && (flanks[1].*relief).reach;
+  };
+  switch (correction.what) {
+    case CorrectionOf::tool_setting: return setup.convex_gear().has_value();
+    case CorrectionOf::cutter_lead: {
+      const Gear& gear = setup.gear(correction.gear);
+      return gear.twist() != 0.0 && !gear.cut_by;
+    }
+    case CorrectionOf::tip_relief: return placed(&FlankModifications::tip_relief);
+    case CorrectionOf::root_relief: return placed(&FlankModifications::root_relief);
+    case CorrectionOf::end_relief: return placed(&FlankModifications::end_relief);
+    default: return true;
+  }
+}
+
+std::optional<Influence> influence_of(const WorkshopCorrection& correction) {
+  using P = RemovalField::Parameter;
+  const auto of = [&](P parameter) {
+    return Influence{ErrorKind::center_distance, correction.gear, parameter};
+  };
+  switch (correction.what) {
+    case CorrectionOf::tool_setting:
+    case CorrectionOf::cutter_lead: break;
+    case CorrectionOf::lead_slope: return of(P::lead_slope);
+    case CorrectionOf::lead_crowning: return of(P::lead_crowning);
+    case CorrectionOf::profile_slope: return of(P::profile_slope);
+    case CorrectionOf::profile_crowning: return of(P::profile_crowning);
+    case CorrectionOf::tip_relief: return of(P::tip_relief);
+    case CorrectionOf::root_relief: return of(P::root_relief);
+    case CorrectionOf::end_relief: return of(P::end_relief);
+  }
+  return std::nullopt;
+}
+
+Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction) {
+  Correction bounds = usual_bounds(correction.what);
+  if (correction.what != CorrectionOf::tool_setting) return bounds;
+  const double most = 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module;
+  bounds.lo = std::max(bounds.lo, -most);
+  bounds.hi = std::min(bounds.hi, most);
+  return bounds;
 }
 
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup) {
@@ -51,13 +89,7 @@ CompensationTask compensation_task(const ContactSetup& setup,
   task.along_face = setup.gear(1).involute() != nullptr;
   for (const WorkshopCorrection& c : corrections) {
     GW_EXPECTS(can_take(setup, c));
-    Correction bounds = usual_bounds(c.what);
-    if (c.what == CorrectionOf::tool_setting) {
-      const double most = 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module;
-      bounds.lo = std::max(bounds.lo, -most);
-      bounds.hi = std::min(bounds.hi, most);
-    }
-    task.corrections.push_back(bounds);
+    task.corrections.push_back(bounds_of(setup, c));
   }
   task.pair_at = [=](const std::vector<double>& value,
                      int s) -> std::shared_ptr<const ContactPair> {

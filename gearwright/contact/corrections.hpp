@@ -1,4 +1,5 @@
-// The corrections that a workshop makes on a pair against its errors, and the task of finding them.
+// The corrections by which a workshop compensates the errors of a pair, and the task of finding
+// them.
 //
 //   const auto setup = ContactSetup::of(*pair, {});
 //   CompensationTask task = compensation_task(*setup, {{CorrectionOf::lead_slope, 1}}, scenarios);
@@ -19,11 +20,14 @@ enum class CorrectionOf {
   lead_crowning,     ///< µm, on both flanks
   profile_slope,     ///< µm, on the driven flanks
   profile_crowning,  ///< µm, on both flanks
+  tip_relief,        ///< µm, likewise, of a relief that the drawing places
+  root_relief,
+  end_relief,
 };
 
 struct WorkshopCorrection {
   CorrectionOf what;
-  int gear;  ///< 1, 2; 0: of the tool setting, the gear that the rack F cuts
+  int gear;  ///< 1, 2; 0 for the tool setting, which applies to the gear that the rack F cuts
 
   bool operator==(const WorkshopCorrection&) const = default;
   bool slope() const {
@@ -31,7 +35,7 @@ struct WorkshopCorrection {
   }
 };
 
-/// Bounds of everyday work and a small change, in the correction's unit.
+/// Usual bounds of a correction and a small change, in its unit.
 constexpr Correction usual_bounds(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting: return {-5.0, 5.0, 0.005};
@@ -39,19 +43,32 @@ constexpr Correction usual_bounds(CorrectionOf what) {
     case CorrectionOf::lead_slope: return {-100.0, 100.0, 2.0};
     case CorrectionOf::profile_slope: return {-50.0, 50.0, 1.0};
     case CorrectionOf::lead_crowning: return {0.0, 50.0, 2.0};
-    case CorrectionOf::profile_crowning: return {0.0, 50.0, 1.0};
+    case CorrectionOf::profile_crowning:
+    case CorrectionOf::tip_relief:
+    case CorrectionOf::root_relief:
+    case CorrectionOf::end_relief: return {0.0, 50.0, 1.0};
   }
   return {};
 }
 
-/// A tool setting needs a rack F, a lead a helical gear that a rack cuts.
+/// A tool setting needs a rack F; a lead needs a helical gear cut by a rack; a relief needs a start
+/// on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// What a workshop would choose: tool setting and lead of arcs, else slope and crowning of gear 1.
+/// The usual corrections: tool setting and lead for arcs, otherwise slope and crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// The pair under each of the `scenarios` with these corrections, within their usual bounds; a tool
-/// setting is bounded by a tenth of the module as well.
+/// These amounts, in the corrections' units; `gear2_drives`: which flanks a slope is meant for.
+SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
+                      const std::vector<double>& value, bool gear2_drives);
+
+/// The influence whose slope is computed, for a correction of a flank; none for a tool setting.
+std::optional<Influence> influence_of(const WorkshopCorrection& correction);
+
+/// The usual bounds for this pair; a tool setting is also limited to a tenth of the module.
+Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
+
+/// The pair under each of the `scenarios` with these corrections, within bounds_of().
 ///
 /// Domain    corrections that the setup can take (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -1,6 +1,6 @@
 // Peak to peak of the transmission error over a grid of two errors, on all cores.
 //
-// Every point of the map is a curve of its own; the bits do not depend on the number of threads.
+// Every point of the map has its own curve. The result does not depend on the number of threads.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@ namespace gearwright {
 
 struct ErrorMap {
   std::vector<double> x, y;                ///< in the caller's units
-  std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN where nothing touches
+  std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// `pair_at(x, y)` makes the pair under these errors; called from several threads at once.
+/// `pair_at(x, y)` makes the pair under these errors. It is called from several threads at once.
 ///
 /// Units     rad
 /// Domain    positions ≥ 2, x and y not empty (contract); `threads` 0: as many as there are cores

@@ -1,4 +1,4 @@
-// The turns by which errors of mounting tilt axis 1, and their slopes by the angle.
+// The rotations by which errors of mounting tilt axis 1, and their derivatives by the angle.
 //
 //   Δγ   crossing: about x, the centre line; axis 1 tilts towards +y
 //   Δδ   intersecting: about y; axis 1 tilts towards gear 2, +x

@@ -7,11 +7,12 @@ namespace gearwright::detail {
 
 namespace {
 
-// What rounding leaves of a bound that holds with equality, in scaled lengths; multipliers near a
-// flat ridge are noise of the same size.
+// Rounding error of a bound that is active, in scaled lengths. Multipliers near a flat ridge have
+// noise of the same size.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// Sine of the angle between two bounds below which they are parallel to rounding: no corner.
+// Sine of the angle between two bounds below which they are parallel within rounding and have no
+// corner.
 constexpr double kParallel = 1e-14;
 
 class Candidates {
@@ -70,7 +71,7 @@ class Candidates {
     return mu_a >= kNoMultiplier && mu_b >= kNoMultiplier && within(step);
   }
 
-  // The crossing of two bounds, or the foot on one, that breaks the others least.
+  // The crossing of two bounds, or the foot on one, at which the other bounds are violated least.
   FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();
@@ -112,7 +113,7 @@ class Candidates {
       if (j == s.active.first || j == s.active.second) continue;
       const Bound& b = p_.bounds[j];
       const double v = -(b.c + b.a_s * s.d_s + b.a_z * s.d_z);
-      if (!(v <= worst)) worst = v;  // NaN is worst of all
+      if (!(v <= worst)) worst = v;  // NaN counts as the worst
     }
     return worst;
   }

@@ -3,8 +3,8 @@
 //   max  g·d + d·H d/2    over  c_j + a_j·d ≥ 0,  j = 1 … 8,    d in the plane
 //
 // H is concave, so the first candidate that is feasible with multipliers ≥ 0 is the only one; the
-// candidates are the inside, the bounds one by one, and the corners two by two. Last step's answer
-// is tried first.                                    theory: docs/theory/08-contact.md, [T8.9]
+// candidates are the inside, single bounds, and corners of two bounds. The solution of the last
+// step is tried first.                                    theory: docs/theory/08-contact.md, [T8.9]
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct StepProblem {
   std::array<Bound, kBounds> bounds;
 };
 
-/// Which bounds hold with equality; −1: none.
+/// The active bounds; −1: none.
 struct ActiveSet {
   std::int8_t first = -1, second = -1;
   bool inside() const { return first < 0; }
@@ -37,7 +37,7 @@ struct FeasibleStep {
   double d_s = 0.0, d_z = 0.0;
   ActiveSet active;
   std::array<double, 2> multiplier{};  ///< of first and second, ≥ 0
-  bool feasible = true;  ///< false: the bounds leave nothing, d goes where they are broken least
+  bool feasible = true;  ///< false if the bounds leave no point; d then violates them least
 };
 
 FeasibleStep solve_step(const StepProblem& p, const ActiveSet& guess);

@@ -7,13 +7,14 @@ namespace gearwright {
 
 namespace {
 
-// Fillets that were cut to meet the flank do so to rounding.
+// Fillets that were cut to meet the flank meet it within rounding.
 constexpr double kTouching = 1e-8;  // mm
 
-// With fillets a position costs several times the flanks alone, and 10⁶ may be asked.
+// With fillets a position costs several times as much as with flanks alone, and up to 10⁶ positions
+// may be requested.
 constexpr std::size_t kMaxRotations = 64;
 
-// Of the touch's normal about axis 2.
+// Arm of the normal at the touch about axis 2.
 double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   const ContactMount& m = pair.place();
   const double sigma = m.shaft_angle.rad();
@@ -22,7 +23,7 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   return std::abs((p.point - on_axis).cross(p.normal).dot(axis));
 }
 
-// Whose root fillet is touched there; 0: no one's.
+// The gear whose root fillet is touched there; 0: none.
 int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
   for (const int gear : {1, 2}) {
     const auto end = outlines.root_end(gear);

@@ -1,8 +1,8 @@
 // Tips in root fillets under errors of mounting and cutting.
 //
-// The flanks alone say a transmission error TE that the teeth cannot have where a tip meets the
-// mating gear's fillet first. With the fillets as patches beside the flanks the same search [T8.2]
-// gives TE_f ≥ TE; what lies between is how far the fillet holds gear 2 off the flanks:
+// If a tip meets the mating gear's fillet first, the flanks alone give a transmission error TE that
+// the teeth cannot have. With the fillets as additional patches the same search [T8.2] gives TE_f ≥
+// TE. The difference is the distance by which the fillet keeps gear 2 off the flanks:
 //
 //   early = (TE_f − TE) h,   h the arm of the touch's normal about axis 2, mm
 #pragma once
@@ -22,16 +22,18 @@ struct FilletContact {
 };
 
 struct FilletContacts {
-  std::vector<std::size_t> asked;         ///< of the flanks' positions
-  std::vector<ContactPoint> whole;        ///< there, of the whole outlines
-  std::optional<FilletContact> earliest;  ///< before the flanks; none: flanks touch first
+  std::vector<std::size_t> asked;         ///< examined positions of the flanks
+  std::vector<ContactPoint> whole;        ///< the whole outlines at those positions
+  std::optional<FilletContact> earliest;  ///< earliest contact before the flanks; none if the
+                                          ///< flanks touch first
 };
 
-/// The whole outlines at the rotations of `flanks` (positions of analyse_contact) that touch.
+/// Contact of the whole outlines at those rotations of `flanks` (positions of analyse_contact) that
+/// touch.
 ///
 /// `outlines`  the same pair with ContactMount::fillets
-/// Accuracy    of a rotation that is looked at: rounding. At most 64 are, evenly chosen; deeper
-///             touches between them may be missed
+/// Accuracy    rounding at each examined rotation. At most 64 rotations, evenly chosen, are
+///             examined, and earlier touches between them may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
                                Progress* progress = nullptr);
 

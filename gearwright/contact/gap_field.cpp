@@ -49,7 +49,7 @@ void GapField::set_rotation(double phi1) {
 
 GapJet GapField::at(double s, double z, double& s2) const {
   const ProfileJet p = one_->profile.at(s);
-  // Flank 1 across its axis: w1 = e^{λ}, and λ by s and z.
+  // Flank 1 in its transverse section: w1 = e^{λ}, and λ by s and z.
   Complex l_s = p.d1;
   Complex l_ss = p.d2;
   double turn = 0.0;
@@ -78,7 +78,7 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w1_ss = d[2];
   j.w1_sz = d[3];
   j.w1_zz = d[4];
-  // Seen from gear 2.
+  // In the frame of gear 2.
   const Mat3& r = mount_.rotation;
   const auto across = [&](const Complex& v) { return v.real() * from_x_ + v.imag() * from_y_; };
   const auto along = [&](const Complex& v) { return v.real() * r(2, 0) + v.imag() * r(2, 1); };
@@ -100,7 +100,7 @@ GapJet GapField::at(double s, double z, double& s2) const {
   const Complex L_sz = times(across(d[3]), over) - times(L_s, L_z);
   const Complex L_zz = times(across(d[4]), over) - times(L_z, L_z);
   j.u = {0.5 * std::log(square), L_s.real(), L_z.real(), L_ss.real(), L_sz.real(), L_zz.real()};
-  // Measured from the expected rotation, the angle never wraps.
+  // An angle measured from the expected rotation never wraps.
   const RadialJet q = two_->profile.at_radius(j.u.v, s2);
   const Complex back =
       turned(std::conj(q.factor), -(q.phase + two_->center + expected_ + j.Z.v * two_->twist));

@@ -5,13 +5,13 @@
 //   gear 2 that is touched is the clockwise side of its tooth. Other cases are mirrored into it
 //   (contact/contact_pair.hpp).
 //   φ1   rotation of gear 1          E = φ1 |z1/z2|, the expected rotation of gear 2
-//   T    φ2* − E, rad                u = ln ρ and Z: where the point lies on gear 2
+//   T    φ2* − E, rad                u = ln ρ and Z: position of the point on gear 2
 //                                    theory: docs/theory/08-contact.md, [T8.1]…[T8.3], [T8.8]
 //
 //   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
 //
 // The flanks touch where T is greatest over the part of flank 1 that lies inside flank 2. No
-// allocation, no virtual call; one evaluation gives everything a Newton step needs.
+// allocation, no virtual call; one evaluation returns all data of a Newton step.
 #pragma once
 
 #include <array>
@@ -32,15 +32,16 @@ struct FlankPatch {
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
-  /// What meets the patch at its ends: of the flank, or of the next patch. At a ridge the next one
-  /// goes on with another slope, at a seam with the same.
+  /// The neighbour of the patch at its ends: the end of the flank, or the next patch. At a ridge
+  /// the next patch continues with another slope, at a seam with the same slope.
   enum class End { tip, form, seam, ridge, face };
   End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
-  /// Ends of the part in use, within the profile's.
+  /// Ends of the part in use, within those of the profile.
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
 };
 
-/// How the frame of gear 1 lies in that of gear 2, both at rotation 0: x_2 = rotation x_1 + shift.
+/// The position of the frame of gear 1 in that of gear 2, both at rotation 0: x_2 = rotation x_1 +
+/// shift.
 struct RelativeMount {
   Mat3 rotation = Mat3::Identity();
   Vec3 shift = Vec3::Zero();
@@ -57,9 +58,9 @@ struct GapJet {
   Jet2 Z;                     ///< mm
   double slope2_u, slope2_Z;  ///< θ2′ + ∂m2/∂u,  τ2 + ∂m2/∂Z: of flank 2 there
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< and their derivatives
-  Complex w1, w1_s, w1_z;  ///< the point of gear 1 across its axis, mm, before mounting
+  Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
-  Complex w, w_s, w_z;  ///< the same point seen from gear 2
+  Complex w, w_s, w_z;  ///< the same point in the frame of gear 2
 };
 
 class GapField {
@@ -70,7 +71,7 @@ class GapField {
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// At (s, z) of flank 1. `s2` is the parameter on flank 2 where the last call ended.
+  /// At (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
   GapJet at(double s, double z, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle: 1/|∇φ2*|, mm. [T8.3]
   static double arm(const GapJet& j);

@@ -1,4 +1,4 @@
-// How the gap of two flanks opens about a point, as a quadratic form.
+// The gap of two flanks about a point, as a quadratic form.
 //
 //   gap ≈ ½ (k1 x² + k2 y²),  k1 ≤ k2 in 1/mm, x and y in mm along the principal directions
 //                                                      theory: docs/theory/08-contact.md, [T8.15]

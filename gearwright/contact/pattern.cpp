@@ -33,9 +33,9 @@ FlankRaster empty_raster(const std::vector<FlankPatch>& patches, const RasterSiz
   return r;
 }
 
-// The patch that a place lies in; on a border the first one, beyond the flank none.
+// The patch that contains a place; on a border the first one, beyond the flank none.
 int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
-  // Of u = ln ρ, and in mm of z: neighbours share their border but for rounding.
+  // For u = ln ρ, and for z in mm: borders of neighbours are equal within rounding.
   constexpr double kSlack = 1e-9;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const FlankPatch& p = patches[i];
@@ -46,27 +46,27 @@ int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
   return -1;
 }
 
-// A node of flank 1 in N, and what one position makes of it.
+// A node of flank 1 in N, and its data at one position.
 struct Node {
   int patch;
   double s, u, z;
   double azimuth;  // at rotation 0, not reduced to one turn
 };
-// Between which pieces of both profiles it is, by number.
+// The gap at a node, with the numbers of the pieces of both profiles.
 struct Gap {
   double value = kInfinity;
   int pieces = -1;
   bool operator<(const Gap& other) const { return value < other.value; }
 };
 struct Seen {
-  double u = 0.0, Z = 0.0;  // where it lies on gear 2, within its flank or beyond
+  double u = 0.0, Z = 0.0;  // position on gear 2, within its flank or beyond
   Gap gap;                  // finite within
   bool near = false;
 };
 
-// Newton's steps: from a neighbour's cell two or three, from the next piece of a profile one more.
+// Newton's steps: two or three from a neighbour's cell, one more from the next piece of a profile.
 constexpr int kMaxSteps = 8;
-constexpr double kNear = 1e-4;  // of a piece: a step that the series takes
+constexpr double kNear = 1e-4;  // relative to a piece: a step that the series covers
 
 class Rasterer {
  public:
@@ -86,7 +86,8 @@ class Rasterer {
     }
   }
 
-  // Pair 0 at φ (N), gear 2 ahead by `te` of the ratio; rotations in growing order.
+  // Adds the gaps of pair 0 at φ (N), with gear 2 ahead of the ratio by `te`. Rotations must
+  // increase.
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
@@ -103,7 +104,7 @@ class Rasterer {
     for (std::size_t which = 0; which < 2; ++which) fold(which);
   }
 
-  // No position follows, or one that does not go on from the last.
+  // Ends the sequence: no position follows, or one that does not continue the last.
   void close() {
     for (std::size_t which = 0; which < 2; ++which) {
       std::fill(now_[which].begin(), now_[which].end(), Gap{});
@@ -112,7 +113,7 @@ class Rasterer {
     }
   }
 
-  // In the gears' own frames, rows and columns growing.
+  // The rasters in the gears' own frames, with growing rows and columns.
   std::array<FlankRaster, 2> take() {
     for (FlankRaster& r : rasters_) {
       if (pair_.turned() > 0.0) continue;
@@ -154,7 +155,7 @@ class Rasterer {
   Seen look(const Node& node) const {
     Seen seen;
     if (node.patch < 0) return seen;
-    // Where on flank 2 the point lies does not depend on the patch asked.
+    // The position of the point on flank 2 does not depend on the patch.
     GapJet j = jet(node.patch, 0, node.s, node.z);
     seen.near = true;
     seen.u = j.u.v;
@@ -166,7 +167,8 @@ class Rasterer {
     return seen;
   }
 
-  // Each cell of flank 1 is a quadrangle on flank 2; nodes inside it find their point from there.
+  // Each cell of flank 1 is a quadrangle on flank 2. Nodes inside it use it as the start of their
+  // search.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -200,7 +202,7 @@ class Rasterer {
     const Vec2 b = p[2] - p[0];
     const double det = a.x() * b.y() - a.y() * b.x();
     if (det == 0.0) return;
-    constexpr double kSlack = 1e-6;  // of a cell: bent cells meet along bent lines
+    constexpr double kSlack = 1e-6;  // relative to a cell, because bent cells meet along bent lines
     const auto first = [](double lo) {
       return std::max(0, static_cast<int>(std::ceil(lo - kSlack)));
     };
@@ -228,9 +230,9 @@ class Rasterer {
     }
   }
 
-  // The gap at the place (u, Z) of flank 2, from a guess of its point (u1, z) on flank 1: Newton's
-  // steps there, from piece to piece of it, and the field's own second-order series at their end.
-  // Infinite where they lead off flank 1, or nowhere: beside a fold of the one flank on the other.
+  // The gap at the place (u, Z) of flank 2, from an approximate point (u1, z) on flank 1: Newton's
+  // steps from piece to piece of the profile, and the field's second-order series at their end.
+  // Infinite if the steps leave flank 1 or do not converge, near a fold of one flank on the other.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};
@@ -264,8 +266,8 @@ class Rasterer {
     return {};
   }
 
-  // The least of three positions in a row lies between them, on the parabola through them, where it
-  // is the same pieces that come near: another piece's gap begins with a jump.
+  // The least of three successive positions lies between them, on the parabola through them, if all
+  // belong to the same pieces. The gap of another piece begins with a jump.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {
@@ -290,7 +292,7 @@ class Rasterer {
   std::vector<Node> nodes_;
   std::vector<GapField> fields_;
   std::vector<Seen> seen_;
-  std::array<std::vector<Gap>, 2> now_, last_, before_;  // gaps of three positions in a row
+  std::array<std::vector<Gap>, 2> now_, last_, before_;  // gaps of three successive positions
   double te_ = 0.0;
 };
 
@@ -302,7 +304,7 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
   Transmission transmission(pair);
   const auto touches = transmission.over_a_pitch(-0.5 * pair.pitch(), positions);
   Rasterer rasterer(pair, size);
-  // One tooth pair through all of its range: every position of every pitch it may be in.
+  // Follows one tooth pair through all of its range, with every position of every pitch.
   const int farthest = transmission.farthest_pair();
   begin_stage(progress, "pattern", (2 * std::int64_t{farthest} + 1) * positions);
   for (int k = farthest; k >= -farthest; --k) {

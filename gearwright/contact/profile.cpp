@@ -10,13 +10,13 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
-// ξ² on the base circle, where θ″ = −(1 + ξ²)/ξ has no limit: a flank that begins there has its
-// slopes taken r_b · 5e-13 beyond it.
+// ξ² on the base circle, where θ″ = −(1 + ξ²)/ξ has no limit. The slopes of a flank that begins
+// there are computed r_b · 5e-13 beyond it.
 constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
 
-// θ′ and θ″ by u of ℓ′ and ℓ″ by a parameter. [T8.5]
+// θ′ and θ″ by u from ℓ′ and ℓ″ by a parameter. [T8.5]
 void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2) {
   const double inverse = 1.0 / d1.real();
   theta1 = d1.imag() * inverse;
@@ -55,7 +55,7 @@ Profile::Profile(const Arc& arc, double side, double twist)
     s_lo_ = u_lo_;
     s_hi_ = u_hi_;
     grows_ = true;
-    arm_per_cos_ = twist;  // only the twist is needed there
+    arm_per_cos_ = twist;  // only the twist is needed in this case
   };
   std::visit(Overloaded{involute, rack_circle, by_radius}, arc.curve->kind());
 }
@@ -128,11 +128,12 @@ RadialJet Profile::involute_at_radius(double u) const {
 }
 
 RadialJet Profile::circle_at_radius(double u, double& s) const {
-  // Steps of second order from the last answer, in a bracket: a free step may jump to the far end
-  // of the circle. Squares of radii are compared, which needs no logarithm near the answer.
+  // Steps of second order from the last solution, within a bracket, because a free step may jump to
+  // the far end of the circle. Squares of radii are compared, which needs no logarithm near the
+  // solution.
   constexpr int kMax = 60;
-  constexpr double kClose = 1e-8;  // of u: the series below takes the rest
-  // Of (ρ/ρ_s)² − 1: three terms of the logarithm leave x⁴/8 ≤ 1.3e-17.
+  constexpr double kClose = 1e-8;  // in u: below this the series is used
+  // For (ρ/ρ_s)² − 1, three terms of the logarithm leave x⁴/8 ≤ 1.3e-17.
   constexpr double kSmall = 1e-4;
   const double square = std::exp(2.0 * u);
   double lo = s_lo_;
@@ -191,7 +192,8 @@ RadialJet Profile::at_radius(double u, double& s) const {
 TurnPerRemoval Profile::turn_per_removal(double s) const {
   if (kind_ == Kind::involute) return {1.0 / arm_per_cos_, 0.0, 0.0};
   if (kind_ == Kind::rack_circle) {
-    // k = 1/(r cos β cos τ): the rack moves along the datum line, its normal has cos τ cos β there.
+    // k = 1/(r cos β cos τ), because the rack moves along the datum line, on which its normal has
+    // the component cos τ cos β.
     const ProfileJet j = circle_at(s);
     const double k = 1.0 / (arm_per_cos_ * std::cos(s));
     const double t = std::tan(s);

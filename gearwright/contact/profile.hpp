@@ -2,7 +2,7 @@
 //
 //   W(s)   point ρ e^{iθ}, mm; s the piece's own parameter         ℓ = log W,  u = ln ρ = Re ℓ
 //   c      +1 the side y > 0 of a tooth about the x axis, −1 its mirror image, the side y < 0
-//   θ′, θ″ derivatives of θ by u: what a mating gear sees of the flank
+//   θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
 //                                    theory: docs/theory/08-contact.md, [T8.4]…[T8.6]
 //
 //   involute       s = ξ   roll angle (an internal gear's is negative)
@@ -21,7 +21,7 @@ namespace gearwright {
 
 using Complex = std::complex<double>;
 
-/// A product without the library's care for infinities, which costs a branch.
+/// A product without the library's treatment of infinities, which costs a branch.
 inline Complex times(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -29,8 +29,8 @@ inline Complex times(const Complex& a, const Complex& b) {
 /// A point of the transverse plane, at the height z.
 inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
 
-/// The outline at a parameter: W = modulus-and-phase factor times e^{i phase}, kept apart so that
-/// the phases of a flank, its lead and its rotation need one sine and cosine together.
+/// The outline at a parameter: W = factor · e^{i phase}. The two are kept apart, so that the phases
+/// of a flank, its lead and its rotation need one sine and cosine together.
 struct ProfileJet {
   Complex factor;  ///< mm:  W = factor · e^{i phase}
   double phase;    ///< rad
@@ -44,7 +44,7 @@ struct RadialJet {
   double d1, d2;   ///< θ′, θ″ by u
 };
 
-/// How far a flank turns per normal removal of material, k = 1/arm, and its derivatives by u.
+/// The turn of a flank per normal removal of material, k = 1/arm, and its derivatives by u.
 struct TurnPerRemoval {
   double k, d1, d2;  ///< rad/mm
 };
@@ -59,20 +59,20 @@ class Profile {
   double s_hi() const { return s_hi_; }
   double u_lo() const { return u_lo_; }  ///< least ln ρ
   double u_hi() const { return u_hi_; }
-  bool grows() const { return grows_; }  ///< the radius, with s
+  bool grows() const { return grows_; }  ///< true if the radius grows with s
   double side() const { return side_; }
 
-  /// Domain  any s near the piece: formulas go on beyond its ends.
+  /// Domain  any s near the piece; the formulas continue beyond its ends.
   ProfileJet at(double s) const;
-  /// At ln ρ = u. Beyond the piece's ends a Taylor series of second order goes on. `s` is where the
-  /// last call ended and is moved (circles of a rack solve for it).
+  /// At ln ρ = u. Beyond the ends of the piece a Taylor series of second order is used. `s` holds
+  /// the parameter of the last call and is updated (circles of a rack iterate from it).
   RadialJet at_radius(double u, double& s) const;
-  /// At the parameter s (not beyond the ends by much). [T8.7]
+  /// At the parameter s (not far beyond the ends). [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;                ///< solved to rounding; u is moved into the piece
-  double s_of(double u, double start) const;  ///< the same from near by
+  double s_of(double u, double start) const;  ///< the same, starting nearby
   bool is_involute() const { return kind_ == Kind::involute; }
-  /// Normal angle of the generating rack's circle; none where the piece is cut by no such circle.
+  /// Normal angle of the generating rack's circle; none if no such circle cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:

@@ -13,16 +13,16 @@ namespace gearwright {
 
 namespace {
 
-// The parameter at which the curve has the radius, near to where it was. The bracket grows outward
-// only while the radius goes on as it should: behind a cusp it would turn back.
+// The parameter at which the curve has the radius, near the previous one. The bracket grows outward
+// only while the radius changes monotonically, because it reverses behind a cusp.
 double same_radius(const Curve& curve, double was, double rho, bool grows, double width) {
   const auto radius = [&](double t) { return curve.point(t).norm(); };
   const double more = rho - radius(was);
   if (more == 0.0) return was;
   const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
   double last = was;
-  // The first step over the arc's width: a change of lead that a workshop makes moves ends by less
-  // than some of these, and doubling reaches half the width in 19 steps.
+  // The first step relative to the arc's width. A change of lead in a workshop moves the ends by
+  // less than a few such steps, and doubling reaches half the width in 19 steps.
   constexpr double kFirstStep = 1e-6;
   for (double step = kFirstStep * width; step < 0.5 * width; step *= 2) {
     const double next = was + sense * step;
@@ -42,7 +42,7 @@ double changed_cos_beta(const Gear& gear, double delta_lambda) {
   return std::sin(std::atan2(1.0, r * std::abs(gear.twist())) + delta_lambda);
 }
 
-// The gear has been cut with it: there is one.
+// The edge exists, because the gear has been cut with it.
 CutterEdge edge_of(const CylindricalSpec& spec) {
   return std::visit(
       Overloaded{[&](const StraightRack& rack) {
@@ -59,7 +59,7 @@ CutterEdge edge_of(const CylindricalSpec& spec) {
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) {
   if (delta_lambda == 0.0) return twist;
   GW_EXPECTS(twist != 0.0);
-  // 1/p = 1/(r tan λ), and λ beyond 90° is the other hand.
+  // 1/p = 1/(r tan λ); λ beyond 90° is the opposite hand.
   const double lambda = std::atan2(1.0, pitch_radius * std::abs(twist)) + delta_lambda;
   GW_EXPECTS(lambda > 0.0 && lambda < std::numbers::pi);
   return std::copysign(1.0, twist) / (pitch_radius * std::tan(lambda));
@@ -82,7 +82,7 @@ Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
     const double alpha_n = gear.spec.normal_pressure_angle.rad();
     const double alpha_t = std::atan(std::tan(alpha_n) / cos_beta);
     const double half = ref.reference_tooth_thickness_normal / cos_beta / (2 * r);
-    const double side = gear.internal() ? -1.0 : 1.0;
+    const double side = gear.side();
     changed.curve =
         std::make_shared<Involute>(r * std::cos(alpha_t), half + side * involute(alpha_t));
   }

@@ -1,4 +1,4 @@
-// A flank cut with another lead angle: the pitch cylinder stays, lead and section change.
+// A flank cut with another lead angle: the pitch cylinder is unchanged, lead and section change.
 //
 //   λ = π/2 − |β|   lead angle        Δλ   its change, rad, as `cutter_lead1_deg`
 //                                     theory: docs/theory/08-contact.md, [T8.14]
@@ -18,9 +18,9 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 /// Domain  arcs that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
 
-/// All of the half tooth that the same rack leaves then, root fillet and tip included, its ends where
-/// they come to lie. None: the root is no rack's (a pinion cutter's, or a circular fillet in place
-/// of it), or no tooth is left.
+/// The whole half tooth that the same rack then leaves, with root fillet and tip and with new ends.
+/// None if the root was not cut by a rack (but by a pinion cutter, or if a circular fillet replaces
+/// it), or if no tooth is left.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

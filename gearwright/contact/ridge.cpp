@@ -22,9 +22,9 @@ Mat2d hessian(const Jet2& j) {
   return h;
 }
 
-// The gap about a touch in its tangent plane of flank 1: how it opens there and how it bends.
-// Where T has a slope, its second derivatives by s and z are not all curvature: what the places
-// themselves bend within the surface goes off (Γ).
+// The gap about a touch in the tangent plane of flank 1: its slope and its curvature there. Where T
+// has a slope, its second derivatives by s and z include the curvature of the coordinates within
+// the surface, which is subtracted (Γ).
 ContactRidge::Side side_of(const GapJet& j) {
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);
@@ -49,7 +49,7 @@ ContactRidge::Side side_of(const GapJet& j) {
   return {arm * slope.norm(), {eigen.values[0], eigen.values[1]}};
 }
 
-// Along the curve c = const of the surface, at a place where T is stationary on it.
+// The curvature along the curve c = const of the surface, at a place where T is stationary on it.
 double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   const Vec2d t(-c[1], c[0]);
   const double mu = -Vec2d(j.t.s, j.t.z).dot(c) / c.squaredNorm();
@@ -57,7 +57,7 @@ double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   return -GapField::arm(j) * t.dot((hessian(j.t) + mu * c_bend) * t) / step.squaredNorm();
 }
 
-// The patch beyond a border: the same place by z and next by u, or the other way round. Borders
+// The patch beyond a border: at the same place by z and next to it by u, or the reverse. Borders
 // come from one list and differ by the rounding of ln ρ.
 int across(const std::vector<FlankPatch>& patches, const FlankPatch& here, bool of_u, bool below) {
   constexpr double kSame = 1e-9;
@@ -103,7 +103,8 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const bool of_u = bound % 4 < 2;
   const FlankPatch& here = gear == 1 ? field.one() : field.two();
   bool below = bound % 2 == 0;
-  if (gear == 1 && of_u && !here.profile.grows()) below = !below;  // of s, which falls with u
+  // in terms of s, which falls with u
+  if (gear == 1 && of_u && !here.profile.grows()) below = !below;
   const int other = across(pair.patches(gear), here, of_u, below);
   const auto n = static_cast<int>(pair.patches(2).size());
   PairTouch beyond = touch;
@@ -113,7 +114,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const double z = touch.touch.z;
   const GapJet j = transmission.jet_at(touch, s, z);
   ContactRidge ridge{gear, 0.0, {side_of(transmission.jet_at(beyond, s, z)), side_of(j)}};
-  // Of heights the lesser is the greater where N runs the other way.
+  // The side of lesser height is that of greater height in N if N is reversed.
   if (!below != (!of_u && pair.turned() < 0.0)) std::swap(ridge.side[0], ridge.side[1]);
   if (gear == 1) {
     ridge.along = curvature_along(j, of_u ? Vec2d(1, 0) : Vec2d(0, 1), Mat2d::Zero());

@@ -1,4 +1,4 @@
-// How the gap opens about a touch on a ridge: [T8.25] of docs/theory/08-contact.md.
+// The gap about a touch on a ridge: [T8.25] of docs/theory/08-contact.md.
 // Internal to contact/.
 #pragma once
 

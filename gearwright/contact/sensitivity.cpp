@@ -7,7 +7,8 @@ namespace gearwright {
 
 namespace {
 
-// What changes when e grows, at a fixed place (s, z) of flank 1 and along both of its directions.
+// The change when e grows, at a fixed place (s, z) of flank 1, and its derivatives in both
+// directions.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;
@@ -15,7 +16,7 @@ struct Change {
   Vec3 dr = Vec3::Zero();  // of the point, in N
 };
 
-// A point that moves by d, and so along s and z, as seen from gear 2.
+// Adds the effect of a point that moves by d, which varies along s and z, as seen from gear 2.
 void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, const Vec3& d_z) {
   const Complex over = 1.0 / j.w;
   const auto across = [](const Vec3& v) { return Complex(v.x(), v.y()); };
@@ -35,7 +36,7 @@ void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, cons
   c.p_z = dL_z.imag() - j.slope2_u * c.du_z - j.slope2_Z * c.dZ_z - bend_u * j.u.z - bend_Z * j.Z.z;
 }
 
-// φ2* of points that move on gear 1 by a turn q(s, z) about its axis.
+// Adds the change of φ2* of points that turn on gear 1 by q(s, z) about its axis.
 void add_turn_of_1(Change& c, const ContactPair& pair, const GapJet& j, double q, double q_s,
                    double q_z) {
   const Mat3& m = pair.mount().rotation;
@@ -122,7 +123,7 @@ Change change_of_modification(const ContactPair& pair, const GapField& field, co
   return c;
 }
 
-// An active bound: its gradient, its Hessian, and how it moves with e. Unscaled.
+// An active bound: its gradient, its Hessian, and its movement with e. Unscaled.
 struct ActiveBound {
   double a_s = 0.0, a_z = 0.0;
   double h_ss = 0.0, h_sz = 0.0, h_zz = 0.0;
@@ -151,42 +152,58 @@ ActiveBound active_bound(int j, const GapJet& at, const Change& c) {
 
 namespace {
 
-// What the touch does about a change: KKT system of the active bounds. [T8.10]
+// The active bounds of a touch with their multipliers, which are unscaled: slope + Σ μ_j a_j = 0.
+struct Holding {
+  int count = 0;
+  std::array<ActiveBound, 2> bound{};
+  std::array<double, 2> mu{};
+};
+
+Holding holding(const Change& c, const PairTouch& touch, const GapJet& j) {
+  const detail::ActiveSet& set = touch.touch.active;
+  Holding h;
+  h.count = set.inside() ? 0 : set.corner() ? 2 : 1;
+  for (int k = 0; k < h.count; ++k)
+    h.bound[k] = active_bound(k == 0 ? set.first : set.second, j, c);
+  if (h.count == 1) {
+    const ActiveBound& q = h.bound[0];
+    h.mu[0] = -(j.t.s * q.a_s + j.t.z * q.a_z) / (q.a_s * q.a_s + q.a_z * q.a_z);
+  } else if (h.count == 2) {
+    Eigen::Matrix2d m;
+    m << h.bound[0].a_s, h.bound[1].a_s, h.bound[0].a_z, h.bound[1].a_z;
+    const Eigen::VectorXd x = solve_linear(m, Eigen::Vector2d(-j.t.s, -j.t.z));
+    h.mu = {x[0], x[1]};
+  }
+  return h;
+}
+
+// ∂TE, rad per unit, in the housing's sense of rotation.
+double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
+  double te = c.p;
+  for (int k = 0; k < h.count; ++k) te += h.mu[k] * h.bound[k].d;
+  return pair.turned() * te;
+}
+
+// The reaction of the touch to a change, from the KKT system of the active bounds. [T8.10]
 Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
                       const GapJet& j) {
-  const detail::ActiveSet& set = touch.touch.active;
-  const int n = set.inside() ? 0 : set.corner() ? 2 : 1;
-  std::array<ActiveBound, 2> bounds{};
+  const Holding h = holding(c, touch, j);
+  const int n = h.count;
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 + n, 2 + n);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(2 + n);
-  for (int k = 0; k < n; ++k) bounds[k] = active_bound(k == 0 ? set.first : set.second, j, c);
-  // Multipliers of the unscaled bounds: slope + Σ μ_j a_j = 0.
-  std::array<double, 2> mu{};
-  if (n == 1) {
-    const ActiveBound& q = bounds[0];
-    mu[0] = -(j.t.s * q.a_s + j.t.z * q.a_z) / (q.a_s * q.a_s + q.a_z * q.a_z);
-  } else if (n == 2) {
-    Eigen::Matrix2d m;
-    m << bounds[0].a_s, bounds[1].a_s, bounds[0].a_z, bounds[1].a_z;
-    const Eigen::VectorXd x = solve_linear(m, Eigen::Vector2d(-j.t.s, -j.t.z));
-    mu = {x[0], x[1]};
-  }
-  Sensitivity result;
-  result.te = c.p;
   a(0, 0) = j.t.ss;
   a(0, 1) = a(1, 0) = j.t.sz;
   a(1, 1) = j.t.zz;
   b[0] = -c.p_s;
   b[1] = -c.p_z;
   for (int k = 0; k < n; ++k) {
-    const ActiveBound& q = bounds[k];
-    result.te += mu[k] * q.d;
-    a(0, 0) += mu[k] * q.h_ss;
-    a(0, 1) += mu[k] * q.h_sz;
-    a(1, 0) += mu[k] * q.h_sz;
-    a(1, 1) += mu[k] * q.h_zz;
-    b[0] -= mu[k] * q.d_s;
-    b[1] -= mu[k] * q.d_z;
+    const ActiveBound& q = h.bound[k];
+    a(0, 0) += h.mu[k] * q.h_ss;
+    a(0, 1) += h.mu[k] * q.h_sz;
+    a(1, 0) += h.mu[k] * q.h_sz;
+    a(1, 1) += h.mu[k] * q.h_zz;
+    b[0] -= h.mu[k] * q.d_s;
+    b[1] -= h.mu[k] * q.d_z;
     a(0, 2 + k) = a(2 + k, 0) = q.a_s;
     a(1, 2 + k) = a(2 + k, 1) = q.a_z;
     b[2 + k] = -q.d;
@@ -194,9 +211,7 @@ Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch&
   const Eigen::VectorXd x = solve_linear(a, b);
   const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
   const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
-  result.point = pair.direction_in_housing(c.dr + r_s * x[0] + r_z * x[1]);
-  if (pair.gear2_drives()) result.te = -result.te;
-  return result;
+  return {te_of(c, h, pair), pair.direction_in_housing(c.dr + r_s * x[0] + r_z * x[1])};
 }
 
 }  // namespace
@@ -223,8 +238,8 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // In N both rotations change sign together when gear 2 drives: their quotient does not.
-  return pair.turned() * answer_to(c, pair, touch, j).te - pair.ratio();
+  // In N both rotations change sign together if gear 2 drives, but their quotient does not.
+  return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 
 }  // namespace gearwright

@@ -1,9 +1,9 @@
 // Exact derivatives of transmission error and contact point by every error and every modification.
 //
-//   e          a number that is wrong, or chosen
-//   p = ∂φ2*/∂e at a fixed place of flank 1, with its own slopes over the flank
+//   e          an error or a chosen number
+//   p = ∂φ2*/∂e at a fixed place of flank 1, with its derivatives over the flank
 //   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over active bounds c_j of flank 2, which move with e
-//   ∂(s,z)  = −H⁻¹ ∇p                inside; along the bounds where there are some
+//   ∂(s,z)  = −H⁻¹ ∇p                inside; along the active bounds otherwise
 //                                    theory: docs/theory/08-contact.md, [T8.10]
 #pragma once
 

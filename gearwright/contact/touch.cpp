@@ -10,19 +10,19 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kLastStep = 1e-7;    // of the patch: the error left is its square
+constexpr double kLastStep = 1e-7;    // relative to the patch; the remaining error is its square
 constexpr double kLongestStep = 0.6;  // of half the patch
-constexpr double kFlat = 1e-14;       // rad per scaled unit: a ridge to rounding
-constexpr double kTinyBend = -1e-15;  // what stands for no curvature at all
+constexpr double kFlat = 1e-14;       // rad per scaled unit: a ridge is flat within rounding
+constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxSteps = 80;
-constexpr double kBroken = 1e-9;       // scaled: more outside than that is no answer
-constexpr double kWorse = 1e-13;       // rad: rounding of T, and of the merit with it
-constexpr double kTinySquare = 1e-12;  // (of half the patch)²: so short a step is not halved
-constexpr double kMinPrice = 1e-3;     // rad per scaled length: a bound costs where nothing presses
-constexpr double kSameTe = 1e-12;      // rad: two searches that found one place
-constexpr double kSamePlace = 1e-5;    // of half the patch: likewise
+constexpr double kBroken = 1e-9;       // scaled: a touch farther outside is not valid
+constexpr double kWorse = 1e-13;       // rad: rounding error of T and of the merit
+constexpr double kTinySquare = 1e-12;  // (of half the patch)²: a shorter step is not halved
+constexpr double kMinPrice = 1e-3;     // rad per scaled length: least cost of a bound
+constexpr double kSameTe = 1e-12;      // rad: within this, two searches found the same place
+constexpr double kSamePlace = 1e-5;    // relative to half the patch: likewise
 
-// H with its upward bends taken away, in the eigenframe; along a flat ridge there is no slope.
+// H with its positive eigenvalues removed; along a flat ridge there is no slope.
 bool make_concave(detail::StepProblem& p) {
   const double mean = 0.5 * (p.h_ss + p.h_zz);
   const double half = 0.5 * (p.h_ss - p.h_zz);
@@ -121,7 +121,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   detail::StepProblem p;
   const double ks = scale_.s_half;
   const double kz = scale_.z_half;
-  // The exact-penalty merit of a place: the gap angle less a price on the bounds that it violates.
+  // The exact-penalty merit of a place: the gap angle minus a penalty for the bounds that it
+  // violates.
   double price = 0.0;
   const auto merit = [&](const GapJet& at) {
     double broken = 0.0;
@@ -137,7 +138,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     ++t.evaluations;
     ++count_.evaluations;
     fill(at, t.s, t.z, p);
-    // A step that made things worse is taken back by halves; not for ever: merit has its rounding.
+    // A step that lowers the merit is halved repeatedly, but not without limit, because the merit
+    // has rounding errors.
     if (const double now = merit(at);
         now < last_merit - kWorse && d_s * d_s + d_z * d_z > kTinySquare) {
       d_s *= 0.5;
@@ -146,7 +148,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
       t.z -= d_z * kz;
       continue;
     }
-    // Active bounds of flank 2 bend: their curvature counts with their multiplier.
+    // Active bounds of flank 2 are curved, so their curvature counts with their multiplier.
     for (int m = 0; m < 2; ++m) {
       const int j = m == 0 ? t.active.first : t.active.second;
       const double mu = t.multiplier[m];
@@ -188,7 +190,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     t.z += d_z * kz;
   }
   t.stop = Touch::Stop::too_long;
-  // Where D is empty the steps wander between its bounds.
+  // If D is empty, the steps move between its bounds.
   double broken = 0.0;
   for (const auto& b : p.bounds) broken = std::max(broken, -b.c);
   if (broken > kBroken) t.stop = Touch::Stop::no_room;
@@ -229,12 +231,12 @@ constexpr int kSections = 9;
 
 struct GridNode {
   double s = 0.0, s2 = 0.0, value = 0.0;
-  double broken = 0.0;  // how far outside flank 2, scaled; 0: inside D
+  double broken = 0.0;  // distance outside flank 2, scaled; 0: inside D
 };
 
 using Grid = std::array<std::array<GridNode, kRows>, kSections>;
 
-// Inside D and no neighbour inside D is higher.
+// True if inside D and no neighbour inside D is higher.
 bool is_peak(const Grid& grid, int i, int k) {
   if (grid[i][k].broken > 0.0) return false;
   for (int p = std::max(0, i - 1); p <= std::min(kSections - 1, i + 1); ++p) {
@@ -245,7 +247,7 @@ bool is_peak(const Grid& grid, int i, int k) {
   return true;
 }
 
-// The row of a section to start from: the highest inside D, else the one that is nearest to it.
+// The row of a section to start from: the highest inside D, otherwise the one nearest to D.
 int best_row(const std::array<GridNode, kRows>& section) {
   int best = 0;
   for (int k = 1; k < kRows; ++k) {
@@ -301,7 +303,7 @@ std::vector<Touch> TouchSearch::every_maximum() const {
     any = true;
     for (int k = 0; k < kRows; ++k)
       if (is_peak(grid, i, k)) start(i, k);
-    // D may end between two sections, and T be greatest there.
+    // D may end between two sections, and T may be greatest there.
     const bool end = i == 0 || !inside(i - 1) || i + 1 == kSections || !inside(i + 1);
     if (end && !is_peak(grid, i, best)) start(i, best);
   }

@@ -1,5 +1,5 @@
-// Where one flank touches another: the greatest T over the part D of flank 1 that lies inside
-// flank 2, by Newton steps that know all eight bounds of D.
+// Computes where one flank touches another: the greatest T over the part D of flank 1 that lies
+// inside flank 2, by Newton steps with all eight bounds of D.
 //
 //   s, z   place on flank 1, scaled to [−1, 1] inside
 //                                    theory: docs/theory/08-contact.md, [T8.9]
@@ -41,17 +41,19 @@ struct TouchCount {
 
 class TouchSearch {
  public:
-  /// `mesh_azimuth`: 0 or π, where gear 1 meets gear 2; `reach`: how far from there, rad, points of
-  /// gear 1 can lie inside gear 2. The field is the caller's and stays where it is.
+  /// `mesh_azimuth`: 0 or π, where gear 1 meets gear 2; `reach`: distance from there, rad, within
+  /// which points of gear 1 can lie inside gear 2. The caller owns the field, which must not move.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// From a place, with the bounds that were active there.
+  /// Searches from a place, with the bounds that were active there.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// From the best of a few places, else from everywhere: enough where there is one maximum.
+  /// Searches from the best of a few places, otherwise from everywhere. This is sufficient if there
+  /// is one maximum.
   Touch from_middle() const;
-  /// From everywhere: a grid, then every peak over the sections, and both end sections of D.
+  /// Searches from everywhere: a grid, then every peak over the sections, and both end sections of
+  /// D.
   Touch cold() const;
-  /// Like cold, with all the local maxima, the greatest first.
+  /// Like cold(), but returns all local maxima, the greatest first.
   std::vector<Touch> every_maximum() const;
 
   const TouchCount& count() const { return count_; }
@@ -64,7 +66,7 @@ class TouchSearch {
     double s_mid, s_half, z_mid, z_half, u_width, Z_width;
   };
   void fill(const GapJet& at, double s, double z, detail::StepProblem& p) const;
-  /// The interval of z in which flank 1 can be at the mesh; empty: false.
+  /// The interval of z in which flank 1 can be in mesh. Returns false if it is empty.
   bool window(double& z_lo, double& z_hi) const;
   bool within_a_turn(const Touch& t) const;
 

@@ -1,18 +1,19 @@
 #include "gearwright/contact/transmission.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gearwright {
 
 namespace {
 
-// rad below another pair, and falling: nothing comes back. A whole convex flank has one hump; of
-// patches, and of flanks that may be hollow, a later one may rise again.
+// rad below another pair: if T also falls, the track ends. A whole convex flank has one hump; with
+// patches, or with flanks that may be concave, a later hump may follow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
-// Pairs that touch together to rounding: the one nearest to the centre line stands for them.
+// Pairs that touch together within rounding are represented by the one nearest to the centre line.
 constexpr double kTogether = 1e-13;  // rad
 
 bool wins(const Touch& t, double phi, const PairTouch& best) {
@@ -22,7 +23,36 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// Nothing on the flank makes it hollow.
+// The place of the next touch, by the polynomial through the last four at equal steps. Where the bounds
+// change that hold there, a straight line follows, because the places bend. Each order more saves a step
+// of the search that starts there.
+class PlaceAhead {
+ public:
+  explicit PlaceAhead(const Touch& t) { add(t); }
+
+  void add(const Touch& t) {
+    if (!(t.active == active_)) count_ = std::min<std::size_t>(count_, 1);
+    active_ = t.active;
+    std::rotate(past_.begin(), past_.end() - 1, past_.end());
+    past_[0] = {t.s, t.z};
+    count_ = std::min(count_ + 1, past_.size());
+  }
+  std::array<double, 2> place() const {
+    constexpr std::array<std::array<double, 4>, 4> kNext{
+        {{1, 0, 0, 0}, {2, -1, 0, 0}, {3, -3, 1, 0}, {4, -6, 4, -1}}};
+    std::array<double, 2> next{};
+    for (std::size_t k = 0; k < count_; ++k)
+      for (const std::size_t i : {0, 1}) next[i] += kNext[count_ - 1][k] * past_[k][i];
+    return next;
+  }
+
+ private:
+  std::array<std::array<double, 2>, 4> past_{};  // s, z; the last one first
+  std::size_t count_ = 0;
+  detail::ActiveSet active_;
+};
+
+// True if no part of the flank is concave.
 bool is_convex(const FlankPatch& f) {
   if (!f.removal || f.removal->none()) return true;
   if (f.removal->has_topography()) return false;
@@ -31,7 +61,8 @@ bool is_convex(const FlankPatch& f) {
          f.removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// How far from the mesh, rad, points of one patch can lie inside the annulus of the other. [T8.13]
+// Distance from the mesh, rad, within which points of one patch can lie inside the annulus of the
+// other. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().shaft_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -77,7 +108,7 @@ Touch Transmission::cold(int fields, double phi) {
 }
 
 PairTouch Transmission::at(double phi) {
-  // Whole pitches change nothing but the number of the tooth pair.
+  // Whole pitches change only the number of the tooth pair.
   const double whole = std::round(phi / pair_.pitch());
   phi -= whole * pair_.pitch();
   count_step(progress_);
@@ -120,7 +151,7 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// What one pair of patches finds, position by position of tooth pair 0, folded into the pitch.
+// The results of one pair of patches at each position of tooth pair 0, reduced to one pitch.
 class Transmission::Track {
  public:
   Track(Transmission& all, int fields, double first, int n, double below,
@@ -129,7 +160,7 @@ class Transmission::Track {
 
   double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
 
-  // True unless it lies well below another pair.
+  // Returns true unless it lies well below another pair.
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;
@@ -139,33 +170,29 @@ class Transmission::Track {
     return t.te >= b.touch.te - below_;
   }
 
-  // From a touch at m on, one way, until D is empty, or the touch is well below and falls, or
-  // `known` says that another track has been here.
+  // Follows a touch from m in one direction until D is empty, the touch is well below and falls, or
+  // `known` returns true because another track has been here.
   template <class Known>
   void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
     GapField& field = *all_.fields_[static_cast<std::size_t>(fields_)];
     const TouchSearch& search = all_.search(fields_);
     const FlankPatch& a = field.one();
     Touch last = from;
-    Touch before = from;
-    bool two = false;
+    PlaceAhead ahead(from);
     while (std::abs(m) <= most) {
       m += direction;
-      double s = last.s;
-      double z = last.z;
-      if (two) {
-        s = std::clamp(2 * last.s - before.s, a.s_lo, a.s_hi);
-        z = std::clamp(2 * last.z - before.z, a.z_lo, a.z_hi);
-      }
+      const auto [s, z] = ahead.place();
       field.set_rotation(own(m));
-      Touch t = search.from(s, z, last.s2, last.active);
-      if (!t.found() && cold_again) t = all_.cold(fields_, own(m));
+      Touch t = search.from(std::clamp(s, a.s_lo, a.s_hi), std::clamp(z, a.z_lo, a.z_hi), last.s2,
+                            last.active);
+      const bool lost = !t.found();
+      if (lost && cold_again) t = all_.cold(fields_, own(m));
       if (!t.found() || known(m, t)) return;
       const bool near = offer(m, t);
       if (!near && t.te < last.te) return;
-      before = last;
+      if (lost) ahead = PlaceAhead(t);
+      if (!lost) ahead.add(t);
       last = t;
-      two = true;
     }
   }
 
@@ -178,7 +205,7 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// One maximum, one interval of rotation: whole flanks that nowhere hollow each other.
+// One maximum and one interval of rotation: whole flanks without concave contact.
 void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kBelow, best);
   const int most = farthest_pair_ * n;
@@ -190,7 +217,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      // First where T rises: what lies below it on the other side need not be looked at.
+      // The direction in which T rises comes first. If T is well below on the other side, that side
+      // is not examined.
       fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
       const Touch ahead =
           searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
@@ -201,8 +229,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Several maxima, and intervals of rotation with nothing between: every one that a grid of cold
-// starts finds is followed, until it runs into one that has been.
+// Several maxima, and separate intervals of rotation: every maximum that a grid of cold starts
+// finds is followed until it meets one that was followed before.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
@@ -247,7 +275,7 @@ GapJet Transmission::jet_at(const PairTouch& t, double s, double z) {
   field.set_rotation(t.phi);
   double s2 = t.touch.s2;
   const GapJet rough = field.at(s, z, s2);
-  // A second evaluation starts on the radius itself.
+  // A second evaluation starts at the exact radius.
   s2 = field.two().profile.s_of(rough.u.v, s2);
   return field.at(s, z, s2);
 }

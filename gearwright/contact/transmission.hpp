@@ -1,10 +1,10 @@
-// Transmission error: how far gear 2 is ahead of the ratio, position by position, with the handover
-// between tooth pairs, and where the teeth touch meanwhile.
+// Transmission error: the lead of gear 2 over the ratio at each position, with the handover between
+// tooth pairs, and the places where the teeth touch.
 //
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
-// Only one tooth pair is followed, through all of its range; the others do the same one pitch
-// later. Every pair of patches is followed by itself, and the greatest T wins.
+// Only one tooth pair is followed, through all of its range, because the others repeat it one pitch
+// later. Every pair of patches is followed separately, and the greatest T is used.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// A touch of tooth pair k: of which patches, at which rotation of pair 0 (in N).
+/// A touch of tooth pair k: its patches and the rotation of pair 0 (in N).
 struct PairTouch {
   Touch touch;
   int fields = -1;   ///< index of the pair of patches; −1: no contact
@@ -35,25 +35,25 @@ class Transmission {
 
   /// n positions over one pitch, from `first` (rad, N) on in steps of a pitch/n.
   std::vector<PairTouch> over_a_pitch(double first, int n);
-  /// At any rotations, each from scratch.
+  /// At any rotation, computed from scratch.
   PairTouch at(double phi);
-  /// Of tooth pair 0 alone, whether or not another one carries.
+  /// The touch of tooth pair 0 alone, even if another pair carries the load.
   PairTouch of_pair_0(double phi);
-  /// The same tooth pair on the same patches at another rotation of pair 0, from where it touched.
-  /// Not found: nothing of these patches touches there.
+  /// The touch of the same tooth pair on the same patches at another rotation of pair 0, computed
+  /// from the given touch. Not found if these patches do not touch there.
   PairTouch follow(const PairTouch& from, double phi);
-  /// Every place of tooth pair 0 at which T is greatest round about, of all pairs of patches: those at
-  /// a seam too, beyond which T may rise.
+  /// Every place of tooth pair 0 at which T has a local maximum, for all pairs of patches,
+  /// including places at a seam beyond which T may rise.
   std::vector<PairTouch> every_of_pair_0(double phi);
 
   const ContactPair& pair() const { return pair_; }
   const TouchSearch& search(int fields) const { return *searches_[fields]; }
   const GapField& field(int fields) const { return *fields_[fields]; }
-  /// Moves the field to a touch's rotation; gives its exact jet, θ2 fully converged.
+  /// Moves the field to a touch's rotation and returns its exact jet, with θ2 fully converged.
   GapJet jet_at(const PairTouch& t, double s, double z);
   int farthest_pair() const { return farthest_pair_; }  ///< |k| of a pair that can touch
   TouchCount count() const;
-  long too_long() const { return too_long_; }  ///< searches that did not end
+  long too_long() const { return too_long_; }  ///< searches that did not converge
 
  private:
   class Track;

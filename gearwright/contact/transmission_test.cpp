@@ -22,7 +22,7 @@ TEST(Transmission, conjugate_flanks_have_no_error) {
 TEST(Transmission, backlash_is_a_constant) {
   auto p = testing::involutes(20, 41, 0);
   p.place.center_distance += 0.2;
-  const auto pair = mount_involutes(p.gears[0], p.gears[1], {p.place.center_distance});
+  const auto pair = mount_as<ParallelPair>(p.gears[0], p.gears[1], {p.place.center_distance});
   ASSERT_TRUE(pair);
   const double half = pair->mesh.backlash.rotation[1] / 2;
   for (const double te : transmission_error(p.pair(), 9)) EXPECT_NEAR(te, -half, 1e-14);

@@ -35,7 +35,8 @@ double ArcLength::value(const Series& series, double x) {
 
 void ArcLength::add(const Curve& curve, double t_begin, double t_end, double scale, int depth) {
   constexpr std::size_t n = kDegree;
-  // x_j = cos(π j/n): j = n is the beginning. cos(π jk/n) = cos of the turn jk/(2n), exact corners.
+  // x_j = cos(π j/n), where j = n is the beginning. cos(π jk/n) is the cosine of the turn jk/(2n),
+  // which is exact at corners.
   const auto cosine = [](std::size_t j, std::size_t k) {
     return sincos_turn(static_cast<long long>(j * k), 2 * static_cast<long long>(n)).cos;
   };

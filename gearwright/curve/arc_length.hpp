@@ -28,7 +28,8 @@ class ArcLength {
  public:
   /// Domain    t0 ≠ t1 (contract); t1 < t0 walks the curve backwards, s still grows from 0
   /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves analytic on [t0, t1], cusps at an end
-  ///           included; otherwise error_estimate() says what is left. At most 1024 panels.
+  ///           included; otherwise error_estimate() returns the remaining error. At most 1024
+  ///           panels.
   ArcLength(const Curve& curve, double t0, double t1);
 
   double length() const { return length_; }  ///< L  mm

@@ -1,10 +1,10 @@
-// Batches of candidates: all values that the limits of a search need of a pair, in columns,
-// computed in vector lanes.
+// Batches of candidates: the values of a pair that the limits of a search need, in columns,
+// computed with vector instructions.
 //
 // One text of formulas (design/candidate_formulas.inc) is compiled for double and for every
-// instruction set; at run time the best that the processor has is taken. Lanes round differently
-// from machine to machine in the last bits, so they never decide alone: within kSieveDoubt of a
-// limit, and for every number that is printed, the scalar formulas of the pair do.
+// instruction set; at run time the best available one is used. The last bits of lanes depend on the
+// machine, so within kSieveDoubt of a limit, and for every printed number, the scalar formulas of
+// the pair are used instead.
 //
 //   Laws  (1) lanes agree with the scalar instance to 1e-12
 //         (2) the verdicts are the same on any machine
@@ -25,7 +25,7 @@ inline constexpr std::size_t kBatch = 1024;
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
   std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the racks
-  std::array<double, 2> flank_depth{};                         ///< for the interference
+  std::array<double, 2> flank_depth{};                         ///< for the limit of interference
   bool tight = false, shorten = false;
 };
 
@@ -43,7 +43,8 @@ struct CandidateBatch {
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< ρ at the mating gear's tip − ρ_F; ∞: an internal gear, no such limit
+    interference_2,  ///< ρ at the mating gear's tip − ρ_F; ∞ for an internal gear, which has no
+                     ///< such limit
     residual,        ///< of inv α_wt; the error of tan α_wt is this over tan² α_wt
     kOut
   };
@@ -53,12 +54,13 @@ struct CandidateBatch {
   void resize(std::size_t n);
 };
 
-/// Lanes of this machine; NaN where a tip lies inside its base circle or there is no mesh.
+/// Evaluates the batch in lanes of this machine; NaN if a tip lies inside its base circle or there
+/// is no mesh.
 void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
-/// The same, one by one.
+/// Evaluates the batch with scalar formulas.
 void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
 
-/// Nearer to a limit than this, modules, the lanes' verdict is not taken.
+/// Within this distance from a limit, modules, the lanes' verdict is not used.
 inline constexpr double kSieveDoubt = 1e-10;
 
 /// The result of the filter for a trial: certainly rejected by one of the first three limits; not
@@ -74,7 +76,7 @@ struct SieveConstants {
   double min_path = 0.0;             ///< K
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< the third limit too: extended external pairs
+  bool path = false;  ///< if true, the third limit is evaluated too: extended external pairs
 };
 
 struct SieveBatch {

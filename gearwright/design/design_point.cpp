@@ -18,7 +18,7 @@ Vec2 balanced_point(int z1, int z2, double sum, double lambda) {
 }
 
 bool line_is_outside(const ShiftGraph& graph, double a, double b) {
-  constexpr double kBarely = 1e-9;  // modules: rounding decides nothing here
+  constexpr double kBarely = 1e-9;  // modules: rounding has no influence at this distance
   const Trial& t = graph.trial();
   const Vec2 at_0 = balanced_point(t.z1, t.z2, 0.0, graph.problem().lambda);
   const Vec2 at_1 = balanced_point(t.z1, t.z2, 1.0, graph.problem().lambda);
@@ -40,7 +40,7 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 namespace {
 
 constexpr double kFarOff = 1e9;  // modules, farther outside than any value
-// An end of a piece that is an end of the whole range, modules: both were solved for apart.
+// An end of a piece that is an end of the whole range, modules. Both were solved separately.
 constexpr double kSameEnd = 1e-9;
 
 // The greatest value of f over [a, b], by nodes and golden section around the highest one; any
@@ -57,7 +57,7 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops above 0: seen from one above the top it never does.
+  // climb() stops above 0, which the value one above the top never reaches.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -65,8 +65,8 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// Its point with Σ nearest 0 that keeps a distance from the borders and, with fillets, from those
-// too.
+// The point of a piece with Σ nearest 0 that keeps a distance from the borders, and from cut
+// fillets if requested.
 enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
@@ -87,8 +87,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // The distance has one hump but for rare regions in pieces: uphill from there in growing steps,
-  // and back to the first place that is far enough.
+  // The distance has one hump, except in rare regions in pieces. The search goes uphill from there
+  // in growing steps, and back to the first place that is far enough.
   constexpr double kStep = 0.05;  // modules, a tenth of the usual value
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
@@ -121,7 +121,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
                                 std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
-  // At extended centres of external gears there is one hump, and no more to find.
+  // At extended centres of external gears there is only one hump.
   const SearchProblem& problem = graph.problem();
   const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
                         !problem.crossed() && fillets == Fillets::left_out;
@@ -169,7 +169,7 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // Half as far exactly, as of a slice that closes on one side to a point, counts.
+  // A slice that closes to a point on one side counts at exactly half the distance.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

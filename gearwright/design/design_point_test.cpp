@@ -115,9 +115,9 @@ TEST(FilletGap, HasTheSignOfThePairsClearance) {  // (4)
         const Vec2 x = balanced_point(t.z1, t.z2, sum, 0.625);
         const auto gap = fillet_gap(graph, x);
         if (!gap || std::abs(*gap) < 2e-4) continue;
-        const InvolutePair pair = testing::taken(
-            mount_involutes(gear(graph.gears()[0], t.helix[0], x[0]),
-                            gear(graph.gears()[1], t.helix[1], x[1]), {graph.place(sum).a}));
+        const ParallelPair pair = testing::taken(
+            mount_as<ParallelPair>(gear(graph.gears()[0], t.helix[0], x[0]),
+                                   gear(graph.gears()[1], t.helix[1], x[1]), {graph.place(sum).a}));
         const auto c_1 = fillet_clearance(pair, 1);
         const auto c_2 = fillet_clearance(pair, 2);
         const double least = std::min(c_1.value_or(1.0), c_2.value_or(1.0));

@@ -7,8 +7,10 @@
 #include <numbers>
 
 #include "gearwright/design/design_strength.hpp"
+#include "gearwright/design/face_width.hpp"
 #include "gearwright/design/fillet_gap.hpp"
 #include "gearwright/gear/basic.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/pair/mesh.hpp"
 
 namespace gearwright {
@@ -24,32 +26,71 @@ std::optional<double> DesignRow::max_sliding() const {
   return most;
 }
 
+double DesignRow::cut_shift(std::size_t i, const SearchProblem& problem) const {
+  return shift[i] +
+         allowance[i] / (2 * trial.module * std::tan(problem.normal_pressure_angle.rad()));
+}
+
+namespace {
+
+// Mean E_sn of the tolerance of each gear: from the series, or half of the allowance for the
+// required backlash. A tooth outside the table of the series has none; its drawing is rejected.
+std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
+                                    const std::array<double, 2>& diameters, double alpha_n) {
+  if (wanted.backlash) {
+    // [T9.13]: j_bn = −(E_sn1 + E_sn2) cos α_n and what nominal teeth have.
+    const double j_n = ((*wanted.backlash)[0] + (*wanted.backlash)[1]) / 2;
+    const double j_bn = j_n * std::cos(nominal.rack.normal_pressure_angle);
+    const double each = -(j_bn - nominal.backlash.normal_base) / std::cos(alpha_n) / 2;
+    return {each, each};
+  }
+  std::array<double, 2> mean{};
+  for (const std::size_t i : {0, 1})
+    if (const auto ends = thickness_allowances(wanted.series, diameters[i]))
+      mean[i] = ((*ends)[0] + (*ends)[1]) / 2;
+  return mean;
+}
+
+}  // namespace
+
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   const SearchProblem& problem = graph.problem();
   const Trial& t = graph.trial();
   const double m = t.module;
+  const double alpha_n = problem.normal_pressure_angle.rad();
   const double sum = shifts[0] + shifts[1];
   const SumPlace at = graph.place(sum);
-
-  MeshInput<double> in;
-  const std::array<int, 2> teeth{t.z1, t.z2};
-  for (std::size_t i : {0, 1}) {
-    const auto reference = reference_geometry(
-        ReferenceInput<double>{teeth[i], m, problem.normal_pressure_angle.rad(), t.helix[i].rad(),
-                               shifts[static_cast<int>(i)], 0.0});
-    in.gears[i] = base_gear(teeth[i], reference);
-    const TrialGear& g = graph.gears()[i];
-    in.tip_form_radius[i] =
-        m * std::abs(leaf::tip_radius(g.r, g.addendum, shifts[static_cast<int>(i)], at.k));
-    in.face_width[i] = problem.face_width_of(m);
-  }
-  in.center_distance = m * std::abs(at.a);
-  if (problem.shaft_angle) in.shaft_angle = problem.shaft_angle->rad();
-  const Mesh<double> mesh = mesh_of(in);
 
   DesignRow row;
   row.trial = t;
   row.shift = {shifts[0], shifts[1]};
+  row.face_width = first_face_width(graph);
+  MeshInput<double> in;
+  const std::array<int, 2> teeth{t.z1, t.z2};
+  std::array<double, 2> diameters{};
+  for (std::size_t i : {0, 1}) {
+    const TrialGear& g = graph.gears()[i];
+    in.tip_form_radius[i] = m * std::abs(leaf::tip_radius(g.r, g.addendum, row.shift[i], at.k));
+    in.face_width[i] = row.face_width;
+  }
+  in.center_distance = m * std::abs(at.a);
+  if (problem.shaft_angle) in.shaft_angle = problem.shaft_angle->rad();
+  const auto mesh_of_teeth = [&] {
+    for (std::size_t i : {0, 1}) {
+      const auto reference = reference_geometry(ReferenceInput<double>{
+          teeth[i], m, alpha_n, t.helix[i].rad(), row.shift[i], row.allowance[i]});
+      diameters[i] = reference.reference_diameter;
+      in.gears[i] = base_gear(teeth[i], reference);
+    }
+    return mesh_of(in);
+  };
+  Mesh<double> mesh = mesh_of_teeth();
+  if (problem.allowances.thin_teeth()) {
+    row.allowance = allowances_of(problem.allowances, mesh, diameters, alpha_n);
+    mesh = mesh_of_teeth();
+  }
+  const std::array<double, 2> cut{row.cut_shift(0, problem), row.cut_shift(1, problem)};
+
   row.center_distance = in.center_distance;
   row.working_angle = Angle::radians(problem.crossed() ? mesh.rack.normal_pressure_angle
                                                        : mesh.rack.sides[0].transverse_angle);
@@ -57,10 +98,10 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   row.contact_ratio = mesh.path_ratio;
   const auto flank_start = [&](std::size_t i) {
     const TrialGear& g = graph.gears()[i];
-    return m * leaf::flank_start(std::abs(g.r), g.sin_transverse, g.edge_depth,
-                                 shifts[static_cast<int>(i)]);
+    return m * leaf::flank_start(std::abs(g.r), g.sin_transverse, g.edge_depth, cut[i]);
   };
-  // Clipped to the usable flanks; crossed: not to the faces, which a search does not choose.
+  // The path is clipped to the usable flanks. On crossed axes it is not clipped to the faces, which
+  // a search does not choose.
   const double from = leaf::usable_begin(mesh.rho1_A, flank_start(0));
   const double end = leaf::rho_1_where(mesh.base_tangent_distance, 1.0,
                                        std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio);
@@ -73,8 +114,12 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = graph.gears()[i];
     const TrialGear& mate = graph.gears()[1 - i];
-    row.tip_thickness[i] = m * tip_thickness(g, shifts[static_cast<int>(i)], at.k);
-    row.tip_clearance[i] = m * leaf::tip_clearance_of(mate.dedendum, g.addendum, lost, at.k);
+    // Thinner teeth are cut deeper, while the tip stays the same.
+    const double deeper = row.shift[i] - cut[i];
+    const double mate_deeper = row.shift[1 - i] - cut[1 - i];
+    row.tip_thickness[i] = m * tip_thickness(g, cut[i], at.k + deeper);
+    row.tip_clearance[i] =
+        m * (leaf::tip_clearance_of(mate.dedendum, g.addendum, lost, at.k) + mate_deeper);
   }
   const auto zeta_A = specific_sliding(in, mesh, mesh.rho1_A);
   const auto zeta_E = specific_sliding(in, mesh, mesh.rho1_E);
@@ -84,9 +129,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = graph.gears()[i];
     if (g.teeth < 0) continue;
-    const double start =
-        m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, shifts[static_cast<int>(i)]);
-    // Along the line of action, which on crossed axes rises by the base helix.
+    const double start = m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, cut[i]);
+    // The weight along the line of action, which on crossed axes rises by the base helix.
     const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
     row.form_clearance[i] = weight * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
@@ -112,14 +156,17 @@ DesignRow row_of_region(const ShiftGraph& graph, const ShiftRegion& region, cons
 
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 chosen = chosen_point(graph, region);
+  std::optional<DesignRow> found;
   if (!fillet_is_cut(graph, chosen)) {
-    DesignRow row = row_of_region(graph, region, chosen);
-    row.balanced = region.off_walls || region.balanced;
-    return row;
+    found = row_of_region(graph, region, chosen);
+    found->balanced = region.off_walls || region.balanced;
+    if (found->runs) return found;
   }
+  // If the drawing of a design is rejected, the middle of the region may still pass.
   const Vec2 middle = middle_point(graph, region);
-  if (fillet_is_cut(graph, middle)) return std::nullopt;
-  return row_of_region(graph, region, middle);
+  if (fillet_is_cut(graph, middle)) return found;
+  const DesignRow row = row_of_region(graph, region, middle);
+  return found && !row.runs ? found : row;
 }
 
 std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail) {
@@ -128,10 +175,12 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
     if (const auto place = point_off_walls(graph)) {
       DesignRow row = rated(graph, row_at(graph, *place));
       row.balanced = true;
-      return row;
+      if (row.runs) return row;
     }
   }
-  const auto region = shift_region(graph, detail, point ? OffWalls::none : OffWalls::sought);
+  // With drawings, such a point may exist although its drawing is rejected.
+  const bool none = point && !graph.problem().draw;
+  const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
 }
 
@@ -139,7 +188,7 @@ bool has_design(const ShiftGraph& graph) {
   // Most trials have no region, which is found sooner than that no point is feasible.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
-  if (!problem.limits.clear_fillets && !problem.rating) return true;
+  if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;
   const auto row = design_row(graph, RegionDetail::point);
   return row && !short_of(problem, *row);
 }
@@ -173,7 +222,7 @@ namespace {
 // Costs that differ by less are equal: the same design in another module rounds differently.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
-  constexpr double kTooLarge = 1e4;  // from there on a step of kSame is less than rounding
+  constexpr double kTooLarge = 1e4;  // from this value on, a step of kSame is less than rounding
   return std::abs(cost) < kTooLarge ? std::round(cost / kSame) * kSame : cost;
 }
 

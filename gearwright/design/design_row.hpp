@@ -20,6 +20,8 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
+  std::array<double, 2> allowance{};      ///< E_sn, the mean of its tolerance
+  double face_width = 0.0;                ///< b, of both gears
   bool balanced = false;                  ///< true: on the line of Eq. 11; false: chosen_point()
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt, crossed: α_n
@@ -40,12 +42,16 @@ struct DesignRow {
   /// S_H, S_F of each gear; none if not requested, or if the standard has no form factor for its
   /// root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
+  bool runs = true;  ///< false: the verdict over the drawing has a finding above green
+  std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest, as drawn
   /// True if the following values of the region are computed.
   bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
   Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};
 
+  /// x_E of gear i: the shift with which its flanks and root are cut.
+  double cut_shift(std::size_t i, const SearchProblem& problem) const;
   /// Greatest |ζ|; none where a flank reaches a base tangent point.
   std::optional<double> max_sliding() const;
 };
@@ -54,11 +60,11 @@ struct DesignRow {
 /// omits the values of the region, which cost a hundred times as much as the rest.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
-/// The same of a region that is known.
+/// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// There is one: a region, and where designs that interfere are excluded a point of it for a design
-/// whose tips keep clear of the fillets.
+/// True if there is a design: a region and, if interference is excluded, a point of it at which the
+/// tips keep clear of the fillets.
 bool has_design(const ShiftGraph& graph);
 
 /// The numbers at any point of the graph.   Domain: a working angle exists there (contract)
@@ -79,11 +85,12 @@ struct RankKey {
 };
 RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row);
 
-/// A comes before B in that order.
+/// True if a comes before b in that order.
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 
-/// A is at least as good in every objective and better in one. Rows without a cost never dominate.
+/// True if a is at least as good in every objective and better in one. Rows without a cost never
+/// dominate.
 bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b);
 
 /// The rows that no other row dominates, kept as rows arrive in any order.

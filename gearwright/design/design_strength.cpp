@@ -5,10 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/design/face_width.hpp"
 #include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
-#include "gearwright/rating/rating.hpp"
+#include "gearwright/rating/sizing.hpp"
 
 namespace gearwright {
 
@@ -22,7 +23,7 @@ double tip_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t i
 
 double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
-  return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.shift[i]);
+  return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
 // The flanks of gear i, cut by its rack, are straight where the mating tip begins to touch them.
@@ -32,14 +33,15 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   if (!clearance || *clearance < 0.0) return false;
   const double undercut = leaf::undercut_limit<double>(g.flank_depth, g.teeth, g.sin_transverse,
                                                        std::cos(graph.trial().helix[i].rad()));
-  return row.shift[i] >= undercut && row.tip_thickness[i] >= 0.0;
+  return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
 // The cutter of an internal gear as wheel, if the tip of the pinion is clear of the fillet that it
 // cuts.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
-  if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0) return std::nullopt;
+  if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
+    return std::nullopt;
   const auto cut = rating->ring_cuts->of(graph.problem(), row.trial, row.shift[1]);
   if (!cut) return std::nullopt;
   const auto& [pinion, wheel] = graph.gears();
@@ -60,17 +62,17 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
   r.alpha_n = problem.normal_pressure_angle.rad();
   r.beta = std::abs(t.helix[0].rad());
   r.center_distance = row.center_distance;
-  r.face_width = problem.face_width_of(m);
+  r.face_width = row.face_width;
   const std::array<int, 2> teeth{t.z1, t.z2};
   double sum = 0.0;
   for (const std::size_t i : {0, 1}) {
-    const auto reference = reference_geometry(
-        ReferenceInput<double>{teeth[i], m, r.alpha_n, t.helix[i].rad(), row.shift[i], 0.0});
+    const auto reference = reference_geometry(ReferenceInput<double>{
+        teeth[i], m, r.alpha_n, t.helix[i].rad(), row.shift[i], row.allowance[i]});
     if (i == 0) {
       r.alpha_t = reference.transverse_pressure_angle;
       r.beta_b = std::abs(reference.base_helix_angle);
     }
-    const double side = teeth[i] < 0 ? -1.0 : 1.0;
+    const double side = side_of(teeth[i]);
     sum += side * reference.base_diameter / 2;
     const StraightRack rack = rack_of(problem, t, i);
     RatedGear& g = r.gears[i];
@@ -110,7 +112,8 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
     spec.normal_pressure_angle = problem.normal_pressure_angle;
     spec.helix_angle = t.helix[i];
     spec.profile_shift = row.shift[i];
-    spec.face_width = problem.face_width_of(t.module);
+    spec.thickness_allowance = row.allowance[i];
+    spec.face_width = row.face_width;
     if (row.tip_alteration != 0.0) spec.tip_diameter = tip_diameter(graph, row, i);
     spec.rack = rack_of(problem, t, i);
     auto gear = make_gear(spec);
@@ -119,8 +122,8 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
     if (!gears[i]->internal()) continue;
     if (auto cut = cut_by_default(*gears[i])) gears[i] = std::move(cut);
   }
-  const auto pair = mount_involutes(*std::move(gears[0]), *std::move(gears[1]),
-                                    PairSpec{.center_distance = row.center_distance});
+  const auto pair = mount(*std::move(gears[0]), *std::move(gears[1]),
+                          PairSpec{.center_distance = row.center_distance});
   if (!pair) return pair.error();
   return rated_pair(*pair);
 }
@@ -137,39 +140,97 @@ Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row) 
   return straight ? pair_on_straight_flanks(graph, row, cut) : mounted_design(graph, row);
 }
 
-DesignRow rated(const ShiftGraph& graph, DesignRow row) {
-  const auto& asked = graph.problem().rating;
-  if (!asked) return row;
-  const auto pair = pair_of_design(graph, row);
-  if (!pair) return row;
+namespace {
+
+void set_face_width(const ShiftGraph& graph, DesignRow& row, double width) {
+  row.overlap_ratio *= width / row.face_width;
+  row.face_width = width;
+  row.mass = mass_of(graph, row);
+}
+
+// The safeties at the row's face width.
+void rate_row(const SearchRating& asked, const RatedPair& pair, DesignRow& row) {
+  const RatedPair wide = with_face_width(pair, row.face_width);
   std::optional<RatingInput> on_web;
-  if (asked->web) {
-    on_web = asked->input;
-    on_web->body = rated_body(*pair, *asked->web, *asked->rim);
+  if (asked.web) {
+    on_web = asked.input;
+    on_web->body = rated_body(wide, *asked.web, *asked.rim);
   }
-  const auto rating = rate(*pair, on_web ? *on_web : asked->input);
-  if (!rating) return row;
+  const auto rating = rate(wide, on_web ? *on_web : asked.input);
   // Far outside the standard's limits a factor may have no value.
   const auto number = [](const Factor& f) {
     return std::isfinite(f.value) ? std::optional(f.value) : std::nullopt;
   };
   for (const std::size_t i : {0, 1}) {
-    row.flank_safety[i] = number(rating->S_H[i]);
-    row.root_safety[i] = number(rating->S_F[i]);
+    row.flank_safety[i] = rating ? number(rating->S_H[i]) : std::nullopt;
+    row.root_safety[i] = rating ? number(rating->S_F[i]) : std::nullopt;
+  }
+}
+
+// The least ratio of a safety to its limit; none if a safety has no number.
+std::optional<double> required_share(const SearchLimits& limits, const DesignRow& row) {
+  double share = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : {0, 1}) {
+    if (!row.flank_safety[i] || !row.root_safety[i]) return std::nullopt;
+    if (limits.safety_flank) share = std::min(share, *row.flank_safety[i] / *limits.safety_flank);
+    if (limits.safety_root) share = std::min(share, *row.root_safety[i] / *limits.safety_root);
+  }
+  return share;
+}
+
+// The least width of the band at which the design meets its limits; otherwise the greatest.
+// Safeties grow with at most the fourth power of the width (rating/sizing.cpp), so widths that are
+// certainly insufficient are skipped.
+void size_face(const ShiftGraph& graph, const RatedPair& pair, DesignRow& row) {
+  constexpr double kPower = 4.0;
+  const SearchProblem& problem = graph.problem();
+  rate_row(*problem.rating, pair, row);
+  while (problem.sizes_faces() && short_of(problem, row)) {
+    const auto share = required_share(problem.limits, row);
+    const double width = share ? row.face_width * std::pow(*share, -1 / kPower) : row.face_width;
+    const auto next = next_face_width(problem, row.trial, row.face_width, width);
+    const double most = face_widths(problem, row.trial)[1];
+    if (!next && row.face_width >= most) return;
+    set_face_width(graph, row, next.value_or(most));
+    rate_row(*problem.rating, pair, row);
+  }
+}
+
+}  // namespace
+
+DesignRow rated(const ShiftGraph& graph, DesignRow row) {
+  const SearchProblem& problem = graph.problem();
+  std::optional<RatedPair> pair;
+  if (problem.rating) {
+    auto made = pair_of_design(graph, row);
+    if (!made) return row;
+    pair = std::move(made).take();
+    size_face(graph, *pair, row);
+  }
+  while (problem.draw && !short_of(problem, row)) {
+    const DrawnDesign drawn = problem.draw(problem, row);
+    row.runs = drawn.runs;
+    if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
+    const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
+    if (drawn.runs || !drawn.wider_helps || !pair || !wider) break;
+    // The thinnest teeth have the least safety.
+    set_face_width(graph, row, *wider);
+    size_face(graph, *pair, row);
+    row.runs = true;
   }
   return row;
 }
 
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row) {
-  if (!problem.rating) return std::nullopt;
   // A missing number proves nothing, so the comparison is "not less".
-  const auto holds = [](const auto& safeties, const std::optional<double>& least) {
-    return !least || std::all_of(safeties.begin(), safeties.end(),
-                                 [&](const auto& s) { return s && *s >= *least; });
+  const auto holds = [&](const auto& safeties, const std::optional<double>& least) {
+    return !problem.rating || !least ||
+           std::all_of(safeties.begin(), safeties.end(),
+                       [&](const auto& s) { return s && *s >= *least; });
   };
   if (!holds(row.flank_safety, problem.limits.safety_flank)) return Limit::safety_flank;
   if (!holds(row.root_safety, problem.limits.safety_root)) return Limit::safety_root;
-  return std::nullopt;
+  return row.runs ? std::nullopt : std::optional(Limit::verdict);
 }
 
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row) {
@@ -184,14 +245,13 @@ std::optional<double> least_safety(const SearchProblem& problem, const DesignRow
 
 double mass_of(const ShiftGraph& graph, const DesignRow& row) {
   const double m = row.trial.module;
-  const double face = graph.problem().face_width_of(m);
   double mass = 0.0;
   for (const std::size_t i : {0, 1}) {
     const double d_f = root_diameter(graph, row, i);
     const double d_m = (tip_diameter(graph, row, i) + d_f) / 2;
     const double outside = d_f + 5 * m;
     const double area = graph.gears()[i].teeth > 0 ? d_m * d_m : outside * outside - d_m * d_m;
-    mass += graph.problem().density[i] * face * std::numbers::pi / 4 * area;
+    mass += graph.problem().density[i] * row.face_width * std::numbers::pi / 4 * area;
   }
   return mass;
 }

@@ -3,10 +3,10 @@
 //
 //   S_H, S_F   safeties of flank and root of each gear, at the design's own shifts
 //
-// The rating room takes numbers of a mounted pair. A design whose path of contact lies on flanks
-// that the rack cut straight has them all in closed form, with an internal gear those that its cutter
-// leaves (design/ring_cuts.hpp); of others (undercut ones, tips that pass the start of a flank) the
-// gears are cut and mounted, at a hundred times the cost.
+// The rating needs numbers of a mounted pair. If the path of contact of a design lies on flanks
+// that the rack cut straight, they all have a closed form (for an internal gear with the data of
+// its cutter, design/ring_cuts.hpp). For other designs (undercut, or with tips that pass the start
+// of a flank) the gears are cut and mounted, at a hundred times the cost.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 #pragma once
 
@@ -16,18 +16,20 @@
 
 namespace gearwright {
 
-/// The pair of a design as the rating takes it.
+/// The pair of a design for the rating.
 ///
-/// Errors    as make_gear, mount_involutes, rated_pair
+/// Errors    as make_gear, mount, rated_pair
 /// Accuracy  both ways agree to 1e-12 (design/design_strength_test.cpp)
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
-/// The same by gears that are cut and mounted.
+/// The same from gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 
-/// The row with the safety factors that the problem requires.
+/// The row with the required safety factors, at the least face width of its band that reaches them
+/// (the greatest if none does), and with the verdict over its drawing if drawings are checked.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 
-/// The limit of safety that the row falls short of, or has no number for; none: it holds.
+/// The limit that the row violates: a safety that is too low or has no number, or the verdict;
+/// none: it meets all.
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row);
 
 /// The least of S_H/S_Hmin, S_F/S_Fmin of both gears, 1 for a default limit; none if the row has no

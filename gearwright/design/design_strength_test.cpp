@@ -217,7 +217,7 @@ TEST(DesignStrength, MassOfFullCylinders) {
   p.ratio = {2.0, 2.0};
   p.modules = {3.0};
   p.helix = {Angle()};
-  p.face_width = 30.0;
+  p.face_width = {{30.0, 30.0}};
   const auto rows = found(p);
   ASSERT_EQ(rows.size(), 1u);
   // h_a 1, h_f 1.25: the mean diameter is d − 0.25 m + 2 m x.

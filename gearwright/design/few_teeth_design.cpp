@@ -20,16 +20,16 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees
-constexpr double kMinTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
+constexpr double kMinTipFillet = 0.1;  // modules: r_t of a cutter that does not overheat
 
 constexpr double kSameRatio = 0.02;
 // Sums of shifts on one diagonal of the grid of 0.001, modules.
 constexpr double kSameSum = 1e-6;
 // Helix angles are rounded to this fraction of a degree, as on drawings.
 constexpr double kHelixSteps = 1e9;
-// Relative, beyond the base circles: on them nothing meshes.
+// Relative distance beyond the base circles, on which gears do not mesh.
 constexpr double kOffBase = 1e-9;
-// Relative: one radius got in two ways.
+// Relative difference of one radius computed in two ways.
 constexpr double kSameRadius = 1e-9;
 
 // The ranking of feasible candidates: the contact ratio in steps, then the sum of the shifts. The
@@ -82,7 +82,7 @@ double gap_of(const Gear& gear) {
 
 class Search {
  public:
-  explicit Search(const FewTeethProblem& p) : p_(p), side_(p.teeth[1] > 0 ? 1.0 : -1.0) {}
+  explicit Search(const FewTeethProblem& p) : p_(p), side_(side_of(p.teeth[1])) {}
 
   Verdict best;
   int tried = 0;
@@ -100,13 +100,13 @@ class Search {
   }
 
  private:
-  // All points of a grid about (x1, x2).
+  // Adds all points of a grid about (x1, x2).
   void scan(double reach1, double reach2, double step, double x1, double x2) {
     const int n1 = static_cast<int>(std::lround(reach1 / step));
     const int n2 = static_cast<int>(std::lround(reach2 / step));
     std::vector<Candidate> all;
     for (int i = -n1; i <= n1; ++i) {
-      // Numbers that a drawing can carry.
+      // Numbers with the decimals of a drawing.
       for (int k = -n2; k <= n2; ++k)
         all.push_back({p_.pinion_shift.value_or(std::round((x1 + i * step) * 1000) / 1000),
                        std::round((x2 + k * step) * 1000) / 1000,
@@ -115,7 +115,7 @@ class Search {
     }
     tried += static_cast<int>(all.size());
     begin_stage(p_.progress, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
-    // Each by itself: the answer does not depend on the number of threads.
+    // Each candidate is independent, so the result does not depend on the number of threads.
     parallel_for(all.size(), [&](std::size_t i) {
       Candidate& c = all[i];
       const auto cut = cut_gears(c.x1, c.x2, c.verdict);
@@ -138,7 +138,8 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->rank->is_better_than(*b->rank);
     });
-    // One, then two together, four, …: the first that passes is mostly among the first.
+    // Mounts one candidate, then two together, four, and so on, because the first that passes is
+    // usually among the first.
     begin_stage(p_.progress, "pairs mounted", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
@@ -191,7 +192,7 @@ class Search {
     return c;
   }
 
-  // β and E of the shifts; with both given, x2 of E is not free.
+  // β and E for given shifts. If both are given, x2 follows from E.
   struct Place {
     CylindricalSpec cutter;
     Gear gear;
@@ -225,7 +226,8 @@ class Search {
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
                : std::numeric_limits<double>::quiet_NaN();
     };
-    // Degree by degree: where the shifts leave no distance at all the miss is no number.
+    // The search proceeds degree by degree, because the difference is undefined where the shifts
+    // have no distance.
     double before = 0.0;
     for (int degree = 1; degree <= kSteepestHelix; ++degree) {
       const double beta = Angle::degrees(degree).rad();
@@ -235,7 +237,7 @@ class Search {
     return std::nullopt;
   }
 
-  // With helix and distance given the shift of the wheel follows: E + j/(2 tan α_wt) = a.
+  // If helix and distance are given, the shift of the wheel follows: E + j/(2 tan α_wt) = a.
   std::optional<double> distance_within(const Gear& cutter) const {
     const double r =
         cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
@@ -245,7 +247,7 @@ class Search {
       return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
     };
     const double lo = r * (1 + kOffBase);
-    // Away from the base circles the play's share of the distance is small.
+    // Away from the base circles, the backlash contributes little to the distance.
     const double hi = side_ > 0.0 ? a : 2 * a;
     if (!(lo < hi)) return std::nullopt;
     const double from = side_ > 0.0 ? std::max(lo, a - 0.5 * (a - r)) : a;
@@ -253,7 +255,7 @@ class Search {
     return find_root(miss, from, hi).x;
   }
 
-  // The gears of a candidate, or none and why in `verdict`.
+  // The gears of a candidate; none with the reason in `verdict`.
   std::optional<Cut> cut_gears(double x1, double x2, Verdict& verdict) const {
     auto made = candidate(x1, x2);
     if (auto* cut = std::get_if<Cut>(&made)) return std::move(*cut);
@@ -329,7 +331,7 @@ class Search {
   }
 
   Verdict mounted(Cut cut) const {
-    auto pair = mount_involutes(std::move(cut.gear_1), std::move(cut.gear_2), {cut.mounted});
+    auto pair = mount_as<ParallelPair>(std::move(cut.gear_1), std::move(cut.gear_2), {cut.mounted});
     if (!pair) return stopped(11, pair.error().quoted());
     if (!pair->interference.empty())
       return stopped(12, "interference: " + pair->interference.front().message);
@@ -339,7 +341,7 @@ class Search {
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
-  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, InvolutePair pair,
+  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, ParallelPair pair,
                double distance, double mounted) const {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);
@@ -368,8 +370,8 @@ class Search {
     return {15, 0.0, "", std::move(design)};
   }
 
-  // The flank of the wheel ought to reach the conjugate of C; where the pinion's hollow root cuts a
-  // cusp it ends before.
+  // The flank of the wheel should reach the conjugate of C. If the pinion's concave root cuts a
+  // cusp, the flank ends before it.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
     const auto& involute = curve_as<Involute>(*flank.curve);

@@ -37,22 +37,22 @@ struct FewTeethProblem {
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential
   double contact_ratio = 1.2;             ///< total, which the face width is made for
-  std::optional<double> face_width;       ///< of both; absent: as the contact ratio needs
-  Progress* progress = nullptr;           ///< told how far it is
+  std::optional<double> face_width;       ///< of both; absent: as the contact ratio requires
+  Progress* progress = nullptr;           ///< reports the progress
 };
 
 struct FewTeethDesign {
-  FewTeethDesign() = default;  ///< empty, and no aggregate: design_few_teeth() makes it
+  FewTeethDesign() = default;  ///< empty, and not an aggregate; design_few_teeth() makes it
   CylindricalSpec pinion, cutter;
   double wheel_tip_diameter, wheel_shift;
   double generating_distance, center_distance;
   double face_width;
-  InvolutePair pair;
+  ParallelPair pair;
 };
 
 struct FewTeethAnswer {
   std::optional<FewTeethDesign> design;
-  std::string limit;   ///< without a design: what stood in the way of the candidate that got
+  std::string limit;   ///< without a design: the condition that rejected the candidate that got
                        ///< furthest
   int candidates = 0;  ///< tried
 };

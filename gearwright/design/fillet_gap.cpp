@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// The mating gear as one gear sees it.
+// The mating gear in the frame of one gear.
 struct Corner {
   double a;      // centre distance
   double u;      // tip radius
@@ -42,7 +42,7 @@ class Fillet {
     const double cosine = std::cos(tau);
     const double X = (across_ + radius_ * sine) / cos_beta_;
     const double Y = -down_ - radius_ * cosine;
-    // It is cut when its normal passes the pitch point.
+    // The point is cut when its normal passes through the pitch point.
     const double roll = X + Y * sine / cosine * cos_beta_;
     const double to = r_ + Y;
     const double side = X - roll;
@@ -77,15 +77,15 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // A hollow between nodes is no deeper below the least one than its neighbours stand above it, and
+  // A minimum between nodes is no deeper below the least node than the neighbours are above it, and
   // half as deep beside the flank, where the gap leaves the contact.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
-  // One hollow between neighbours of the least node: golden section to a thousandth of a step, where
-  // the gap is flat to a millionth of it.
+  // There is one minimum between the neighbours of the least node. Golden section finds it to a
+  // thousandth of a step, where the gap is constant to a millionth of the step.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
   double hi = node(std::min(best + 1, kNodes));

@@ -3,11 +3,11 @@
 //
 //   fillet   the trochoid that the tip rounding of the rack cuts, point by point in closed form
 //   corner   of the mating tip, on its circle about the other axis; where it passes a radius, its
-//            angle in the gear is a triangle and the ratio of the teeth
-//   gap      the least of (angle of the fillet − angle of the corner)·radius over the fillet: along
-//            the circle, so its sign is that of the distance and it is no less. Beside the start of
-//            the flank it is small of itself, for there the corner has just left the flank: that it
-//            is not negative is all that is asked, and the form clearance is the margin.
+//            angle in the gear follows from a triangle and the ratio of the teeth
+//   gap      the least of (angle of the fillet − angle of the corner)·radius over the fillet:
+//            measured along the circle, so it has the sign of the distance and is no less than it.
+//            Near the start of the flank it is small, because the corner has just left the flank
+//            there. Only its sign is checked, and the form clearance is the margin.
 //                                              theory: docs/theory/09-design-search.md, 9.3
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace gearwright {
 
-/// The lesser gap of both gears at a point, modules; negative: a corner cuts into a fillet. None:
-/// internal and crossed pairs, and corners that do not come so deep.
+/// The lesser gap of both gears at a point, modules; negative: a corner cuts into a fillet. None
+/// for internal and crossed pairs, and for corners that do not reach the fillet.
 ///
 /// Domain    a working angle exists, no gear is undercut
 std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts);

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// Relative: a centre distance written with ten digits is the one that was computed.
+// Relative tolerance: a centre distance with ten digits counts as the computed one.
 constexpr double kSameDistance = 1e-9;
 
 std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
@@ -49,7 +49,7 @@ Error one_condition_too_many() {
           "overdetermines the pair; leave out this value or another one"};
 }
 
-// Known gears on parallel axes: one place is free of backlash.
+// Known gears on parallel axes: there is one backlash-free centre distance.
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
   Fit result;
@@ -102,7 +102,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
   return result;
 }
 
-// Helices, shifts and rack are known: where do they go?
+// Helices, shifts and rack are known: computes the positions.
 Result<Fit> place_of_gears(const FitProblem& p) {
   const std::array<double, 2> shift{*p.shift[0], *p.shift[1]};
   const BasePair<double> gears = base_gears(p);
@@ -117,7 +117,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
       if (has_rack(gear, alpha_n)) continue;
       return refused("fit.working_normal_pressure_angle", Angle::radians(alpha_n).deg(),
                      {90 - std::abs(Angle::radians(gear.helix_angle).deg())},
-                     "must be less than {}°, 90° less the base helix angle");
+                     "must be less than {}°, 90° minus the base helix angle");
     }
     const int g = limiting_gear(gears);
     const double alpha = std::asin(std::sin(alpha_n) / std::cos(gears[g].helix_angle));
@@ -156,7 +156,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
       {}};
 }
 
-// Helices and place are known: the sum of the shifts follows.
+// Helices and position are known: computes the sum of the shifts.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
     return absent_input("pair.center_distance",

@@ -5,9 +5,10 @@
 //   T = 2 a cos α_wn/(m_n cos α_n)
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
-// Known gears have places; a known place has gears. Designs with a free helix angle are those at
-// their minimum centre distance, where pitch planes meet (X = 0) and an error of Σ costs nothing in
-// the first order; on parallel axes every backlash-free pair is one.
+// For known gears, their positions are computed, and for a known position the gears. Designs with a
+// free helix angle are those at their minimum centre distance, where the pitch planes coincide (X =
+// 0) and an error of Σ has no effect of first order. On parallel axes every backlash-free pair is
+// such a design.
 #pragma once
 
 #include <array>
@@ -35,7 +36,7 @@ struct FitProblem {
   std::optional<std::array<CylindricalSpec, 2>> known;
 };
 
-/// One answer: a pair without backlash.
+/// One solution: a pair without backlash.
 struct FitBranch {
   std::array<Angle, 2> helix;
   std::array<double, 2> shift;
@@ -45,7 +46,7 @@ struct FitBranch {
 
 struct Fit {
   std::vector<FitBranch> branches;           ///< by growing |β_1|, of known gears by growing α_wn
-  std::string reason;                        ///< why there is none
+  std::string reason;                        ///< the reason if there is no solution
   std::optional<double> nearest_distance;    ///< mm, at the given shaft angle
   std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
 };

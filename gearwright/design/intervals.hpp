@@ -1,12 +1,12 @@
 // The closed intervals in which a continuous function of one variable is not negative, with solved
 // ends.
 //
-// Signs are seen at nodes; between two nodes of different sign one root is solved by bracketing,
-// and every node that stands higher than its neighbours without reaching zero is climbed by golden
-// section first, so that a narrow interval between nodes is found too. Exact, to rounding, for
-// functions whose superlevel sets are intervals (quasiconcave), as those of the s1–s2 graph are
-// where docs/theory/09-design-search.md proves it; of others, humps narrower than a node's step
-// beside a higher one may be missed.
+// Signs are evaluated at nodes. Between two nodes of different sign one root is solved by
+// bracketing. From every node that is higher than its neighbours but below zero, golden section
+// climbs to the maximum first, so that a narrow interval between nodes is also found. Exact, to
+// rounding, for functions whose superlevel sets are intervals (quasiconcave), as those of the s1–s2
+// graph are where docs/theory/09-design-search.md proves it; of others, humps narrower than a
+// node's step beside a higher one may be missed.
 #pragma once
 
 #include <algorithm>
@@ -40,13 +40,14 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
 struct Hump {
   /// f″ is nowhere greater, beside the edges that a least of several smooth functions has.
   double bend = std::numeric_limits<double>::infinity();
-  double below = -1e-9;  ///< a top that is lower than this is not looked for
+  double below = -1e-9;  ///< a maximum below this is not searched for
 };
 
 namespace detail {
 
-/// The most that f can reach between a and b, by its values at a < x < y < b (those of a and b may
-/// be unknown, −∞): beyond two of them a function that bends downwards stays under their secant.
+/// The greatest possible value of f between a and b, from its values at a < x < y < b (those of a
+/// and b may be unknown, −∞). Beyond two points, a function that bends downwards stays below their
+/// secant.
 inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
                               double b, double f_b, double bend) {
   const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };
@@ -58,8 +59,8 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
   return std::max(f_x, f_y) + std::max(outside, inside) + bend * (b - a) * (b - a);
 }
 
-/// The higher place of f between a and b, by golden section; stops as soon as f > 0, or where it
-/// cannot come above `hump.below`.
+/// A higher place of f between a and b, by golden section. The search ends as soon as f > 0, or if
+/// f cannot exceed `hump.below`.
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
@@ -94,8 +95,8 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
   return f_x > f_y ? x : y;
 }
 
-/// A node is the root itself where the chord to the next one crosses zero within rounding, as at a
-/// corner of the limits of shift: a bracket would close no nearer.
+/// A node is the root itself if the chord to the next one crosses zero within rounding, as at a
+/// corner of the limits of shift. A bracket would not be closer.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
   return away <=
@@ -145,7 +146,7 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
   }
-  // A node where f is exactly 0, as at a corner of the shift limits, is a root itself: what rises
+  // A node with f exactly 0, as at a corner of the shift limits, is a root itself. A maximum
   // between it and a negative neighbour is climbed to first.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     const double l = at[i].value;
@@ -160,7 +161,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
-    // The root's own end may lie a rounding outside; the inner end of its bracket does not.
+    // The end of the root may lie outside by a rounding error. The inner end of its bracket does
+    // not.
     const auto end = [&](const Node& outside, const Node& inside) {
       if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
       return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),

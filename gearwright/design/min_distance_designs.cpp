@@ -23,16 +23,16 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMargin = 0.1 * kRadPerDeg;     // a working helix of 90° is no gear
+constexpr double kMargin = 0.1 * kRadPerDeg;     // a working helix of 90° is not a gear
 constexpr double kSteepest = 89.0 * kRadPerDeg;  // of a gear, as on its rack
-constexpr double kParallel = 1e-9;               // rad: as the pair room has it
-constexpr int kCells = 512;  // of β_w1, when roots of a function of no known shape are looked for
+constexpr double kParallel = 1e-9;               // rad: as in the room pair
+constexpr int kCells = 512;  // of β_w1, to find roots of a function of unknown shape
 
 // H and its slope over β_w1 at one shaft angle.
 class PitchSum {
  public:
   PitchSum(const std::array<int, 2>& teeth, double sigma)
-      : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(teeth[1] > 0 ? 1.0 : -1.0), sigma_(sigma) {
+      : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(side_of(teeth[1])), sigma_(sigma) {
     // Both helices stay within ±90°.
     lo_ = -kHalfPi + std::max(0.0, side_ > 0 ? sigma_ : 0.0) + kMargin;
     hi_ = kHalfPi + std::min(0.0, side_ > 0 ? sigma_ : 0.0) - kMargin;
@@ -60,7 +60,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // The ends lie beyond: there H is steep, unless t is larger than any gear has.
+      // If the bracket contains no root, it lies beyond the ends. There H is steep, unless t is
+      // larger than that of any gear.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -77,7 +78,7 @@ double shaft_angle_of(const FitProblem& p) {
   return std::abs(p.shaft_angle->rad()) <= kParallel ? 0.0 : p.shaft_angle->rad();
 }
 
-// One design per β_w1: nothing where the rack has no such helix.
+// One design per β_w1; none if the rack has no such helix.
 class Designs {
  public:
   explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, shaft_angle_of(p)) {}
@@ -117,7 +118,7 @@ class Designs {
 };
 
 // Roots of f over [lo, hi] where it is defined: every change of sign between neighbours of a grid,
-// and the touching pairs that an extremum between them hides.
+// and pairs of roots near an extremum between them.
 std::vector<double> roots(const std::function<std::optional<double>(double)>& f, double lo,
                           double hi) {
   std::vector<double> found;
@@ -172,7 +173,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
   if (p.teeth[1] < 0) return;
-  // The least sum of pitch diameters grows with |Σ| from z1 + z2 on.
+  // The least sum of pitch diameters is z1 + z2 and grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason += fmt::format(
         "; at this centre distance there is none at any shaft angle, not even on parallel axes, "
@@ -247,7 +248,7 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
         fmt::format("no pair with `{}` = {} has its minimum centre distance there",
                     gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
-    // x1 + x2 = 0 at the minimum centre distance: the working angle is the rack's own.
+    // x1 + x2 = 0 at the minimum centre distance, so the working angle is that of the rack.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
     const double cos_wn = std::cos(alpha.rad());
     const std::optional<double> sum =

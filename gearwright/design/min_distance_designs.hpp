@@ -12,7 +12,7 @@ namespace gearwright {
 /// The designs that meet the one condition given: α_wn, a helix angle, or x1 + x2 (absent: 0).
 ///
 /// Domain    a and Σ given, a helix angle absent (contract)
-/// Errors    conditions that exclude each other, named
+/// Errors    conditions that exclude each other, with their names
 Result<Fit> min_distance_designs(const FitProblem& problem);
 
 }  // namespace gearwright

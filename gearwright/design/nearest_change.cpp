@@ -22,11 +22,11 @@ std::string shown(const std::array<double, 2>& b) {
   return b[0] == b[1] ? shown(b[0]) : fmt::format("[{:.10g}, {:.10g}]", b[0], b[1]);
 }
 
-// More trials than this are not sifted for one knob.
+// More trials than this are not filtered for one knob.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// For the last resort: designs that do not run.
+// Effort of the last resort: designs that do not run.
 constexpr double kNotToRun = 100.0;
-// The change is printed with four digits of itself: this much of the value is beyond all of them.
+// The change is printed with four digits, and this relative accuracy is beyond all of them.
 constexpr double kEnough = 1e-9;
 
 // The least change of one limit, and the number of trials to find it.
@@ -43,7 +43,7 @@ class Least {
     if (!to || knob_->kind == Knob::Kind::teeth) return to;
     const double move = *to - knob_->value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-    constexpr double kWhole = 1e-6;  // of a step: a move of whole steps is not one step more
+    constexpr double kWhole = 1e-6;  // relative to a step: a move of whole steps is not rounded up
     const double rounded =
         knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
     const double tidy = std::stod(shown(rounded));
@@ -54,7 +54,7 @@ class Least {
   bool stopped() const { return stopped_; }
 
  private:
-  // Brings the far end near enough for its trials to be counted.
+  // Moves the far end so near that its trials can be counted.
   bool reach() {
     far_ = knob_->far;
     for (int i = 0; i < 60; ++i) {
@@ -72,7 +72,7 @@ class Least {
     }
     return false;
   }
-  // One question to one trial with the knob at a value.
+  // Evaluates one trial with the knob at a value.
   bool feasible(const Trial& t, double value) {
     ++questions_;
     knob_->set(problem_, value);
@@ -87,7 +87,8 @@ class Least {
   }
   bool lets_through(double value) {
     if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
-    // The band's end must hold the very ratio of the witness, by the rule of the space.
+    // The end of the band must include the exact ratio of the trial that was found, by the rule of
+    // the space.
     knob_->set(problem_, value);
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
@@ -113,7 +114,7 @@ class Least {
     knob_->set(problem_, far_);
     const SearchProblem at_far = problem_;
     const SearchSpace space(at_far);
-    std::mt19937_64 random(1);  // any: the same answer comes of every order
+    std::mt19937_64 random(1);  // any seed: the result does not depend on the order
     const double enough = kEnough * std::max(1.0, std::abs(knob_->value));
     std::optional<double> best;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -184,7 +185,7 @@ class Least {
   const Knob* knob_;
   const SearchWatch* watch_;
   std::int64_t max_questions_;
-  SearchProblem problem_;  // with the knob somewhere
+  SearchProblem problem_;  // with the knob at the current value
   double far_ = 0.0;
   std::optional<Trial> witness_;
   std::int64_t questions_ = 0;
@@ -217,7 +218,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const double widen = (i == 0 ? -0.5 : 0.5) * std::abs(band[i]);
     double far = band[i] + widen;
     if (!p.internal()) far = std::max(far, 1.0);
-    // An internal gear has more teeth than its pinion: no ratio from −1 up.
+    // An internal gear has more teeth than its pinion, so ratios above −1 are impossible.
     constexpr double kBeyondOne = 1e-3;
     if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
     k.push_back({"ratio", band[i], far, std::abs(band[i]), Knob::Kind::ratio,
@@ -325,7 +326,8 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   };
   if (problem.coprime)
     switched("coprime", "true", "false", 0.5, [](SearchProblem& p) { p.coprime = false; });
-  if (problem.limits.avoid_interference) {
+  // Designs that do not run are not drawn.
+  if (problem.limits.avoid_interference && !problem.draw) {
     switched("limits.avoid_interference", "true", "false", kNotToRun, [](SearchProblem& p) {
       p.limits.avoid_interference = p.limits.clear_fillets = false;
       p.limits.form_clearance = 0.0;
@@ -346,7 +348,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   std::stable_sort(
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
-  // A band has two ends under one name, and the names of two bands may alternate.
+  // A band has two ends with one name, and the names of two bands may alternate.
   std::vector<std::string> once;
   for (std::string& field : found.bounded) {
     if (std::find(once.begin(), once.end(), field) == once.end()) once.push_back(std::move(field));

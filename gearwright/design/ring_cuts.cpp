@@ -14,7 +14,7 @@ std::optional<RingCut> cut_of(const SearchProblem& problem, const Trial& trial, 
   spec.normal_pressure_angle = problem.normal_pressure_angle;
   spec.helix_angle = trial.helix[1];
   spec.profile_shift = shift;
-  spec.face_width = problem.face_modules;
+  spec.face_width = kFaceModules;  // of no effect on a tooth
   spec.rack = rack_of(problem, trial, 1);
   const auto ring = make_gear(spec);
   if (!ring) return std::nullopt;

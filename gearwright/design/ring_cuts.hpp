@@ -1,4 +1,4 @@
-// The pinion cutters of the internal gears of a search: each chosen once.
+// The pinion cutters of the internal gears of a search: each is chosen once.
 //
 // The strength of an internal gear depends on the number of teeth of its cutter, and its path of
 // contact on the radius where the fillet begins. Both need a generated tooth, which costs as much

@@ -23,7 +23,7 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// A shift or a distance that is not limited, modules: beyond any, and its square is no infinity.
+// A shift or a distance without limit, modules: greater than any value, but with a finite square.
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {
@@ -35,7 +35,7 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix
   const std::lock_guard lock(mutex_);
   const auto key = std::make_tuple(which, rack, helix);
   if (const auto found = tables_.find(key); found != tables_.end()) return found->second;
-  // Trials run through one rack and helix before the next: a few tables are enough.
+  // All trials of one rack and helix are processed before the next, so a few tables suffice.
   constexpr std::size_t kTables = 16;
   if (tables_.size() >= kTables) tables_.clear();
   const bool ring = problem_.internal();
@@ -57,7 +57,7 @@ ShiftGraph Search::graph(const Trial& trial) const {
 
 namespace {
 
-// The trials of one rack and helix on their way through the sieve.
+// The trials of one rack and helix in the filter.
 class Sieve {
  public:
   Sieve(const SearchProblem& problem, const Trial& first, const TrialGear& pinion)
@@ -168,7 +168,7 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
            ++result.rejected[static_cast<std::size_t>(verdict)];
            return true;
          }
-         // A graph may cost what a thousand verdicts do.
+         // A graph may cost as much as a thousand verdicts.
          if (wish.watch && !wish.watch(0)) return false;
          const ShiftGraph graph(problem_, t, g_1, g_2);
          const auto keep = [&](const DesignRow& row) {
@@ -191,13 +191,15 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              return true;
            }
          } else if (const auto row =
-                        design_row(graph, problem_.rating ? RegionDetail::point : wish.detail)) {
-           // The region's numbers cost more than the rest: only of designs that hold.
+                        design_row(graph, problem_.rating || problem_.draw ? RegionDetail::point
+                                                                           : wish.detail)) {
+           // The numbers of the region cost more than the rest, so they are computed for accepted
+           // designs only.
            if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If a region is left, tips cut into the fillets at each of its candidate points.
+         // If a region remains, tips cut into the fillets at each of its candidate points.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

@@ -3,8 +3,8 @@
 //
 // A range of trials is searched independently, so the search can be divided at any point among
 // threads, shards and ranks. Three limits that cost a few operations reject most trials; the filter
-// (design/candidate.hpp) does those as many at a time as the processor has lanes, and only what it
-// cannot decide for certain gets its graph.
+// (design/candidate.hpp) evaluates them for several trials at once, and a graph is computed only
+// for undecided trials.
 #pragma once
 
 #include <array>
@@ -26,14 +26,14 @@ namespace gearwright {
 struct SearchCounts {
   std::int64_t tested = 0;  ///< trials that count: all, or the coprime ones
   std::int64_t feasible = 0;
-  std::array<std::int64_t, kLimits> rejected{};         ///< by the first limit that leaves nothing
+  std::array<std::int64_t, kLimits> rejected{};  ///< by the first limit that leaves no region
   std::int64_t points_tested = 0, points_feasible = 0;  ///< of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
 };
 
-/// Trials whose verdict the sieve gave, and those that needed their graph.
+/// Numbers of trials decided by the filter, and of those that needed their graph.
 struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
@@ -44,7 +44,7 @@ using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 /// Requests for a range in addition to its designs.
 struct RangeOptions {
-  RegionDetail detail = RegionDetail::whole;  ///< of each row; rank by area needs the whole
+  RegionDetail detail = RegionDetail::whole;  ///< of each row; rank by area needs `whole`
   SieveCounts* sieve = nullptr;
   std::vector<ShiftPoint>* points = nullptr;  ///< of the grid of shifts
   SearchWatch watch{};
@@ -65,7 +65,7 @@ class Search {
   /// The row with the numbers of its region.
   DesignRow whole(const DesignRow& row) const;
 
-  /// Some trial of [from, to) is feasible; stops at the first.
+  /// True if some trial of [from, to) is feasible; stops at the first.
   bool exists(std::int64_t from, std::int64_t to) const;
 
   /// Calls f for every trial that passes the filter, until f returns false.
@@ -75,8 +75,8 @@ class Search {
   bool feasible(const Trial& trial) const { return has_design(graph(trial)); }
 
  private:
-  // Runs [from, to) through the sieve: decide(trial, verdict, gear 1, gear 2) until it returns
-  // false.
+  // Runs [from, to) through the filter: calls decide(trial, verdict, gear 1, gear 2) until it
+  // returns false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const SearchWatch& watch, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;
@@ -90,17 +90,17 @@ class Search {
 /// The result of a search. Designs are sorted best first, by the objective; with several objectives
 /// the Pareto front comes first, and both parts are sorted by the first objective.
 struct SearchAnswer {
-  SearchAnswer() = default;  ///< empty, and no aggregate: a Search makes it
+  SearchAnswer() = default;  ///< empty, and not an aggregate; a Search makes it
   SearchCounts counts;
   std::vector<DesignRow> designs;
-  std::vector<std::size_t> pareto;  ///< places in `designs` of those that none dominates
+  std::vector<std::size_t> pareto;  ///< indices in `designs` of those that no other dominates
   bool cut = false;                 ///< there are more feasible designs than `designs` holds
 };
 
-/// Keeps the best designs of any number that pass by, and the front.
+/// Keeps the best of any number of designs, and the front.
 class BestDesigns {
  public:
-  /// `most`: how many designs the answer may hold.
+  /// `most`: number of designs that the answer may contain.
   BestDesigns(const SearchProblem& problem, std::size_t most);
   void add(const DesignRow& row);
   SearchAnswer answer(const SearchCounts& counts) &&;
@@ -113,7 +113,7 @@ class BestDesigns {
   };
   const SearchProblem* problem_;
   std::size_t max_;
-  std::vector<Place> heap_;      ///< the worst on top: rows stay where they are
+  std::vector<Place> heap_;      ///< the worst on top; rows are not moved
   std::vector<DesignRow> rows_;  ///< of the heap
   ParetoFront front_;
   std::int64_t added_ = 0;

@@ -1,18 +1,20 @@
 // The input of a design search: the numbers to try, the limits, and the objectives.
 //
-//   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved for: every trial has
-//                    its exact region of them (design/shift_graph.hpp)
+//   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved: every trial has its
+//                    exact region of them (design/shift_graph.hpp)
 //   Σ                x1 + x2, ISO 21771 signs (internal gear: z2 < 0)
 //                                              theory: docs/theory/09-design-search.md
 //
-// Lengths mm; what limits a tooth is in normal modules.
+// Lengths in mm; limits of a tooth in normal modules.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,11 +33,12 @@ enum class Limit {
   sliding,
   tip_clearance,
   interference,
-  safety_flank,  ///< of the design's own shifts, and so the next
-  safety_root
+  safety_flank,  ///< of the design at its own shifts, like the next one
+  safety_root,
+  verdict  ///< of the design as drawn, at all ends of its tolerances
 };
-inline constexpr int kRegionLimits = 7;  ///< those of a region of shifts come first
-inline constexpr int kLimits = 9;
+inline constexpr int kRegionLimits = 7;  ///< limits of a region of shifts come first
+inline constexpr int kLimits = 10;
 /// "shift_limits", "center_distance", …
 std::string_view name(Limit limit);
 
@@ -54,7 +57,7 @@ inline constexpr std::array<std::string_view, 9> kObjectiveNames{
     "contact_ratio",         "ratio", "size",  "shift", "area", "sliding",
     "formula_contact_ratio", "mass",  "safety"};
 
-/// The racks of both gears, and how deep their straight edges reach below the datum line.
+/// The racks of both gears, and the depth of their straight edges below the datum line.
 struct SearchRacks {
   std::array<StraightRack, 2> rack;
   std::array<double, 2> undercut_depth{1.0, 1.0};  ///< modules, for the undercut limit
@@ -62,7 +65,7 @@ struct SearchRacks {
 };
 
 struct SearchLimits {
-  std::optional<double> min_shift, max_shift;  ///< floor and ceiling of x1 and x2
+  std::optional<double> min_shift, max_shift;  ///< lower and upper limit of x1 and x2
   double undercut_margin = 0.0;                ///< x ≥ the undercut limit + this
   double tip_thickness = 0.2;                  ///< s_an ≥ this, modules
   double contact_ratio =
@@ -82,9 +85,31 @@ class RingCuts;
 struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm: a rim on a web
-  std::optional<double> power_kW;       ///< P, where it was given in place of the torque
+  std::optional<double> power_kW;       ///< P, if it was given instead of the torque
   std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; none: every internal gear is cut
+                                        ///< separately
+                                        ///< separately
 };
+
+/// The tolerances of the drawing of every design.
+struct SearchAllowances {
+  std::string series;                             ///< of DIN 3967, "cd25"; empty: from the backlash
+  std::optional<std::array<double, 2>> backlash;  ///< j_n  mm, least and greatest
+  std::optional<std::string> distance_tolerance;  ///< of ISO 286, "JS7"
+
+  bool thin_teeth() const { return !series.empty() || backlash; }
+};
+
+struct DesignRow;
+struct SearchProblem;
+
+/// The verdict over the drawing of a design.
+struct DrawnDesign {
+  bool runs = false;                                ///< the verdict has no finding above green
+  bool wider_helps = false;                         ///< only safeties are too low
+  std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both ends of its tolerances
+};
+using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;
 
 inline constexpr double kFaceModules = 10.0;      ///< b/m_n, unless it is given
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
@@ -93,6 +118,10 @@ inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 /// default limits.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
+
+/// Default limits for designs whose drawings are checked: |x|, and the specific sliding |ζ|.
+inline constexpr double kDrawnShift = 1.0;
+inline constexpr double kDrawnSliding = 3.0;
 
 struct SearchProblem {
   std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative: internal pairs
@@ -103,32 +132,50 @@ struct SearchProblem {
   std::optional<Angle> shaft_angle;                      ///< Σ of crossed axes; β2 = Σ − β1
   Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
-  bool coprime = false;                ///< only z1, z2 without a common factor
-  std::optional<double> face_width;    ///< b  mm, of both
-  double face_modules = kFaceModules;  ///< b/m_n, where `face_width` is not given
+  bool coprime = false;  ///< only z1, z2 without a common factor
+  // Bands of the face width of both gears; the ends of a band may be equal. Each design takes the
+  // least width within all of them that has the required safeties and overlap ratio.
+  std::optional<std::array<double, 2>> face_width;      ///< b  mm
+  std::optional<std::array<double, 2>> face_modules;    ///< b/m_n; 10 if there is no band
+  std::optional<std::array<double, 2>> face_diameters;  ///< b/d_1
+  double face_step = 1.0;  ///< mm: widths within a band are multiples of it
   Mounting mounting = Mounting::extended;
   bool shorten_tips = false;  ///< tips shortened by the clearance lost at tight centres
   SearchLimits limits;
   double lambda = 0.625;      ///< λ of the line of Eq. 11
   double target_ratio = 0.0;  ///< of the objective `ratio`
   std::vector<Objective> objectives{Objective::contact_ratio};
-  std::optional<double> shift_step;  ///< of a grid whose feasible points are all wanted too
+  std::optional<double> shift_step;  ///< of a grid whose feasible points are requested too
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
   std::optional<SearchRating> rating;                           ///< none: designs are not rated
+  SearchAllowances allowances;                                  ///< empty: nominal teeth
+  DrawDesign draw;  ///< rejects designs whose drawing has findings above green; empty: no drawings
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }
-  double face_width_of(double module) const { return face_width.value_or(face_modules * module); }
-  /// The number of limits that can reject a design.
-  int limit_count() const { return rating ? kLimits : kRegionLimits; }
-  /// Masses are asked for.
+  /// Whether the face width is chosen for each design.
+  bool sizes_faces() const {
+    const auto open = [](const auto& band) { return band && (*band)[0] < (*band)[1]; };
+    return open(face_width) || open(face_modules) || open(face_diameters);
+  }
+  /// The limits that can reject a design, in the order of evaluation.
+  std::vector<Limit> rejecting_limits() const {
+    std::vector<Limit> all;
+    for (int i = 0; i < kLimits; ++i) {
+      const auto limit = static_cast<Limit>(i);
+      const bool drawn = limit == Limit::verdict;
+      if (drawn ? static_cast<bool>(draw) : i < kRegionLimits || rating) all.push_back(limit);
+    }
+    return all;
+  }
+  /// True if masses are required.
   bool weighs() const { return rating || ranks_by(Objective::mass); }
   bool ranks_by(Objective objective) const {
     return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
   }
 };
 
-/// One choice of everything but the shifts.
+/// One combination of all numbers except the shifts.
 struct Trial {
   std::int64_t index = 0;  ///< place in the order in which trials are counted
   double module = 0.0;     ///< m_n  mm

@@ -13,16 +13,17 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< of a wheel; limits of every number are tabled
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< limit for a wheel, because the limits of every
+                                                ///< number are tabulated
 
 class SearchSpace {
  public:
-  /// Domain    as the spec reader leaves the problem; wheels up to kMaxSearchTeeth (contract)
+  /// Domain    a problem as read from a spec; wheels up to kMaxSearchTeeth (contract)
   explicit SearchSpace(const SearchProblem& problem);
 
-  /// All numbers, those with a common factor included; none: more than 9·10^18.
+  /// The count of all numbers, including those with a common factor; none if it exceeds 9·10^18.
   std::optional<std::int64_t> size() const { return size_; }
-  /// As far as a double counts.
+  /// The count as a double.
   double approximate_size() const;
 
   /// Domain    0 ≤ index < size (contract)
@@ -56,14 +57,14 @@ class SearchSpace {
   struct Wheels {
     int z1, first, last;  ///< z2 from … to
   };
-  std::vector<Wheels> pinions_;              ///< those with a wheel
-  std::vector<std::int64_t> before_pinion_;  ///< trials of one module before each
+  std::vector<Wheels> pinions_;              ///< pinions with a wheel
+  std::vector<std::int64_t> before_pinion_;  ///< number of trials of one module before each
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
   int min_wheel_ = 0, max_wheel_ = 0;
 };
 
-/// z2 of the least and the greatest ratio for z1; first > last: none.
+/// z2 of the least and the greatest ratio for z1; first > last if there is none.
 std::array<int, 2> wheels_of(const SearchProblem& problem, int z1);
 
 }  // namespace gearwright

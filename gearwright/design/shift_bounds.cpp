@@ -18,7 +18,7 @@ using detail::raise;
 
 namespace {
 
-// All bounds of a line in one place, the tightest left.
+// The bounds of a line, of which only the tightest is kept.
 struct Tightest : LineEnds {
   static constexpr bool kNamed = false;
   double& lo_of(ShiftEdge) { return lo; }
@@ -94,10 +94,11 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
 }
 
 // The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi) [T9.1]: from f_1 to
-// the tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of
-// both starts is one of Σ alone (sum_margin). An internal gear's start is not known. [T9.7]
+// the tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. In the last condition, the
+// case of both starts depends on Σ alone (sum_margin). The start of an internal gear's flank is
+// unknown. [T9.7]
 
-// The range that the first two leave for the shift of gear i.
+// The range of the shift of gear i after the first two conditions.
 std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const TrialGear& g = gears_[i];
   if (g.teeth < 0) return {-kInfinity, kInfinity};
@@ -105,7 +106,7 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const double path = min_path_ / weight_[i];
   double least = radius_of(path, g.r_b);
   double most = kInfinity;
-  // q(u) ≥ s u + c: between the roots, or up to the greater one where the line starts below 0.
+  // q(u) ≥ s u + c holds between the roots, or up to the greater root if the line starts below 0.
   const double s = 1.0 / g.sin_transverse;
   const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
   const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
@@ -180,7 +181,8 @@ ShiftSlice ShiftBounds::slice() const {
   ShiftSlice s{{-kInfinity, kInfinity}, ShiftEdge::mesh, ShiftEdge::mesh};
   s.lo = *std::max_element(lo.begin(), lo.end());
   s.hi = *std::min_element(hi.begin(), hi.end());
-  // Bounds that run together, as clipped paths and interference may, have one name: the first.
+  // Bounds that coincide, as those of clipped paths and interference may, get the name of the
+  // first.
   const auto first = [](const auto& bounds, double value) {
     const auto at = std::find_if(bounds.begin(), bounds.end(), [value](double bound) {
       return bound == value || std::abs(bound - value) <= kOneBound;

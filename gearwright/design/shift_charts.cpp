@@ -60,7 +60,8 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
                                                   Angle helix, int from, int to) {
-  SearchProblem free = problem;  // true: no centre distance given, one rack for both
+  SearchProblem free = problem;  // if true, there is no centre distance, and both gears have one
+                                 // rack
   free.center_distance.reset();
   free.shaft_angle.reset();
   free.ratio = {1.0, 1.0};
@@ -68,7 +69,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
   free.racks[0].flank_depth[1] = free.racks[0].flank_depth[0];
-  free.limits.contact_ratio = 0.0;  // all that is left of that limit is the working angle
+  free.limits.contact_ratio = 0.0;  // only the working angle remains of that limit
 
   std::vector<IdenticalGears> chart;
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {

@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// Tip thicknesses whose limits are charted, modules: pointed, through-hardened, case-hardened.
+/// Tip thicknesses of the charted limits, modules: pointed, through-hardened, case-hardened.
 inline constexpr std::array<double, 3> kChartTips{0.0, 0.2, 0.4};
 
 /// The shifts of one tooth number, modules.
@@ -26,7 +26,7 @@ struct ShiftLimits {
   int teeth = 0;
   double undercut = 0.0;        ///< x_u
   std::array<double, 3> tip{};  ///< x_t of kChartTips
-  double min = 0.0, max = 0.0;  ///< those of the problem; min > max: none
+  double min = 0.0, max = 0.0;  ///< those of the problem; min > max: there are none
 };
 
 /// The limits of gear `which` (0, 1) with this rack and helix, for every tooth number of from … to.
@@ -42,7 +42,7 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
 /// Accuracy  0.01 teeth: chords between whole tooth numbers, not the limits of broken ones
 struct LimitsMeet {
   double teeth, shift;
-  int fewest;  ///< the first whole tooth number beyond
+  int fewest;  ///< the next whole tooth number
 };
 std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& chart, std::size_t tip);
 
@@ -50,7 +50,7 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 struct IdenticalGears {
   ShiftLimits limits;
   std::array<std::optional<double>, 5>
-      contact_ratio;  ///< ε_α; none: no working angle, or no limits
+      contact_ratio;  ///< ε_α; none without a working angle or limits
 };
 
 /// Gears of gear 1's rack with opposite hands on parallel axes, mounted as in the problem, at the

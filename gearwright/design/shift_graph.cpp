@@ -36,7 +36,7 @@ std::string_view name(ShiftEdge edge) {
 std::string_view name(Limit limit) {
   constexpr std::array<std::string_view, kLimits> kNames{
       "shift_limits",  "center_distance", "contact_ratio", "overlap_ratio", "sliding",
-      "tip_clearance", "interference",    "safety_flank",  "safety_root"};
+      "tip_clearance", "interference",    "safety_flank",  "safety_root",   "verdict"};
   return kNames[static_cast<std::size_t>(limit)];
 }
 
@@ -116,7 +116,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto from_above = [&](double sum, ShiftEdge edge) {
     if (sum < s.hi) s.hi = sum, s.hi_edge = edge;
   };
-  // An internal gear's distance falls as Σ grows: what bounds it from below bounds Σ from above.
+  // The distance of an internal pair decreases as Σ grows, so a lower bound of the distance is an
+  // upper bound of Σ.
   const auto not_nearer = [&](double sum, ShiftEdge edge) {
     internal_ ? from_above(sum, edge) : from_below(sum, edge);
   };
@@ -133,7 +134,7 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
-    // No sum of shifts has tight centres nearer than the base radii.
+    // No sum of shifts gives tight centres nearer than the base radii.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
     not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
@@ -148,7 +149,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
 ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax) return s;  // out of reach
-  // The corners of the rectangle end the graph too, but in a point: no edge is named after them.
+  // The graph also ends at the corners of the rectangle, which are points and give no edge its
+  // name.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
@@ -160,10 +162,11 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   return s;
 }
 
-// A sum at which the tips, cut back by k, leave no line a path of the length K; nor does any
-// greater one, for k falls. With equal tip angles E = √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
+// A sum at which the tips, shortened by k, leave no path of length K on the line. The same holds
+// for every greater sum, because k falls. With equal tip angles E = √((a + h_a1 + h_a2 + k)² − B²)
+// − N. [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
-  if (internal_) return sum;  // nothing is cut back
+  if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
   for (double step = 0.25;; step *= 2.0) {
     const SumPlace at = place(sum);
@@ -173,7 +176,7 @@ double ShiftGraph::beyond_long_paths(double sum) const {
   }
 }
 
-// From where on tips are too thin, though cut back by k; there may be no such sum, then a far one.
+// The sum from which on tips are too thin even if shortened by k; a large value if there is none.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
   constexpr double kBeyond = 1e-9;     // modules, the remainder after the last increases
@@ -188,7 +191,8 @@ double ShiftGraph::beyond_thin_tips(double sum, double least) const {
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
   // ρ_1E − ρ_1A of the leaf formulas, weighted for crossed axes and with the signs of N: its slopes
-  // over x1 are those of the two roots. The tip radii take k first, which a line Σ = const shares.
+  // over x1 are those of the two roots. k is added to the tip radii first, because it is common to
+  // a line Σ = const.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
   const double sign = internal_ ? -1.0 : 1.0;
@@ -247,8 +251,8 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
                                    weight_[1], internal_);
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
-  // External E is concave: Newton's steps from outside fall short of the root. An internal gear's
-  // may bend upwards; the bracket holds them.
+  // The E of an external pair is concave, so Newton's steps from outside stop short of the root.
+  // That of an internal pair may bend upwards, so the steps are kept in a bracket.
   return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
                : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
 }
@@ -259,7 +263,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // Touching or nothing: the place of the longest path, as an interval of no or negative length.
+    // Touching or nothing: the place of the longest path, as an interval of zero or negative
+    // length.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

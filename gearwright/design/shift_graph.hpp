@@ -10,10 +10,10 @@
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// Everything in normal modules and ISO 21771 signs, so that external, internal and crossed pairs
-// are one set of formulas. Every bound is solved, not sampled; the ends in Σ are sought at nodes
-// where section 9.4 proves no single interval. Left out, knowingly: with interference to be
-// avoided, tips of external gears that lie inside their own reference circle.
+// All values are in normal modules with ISO 21771 signs, so external, internal and crossed pairs
+// share one set of formulas. Every bound is solved, not sampled. The ends in Σ are searched from
+// nodes if section 9.4 does not prove that there is a single interval. If interference is to be
+// avoided, external gears with tips inside their own reference circle are deliberately excluded.
 #pragma once
 
 #include <array>
@@ -27,9 +27,9 @@
 
 namespace gearwright {
 
-/// Margins over Σ bend upwards by less, 1/modules: the sharpest are the bounds of interference, a few
-/// where tips lie outside their own reference circles. The bound is generous, because it only
-/// determines when to stop searching.
+/// Upper limit of the second derivative of margins over Σ, 1/modules. The greatest are those of the
+/// bounds of interference, a few if tips lie outside their own reference circles. The bound is
+/// generous, because it only determines when to stop searching.
 inline constexpr double kMostBend = 100.0;
 
 /// The limit at an end of the region.
@@ -49,13 +49,15 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// "s1min", "Cmax", …; `mesh`: where there is no working angle.
+/// "s1min", "Cmax", …; `mesh`: there is no working angle beyond.
 std::string_view name(ShiftEdge edge);
 
-/// Limits that coincide to this, modules, touch: a centre distance divided by a module is rounded.
+/// Limits that coincide within this, modules, touch, because a centre distance divided by a module
+/// is rounded.
 inline constexpr double kTouching = 1e-11;
 
-/// Bounds of x1 nearer than this, modules, are one bound: their rounding must not name it in turns.
+/// Bounds of x1 within this, modules, count as one bound, so that rounding does not change its
+/// name.
 inline constexpr double kOneBound = 1e-12;
 
 /// One line Σ = const: the interval of x1; empty when lo > hi + kTouching.
@@ -67,12 +69,12 @@ struct LineEnds {
 
 enum class LineSide { lo, hi };
 
-/// The same with the names of what ends it.
+/// The same interval with the names of the limits at its ends.
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
 };
 
-/// The same edge by edge: where each would end the interval, ∓∞ where it does not.
+/// The ends of the interval for each edge; ∓∞ for an edge that does not end it.
 struct ShiftBounds {
   std::array<double, kShiftEdges> lo, hi;
   ShiftBounds() {
@@ -82,10 +84,10 @@ struct ShiftBounds {
   static constexpr bool kNamed = true;
   double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
   double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
-  ShiftSlice slice() const;  ///< the tightest of them
+  ShiftSlice slice() const;  ///< the slice of the tightest edges
 };
 
-/// What Σ alone decides.
+/// Values that depend on Σ alone.
 struct SumPlace {
   double a;  ///< centre distance, signed
   double N;  ///< distance of the base tangent points, signed
@@ -123,7 +125,7 @@ class ShiftGraph {
   };
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// All bounds on a line but that of the path's length; and the slice with that one too.
+  /// All bounds on a line except that of the path's length, and the slice including that one.
   ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
     return bounds_before_path(place(sum), sum, limits);
   }
@@ -133,21 +135,21 @@ class ShiftGraph {
   /// The result of bounds_before_path() without names, which is sufficient for most lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// E: the path's length at a point, and the greatest on a slice with the place of it.
+  /// E: the path's length at a point, and the greatest length on a slice with its place.
   double path_length(const SumPlace& at, double sum, double x1) const;
   struct Longest {
     double x1, length;
   };
   Longest longest_path(const SumPlace& at, double sum, const LineEnds& within) const;
 
-  /// The sums Σ at which a slice is left by the first `limits` limits; several intervals only when
-  /// the region is in pieces.
+  /// The sums Σ at which the first `limits` limits leave a slice. There are several intervals only
+  /// if the region is in pieces.
   std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
 
-  /// feasible_sums() has any; sooner known where it has.
+  /// True if feasible_sums() is not empty; faster in that case.
   bool has_feasible_sums(int limits = kRegionLimits) const;
 
-  /// The first limit that leaves nothing; none: the region exists.
+  /// The first limit that leaves no region; none if the region exists.
   std::optional<Limit> what_kills() const;
 
   /// Least margin over all limits at one point, modules, from the same bounds as the slices; ≥ 0:
@@ -195,7 +197,7 @@ class ShiftGraph {
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
   double nearest_;                                      ///< least centre distance
   double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
-  // What every line asks again.
+  // Values that every line needs again.
   double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ where a mesh begins, where N = K
   Sums walls_{};                            ///< of plain_sums, without the band
   Sums region_sums_{};                      ///< sums() of all limits

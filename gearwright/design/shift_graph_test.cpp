@@ -240,7 +240,7 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
 TEST(ShiftGraph, OverlapIsThatOfTheFaceWidth) {
   SearchProblem p;
   p.helix = {Angle::radians(0.25)};
-  p.face_width = 12.0;
+  p.face_width = {{12.0, 12.0}};
   p.limits.contact_ratio = 0.5;
   const double overlap = 12.0 * std::sin(0.25) / (std::numbers::pi * 2.0);
   p.limits.overlap_ratio = overlap - 1e-9;

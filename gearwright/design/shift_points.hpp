@@ -4,8 +4,8 @@
 //   candidate   a point within the rectangle of the shift limits and the band of Σ
 //
 // Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of
-// a limit, and on crossed axes, the graph decides. Numbers that are kept come from the scalar
-// formulas of the pair, so that a table is the same on every machine.
+// a limit, and on crossed axes, the graph is used. The numbers in the table are computed with the
+// scalar formulas of the pair, so a table is equal on every machine.
 #pragma once
 
 #include <array>

@@ -85,7 +85,7 @@ void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, 
       return;
     }
   }
-  // A third edge lies between.
+  // There is a third edge between them.
   const double middle = (l + r) / 2.0;
   const ShiftEdge at_middle = edge_of(graph.slice(middle), side);
   find_changes(graph, side, l, at_l, middle, at_middle, found);
@@ -133,7 +133,7 @@ double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }
 
-// Near the tip of the path's curve x1 runs away as √Σ: seven digits more take three halvings there.
+// Near the tip of the path's curve, x1 varies as √Σ. Seven more digits take three halvings there.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modules²
 // A bound of x1 is a difference of radii: its rounding, per module, must not look like a curve that
@@ -164,8 +164,8 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
   return area;
 }
 
-// If both ends of a slice are roots that meet, as for interference, the error of x1 is the square
-// root of the rounding of Σ, in modules.
+// If the two roots at the ends of a slice coincide, as for interference, the error of x1 is the
+// square root of the rounding of Σ, in modules.
 constexpr double kPinch = 2e-6;
 
 // A slice at an end of a piece. Between two roots of the path's length it is one point, and the
@@ -190,7 +190,7 @@ double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
 
-// One edge on both sides of an end is one edge.
+// Adds an edge. The same edge on both sides of an end counts as one edge.
 void append(std::vector<RegionEdge>& loop, RegionEdge next) {
   if (!loop.empty() && loop.back().edge == next.edge) {
     auto& points = loop.back().points;

@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// One stretch of the boundary, named after the limit that it is.
+/// One stretch of the boundary, with the name of its limit.
 struct RegionEdge {
   ShiftEdge edge;
   std::vector<Vec2> points;  ///< ends of a straight edge, or points of a curve with its ends
@@ -36,11 +36,13 @@ struct ShiftRegion {
   Vec2 lo, hi;
   double area = 0.0;                    ///< with `whole` only
   std::vector<Interval> balanced_sums;  ///< Σ of the feasible points of the line of Eq. 11
-  std::optional<Vec2> balanced;         ///< of them the one with Σ nearest 0
-  std::optional<Vec2> off_walls;        ///< the same of those off the walls: point_off_walls()
+  std::optional<Vec2> balanced;         ///< the one of these with Σ nearest 0
+  std::optional<Vec2> off_walls;        ///< the one of these off the borders with Σ nearest 0:
+                                        ///< point_off_walls()
 };
 
-/// Its values; none if nothing is feasible.   Accuracy  ends and corners to rounding, area to 1e-12
+/// The region of a graph; none if nothing is feasible.   Accuracy  ends and corners to rounding,
+/// area to 1e-12
 std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
@@ -56,12 +58,12 @@ inline constexpr double kWallDistance = 0.05;
 /// where Σ = 0 will do
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 
-/// Between the sums a and b the line of Eq. 11 stays outside a limit that is straight in the plane: no
-/// look at any of its points is needed.
+/// True if the line of Eq. 11 between the sums a and b is outside a limit that is straight in the
+/// plane, so no point of it needs evaluation.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
 
-/// The boundary of each piece, counterclockwise; of a band that is one distance the segment there
-/// and back.
+/// The boundary of each piece, counter-clockwise; for a single centre distance, the segment in both
+/// directions.
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
@@ -69,7 +71,7 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
 /// middle of lo and hi. For a region in pieces, or if that middle is closer to a border than half
 /// the possible distance, it is the middle of the longest piece.
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
-/// The last of these.
+/// The last of these points.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The point of the line of Eq. 11 with the sum Σ.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/design/face_width.hpp"
 #include "gearwright/design/shift_graph.hpp"
 #include "gearwright/pair/leaf_formulas.hpp"
 
@@ -65,7 +66,7 @@ bool ShiftGraph::has_feasible_sums(int limits) const {
   if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough())
     return false;
   const Sums range = sums(limits);
-  constexpr double kInside = 1e-9;  // so that no rounding is the whole of it
+  constexpr double kInside = 1e-9;  // so that rounding is not the whole interval
   for (const double share : {0.5, 0.25, 0.75, 0.1}) {
     const double sum = range.lo + share * (range.hi - range.lo);
     if (!(range.lo < sum && sum < range.hi)) break;
@@ -82,7 +83,7 @@ bool ShiftGraph::is_asked(Limit limit) const {
   const SearchLimits& limits = problem_->limits;
   switch (limit) {
     case Limit::center_distance: return problem_->center_distance.has_value();
-    case Limit::overlap_ratio: return limits.overlap_ratio.has_value();
+    case Limit::overlap_ratio: return limits.overlap_ratio || problem_->sizes_faces();
     case Limit::sliding: return limits.sliding.has_value();
     case Limit::tip_clearance: return limits.tip_clearance.has_value();
     case Limit::interference: return limits.avoid_interference;
@@ -105,8 +106,10 @@ std::optional<Limit> ShiftGraph::what_kills() const {
 }
 
 bool ShiftGraph::overlap_ratio_is_enough() const {
+  const auto [least, most] = face_widths(*problem_, trial_);
+  if (!(least <= most)) return false;
   if (!problem_->limits.overlap_ratio) return true;
-  const double face = problem_->face_width_of(trial_.module) / trial_.module;
+  const double face = most / trial_.module;
   const double overlap = crossed_ ? 0.0 : leaf::overlap_of(face, gears_[0].tan_base_helix, pitch_);
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }

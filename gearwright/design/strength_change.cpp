@@ -9,10 +9,29 @@
 
 namespace gearwright::detail {
 
+namespace {
+
+// The greatest face width of a band, or the given face width.
+Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchProblem::*member,
+                const std::array<double, 2>& band, double far) {
+  const bool one = band[0] == band[1];
+  return {field,
+          band[1],
+          far,
+          band[1],
+          Knob::Kind::limit,
+          [=](SearchProblem& q, double v) {
+            q.*member = {one ? v : band[0], v};
+          },
+          [=](double v) { return one ? shown(v) : "[" + shown(band[0]) + ", " + shown(v) + "]"; }};
+}
+
+}  // namespace
+
 void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   GW_EXPECTS(p.rating.has_value());
   constexpr auto kLimit = Knob::Kind::limit;
-  constexpr double kLightest = 1e-3;  // of the load: less is another machine
+  constexpr double kLightest = 1e-3;  // of the load: less would be a different machine
   const auto plain = [](double v) { return shown(v); };
   for (const auto member : {&SearchLimits::safety_flank, &SearchLimits::safety_root}) {
     const auto& wanted = p.limits.*member;
@@ -28,15 +47,17 @@ void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   k.push_back({power ? "rating.power" : "rating.torque", load, kLightest * load, load, kLimit,
                [=](SearchProblem& q, double v) { q.rating->input.torque = torque * (v / load); },
                plain});
-  if (p.face_width) {
-    constexpr double kWidest = 4.0;
-    const double b = *p.face_width;
-    k.push_back({"face_width", b, kWidest * b, b, kLimit,
-                 [](SearchProblem& q, double v) { q.face_width = v; }, plain});
-  } else {
-    const double b = p.face_modules;
-    k.push_back({"face_modules", b, std::max(b, kMostFaceModules), b, kLimit,
-                 [](SearchProblem& q, double v) { q.face_modules = v; }, plain});
+  constexpr double kWidest = 4.0;
+  if (p.face_width)
+    k.push_back(wider_face("face_width", &SearchProblem::face_width, *p.face_width,
+                           kWidest * (*p.face_width)[1]));
+  if (p.face_diameters)
+    k.push_back(wider_face("face_diameters", &SearchProblem::face_diameters, *p.face_diameters,
+                           kWidest * (*p.face_diameters)[1]));
+  if (p.face_modules || (!p.face_width && !p.face_diameters)) {
+    const auto band = p.face_modules.value_or(std::array{kFaceModules, kFaceModules});
+    k.push_back(wider_face("face_modules", &SearchProblem::face_modules, band,
+                           std::max(band[1], kMostFaceModules)));
   }
 }
 
@@ -54,9 +75,7 @@ std::vector<Material> stronger_steels(const SearchRating& rating) {
 
 std::optional<DesignRow> safest_design(const SearchProblem& problem, const SearchWatch& watch,
                                        std::int64_t most_questions) {
-  SearchProblem p = problem;
-  p.limits.safety_flank = p.limits.safety_root = std::nullopt;
-  const Search search(p);
+  const Search search(problem);
   std::vector<std::int64_t> order;
   search.candidates([&](const Trial& t) {
     order.push_back(t.index);

@@ -15,7 +15,7 @@ namespace gearwright::detail {
 
 inline std::string shown(double v) { return fmt::format("{:.10g}", v); }
 
-/// A number that may move from its value towards a far end.
+/// A number that can be moved from its value towards a far end.
 struct Knob {
   enum class Kind { limit, ratio, teeth };
   std::string field;  ///< of SearchProblem, or as NearestChange::field
@@ -29,8 +29,8 @@ struct Knob {
 /// Domain    the problem rates its designs (contract), as of all here
 void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);
 
-/// Steels of the shipped table that are stronger than gear 1's, the least strong first; none in place
-/// of a plastic.
+/// Steels of the shipped table that are stronger than that of gear 1, the least strong first; none
+/// for a plastic.
 std::vector<Material> stronger_steels(const SearchRating& rating);
 
 /// The design that comes nearest to the required safety factors, among this number of trials in

@@ -37,7 +37,8 @@ double shift_of_base_circle(const TrialGear& g, double k) {
 
 struct Shifts {
   double min, max;
-  bool as_a_rule = false;  // thick enough at x = 0, and from there on thinner and thinner
+  bool as_a_rule = false;  // true if the tip is thick enough at x = 0 and becomes thinner from
+                           // there on
 };
 
 // The uppermost interval in which the tip is thick enough.
@@ -75,8 +76,8 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   return {thickness, slope};
 }
 
-// The same root as that of thick_enough() for k < 0. With x = thick_until − k the tip has the radius
-// that it has at thick_until, on a thicker tooth: the root lies beyond, and not far.
+// The same root as that of thick_enough() for k < 0. With x = thick_until − k the tip has the same
+// radius as at thick_until, but on a thicker tooth, so the root lies slightly beyond.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);
@@ -111,7 +112,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
       teeth, 1.0, problem.normal_pressure_angle.rad(), std::abs(helix.rad()), 0.0, 0.0});
   TrialGear g;
   g.teeth = teeth;
-  const double sign = teeth > 0 ? 1.0 : -1.0;
+  const double sign = side_of(teeth);
   g.r = sign * reference.reference_diameter / 2.0;
   g.r_b = sign * reference.base_diameter / 2.0;
   g.addendum = racks.rack[i].addendum;

@@ -30,9 +30,9 @@ struct TrialGear {
   double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (internal gear: minus) inv α_t
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
-         x_max = 0.0;  ///< the limits, at k = 0; none possible: x_min > x_max
-  /// The greatest x with a tip that is thick enough, at k = 0, where tips thin from x = 0 on: the
-  /// rule. Absent: an exception, or an internal gear.
+         x_max = 0.0;  ///< the limits, at k = 0; x_min > x_max if there are none
+  /// The greatest x with a tip that is thick enough, at k = 0, if tips become thinner from x = 0
+  /// on, as usual. Absent for exceptions and internal gears.
   std::optional<double> thick_until{};
 };
 
@@ -51,7 +51,7 @@ double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 /// The greatest x within the limits with tip alteration k: at k < 0 the tooth is thicker at its tip
 /// than the limits assume. Below `x_min` if there is none.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
-/// A number that it is not below, without solving for it.
+/// A lower bound of it, computed without solving.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
 /// The limits of every tooth number at one helix angle and rack, computed once because trials use

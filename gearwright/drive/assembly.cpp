@@ -14,14 +14,14 @@ namespace gearwright {
 
 namespace {
 
-/// Degrees: an angle of a drawing with two decimals means the place that is so near.
+/// Degrees: an angle of a drawing with two decimals means the nearest place within this.
 constexpr double kSamePlace = 0.01;
-/// Teeth more or less that are tried when others are proposed.
+/// Number of teeth more or less that are tried for proposals.
 constexpr int kMostTeethChanged = 12;
 
 using Row = std::vector<long long>;  // A | b of a mesh
 
-// Of a mesh: z of each rider on χ, −z of the central gear on u.
+// Conditions of a mesh: z of each rider on χ, −z of the central gear on u.
 std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<Row> rows;
   for (const std::size_t m : group.meshes) {
@@ -97,6 +97,19 @@ std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& grou
   return fmt::format("{}", fmt::join(proposals, ", "));
 }
 
+// The nearest numbers of planets below and above `count` that can be equally spaced.
+std::string counts_that_assemble(long long places, long long count) {
+  std::vector<std::string> found;
+  for (long long n = count - 1; n >= 1 && found.empty(); --n)
+    if (places % n == 0) found.push_back(std::to_string(n));
+  for (long long n = count + 1; n <= places && n <= 2 * count; ++n) {
+    if (places % n != 0) continue;
+    found.push_back(std::to_string(n));
+    break;
+  }
+  return fmt::format("{}", fmt::join(found, " or "));
+}
+
 Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, long long places,
                                            int count) {
   if (degrees.size() != static_cast<std::size_t>(count))
@@ -105,7 +118,7 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
   std::vector<Rational> turns;
   for (const double given : degrees) {
     const double u = (given - degrees.front()) / 360.0;
-    // Where any place will do, an angle is exact to a millionth of a degree.
+    // If any place is possible, angles are exact to a millionth of a degree.
     const long long grid = places > 0 ? places : 360'000'000;
     const double n = std::round(u * static_cast<double>(grid));
     const double off = std::abs(u - n / static_cast<double>(grid)) * 360.0;
@@ -147,7 +160,8 @@ std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const Pla
   const Rational step = Rational::of(1, std::lcm(z1, z2));
   std::vector<Rational> list;
   for (const Rational& u : turns) {
-    // −u (z_s/z_p1 − z_r/z_p2), z_r < 0: whichever of the central gears are rings. [T13.14]
+    // −u (z_s/z_p1 − z_r/z_p2), with z_r < 0 for a ring; either central gear may be a ring.
+    // [T13.14]
     const Rational angle =
         u * (Rational::of(central[1]->factor(), z2) - Rational::of(central[0]->factor(), z1));
     list.push_back((angle / step).frac() * step);
@@ -173,12 +187,13 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     made.equal = equal_pitch(made.turns);
     return made;
   }
+  const Spacing spacing = graph.bodies[group.riders.front()].spacing.value_or(graph.spacing);
   const bool divides = made.places % n == 0;
   const auto at_equal_pitch = [&] {
     for (long long i = 0; i < n; ++i) made.turns.push_back(Rational::of(i, n));
     made.equal = true;
   };
-  if (graph.spacing == Spacing::equal_clocked) {
+  if (spacing == Spacing::equal_clocked) {
     at_equal_pitch();
     if (auto list = clocking(graph, group, made.turns)) {
       made.clocking = std::move(*list);
@@ -193,18 +208,18 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
   }
   if (divides) {
     at_equal_pitch();
-    if (graph.spacing != Spacing::opposite || n % 2 == 0) return made;
+    if (spacing != Spacing::opposite || n % 2 == 0) return made;
   }
-  if (graph.spacing == Spacing::equal) {
+  if (spacing == Spacing::equal) {
     const std::string others = teeth_that_assemble(graph, group);
-    return Error{
-        "drive.spacing", "equal",
-        fmt::format("{} planets at equal pitch do not assemble: there are {} places in a "
-                    "turn, and {} does not divide that{}; or use \"nearest\"",
-                    n, made.places, n,
-                    others.empty() ? std::string() : fmt::format(". These would: {}", others))};
+    return Error{"drive.spacing", "equal",
+                 fmt::format("{} planets at equal pitch do not assemble: there are {} places in a "
+                             "turn, and {} does not divide that. These would: {}{} planets; or use "
+                             "\"nearest\"",
+                             n, made.places, n, others.empty() ? "" : others + "; ",
+                             counts_that_assemble(made.places, n))};
   }
-  if (graph.spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
+  if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{
         "drive.spacing", "opposite",
         fmt::format("{} planets in {} places cannot stand opposite each other: both numbers "

@@ -1,7 +1,7 @@
-// Where the copies of a planet may stand round the carrier so that all their teeth mesh.
+// The places of the copies of a planet around the carrier at which all their teeth mesh.
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
-//   N*     number of places per turn: u = n/N* [T13.12]; 0: any place will do
+//   N*     number of places per turn: u = n/N* [T13.12]; 0: any place is possible
 //   δ      clocking of a stepped planet's second gear against its first [T13.14]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
@@ -17,7 +17,7 @@ namespace gearwright {
 
 struct Assembly {
   long long places = 0;            ///< N*, 0: any
-  bool equal = false;              ///< the copies stand at equal pitch
+  bool equal = false;              ///< the copies are at equal pitch
   std::vector<Rational> turns;     ///< u of each copy, u_0 = 0
   std::vector<Rational> clocking;  ///< δ of each copy, turns; empty: copies are equal
 };
@@ -32,7 +32,7 @@ long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 /// Places of the copies by the body's positions, else by the graph's spacing: n_i = floor(i N*/N +
 /// 1/2), [T13.13].
 ///
-/// Errors    `drive.spacing` that does not assemble, with tooth numbers near by that would;
+/// Errors    `drive.spacing` that does not assemble, with similar tooth numbers that do;
 ///           `drive.positions` at which teeth do not meet, with the next place.
 ///           Fewer places than copies are a fact: some copies get the same place.
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);

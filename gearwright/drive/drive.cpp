@@ -7,15 +7,19 @@
 #include <utility>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/drive/drive_error.hpp"
 
 namespace gearwright {
 
 namespace {
 
-// Ring or rack second, as pairs have them: the law of a mesh does not depend on the order.
+// A ring or rack is put second, as in pairs. The law of a mesh does not depend on the order.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
-    if (graph.gear(mesh, 0).factor() < 0) std::swap(mesh.gears[0], mesh.gears[1]);
+    if (graph.gear(mesh, 0).factor() < 0) {
+      std::swap(mesh.gears[0], mesh.gears[1]);
+      if (mesh.direction) mesh.direction = Angle::radians(mesh.direction->rad() + std::numbers::pi);
+    }
   return graph;
 }
 
@@ -96,7 +100,7 @@ std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
     return std::nullopt;
   const DriveMesh& mesh = drive.graph.meshes[sun.mesh];
   const int which = &drive.graph.gear(mesh, 0) == sun.rider ? 1 : 2;
-  // Without a flow the sun is taken to drive, unless it is the output.
+  // Without a flow the sun is assumed to drive, unless it is the output.
   bool sun_drives = drive.graph.output != sun.central->body;
   if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[sun.mesh] >= 0)
     sun_drives = drive.flow->driver[sun.mesh] == 2 - which;
@@ -168,20 +172,22 @@ void find_facts(Drive& drive) {
     const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
     if (set.neighbours && set.neighbours->clearance < 0.0)
       say(WarningCode::planets_collide,
-          fmt::format("Neighbouring {} cut each other by {:.4f} mm; at most {} fit at equal pitch.",
+          fmt::format("Neighbouring copies of {} cut each other by {:.4f} mm; at most {} fit at "
+                      "equal pitch.",
                       planet, -set.neighbours->clearance, set.neighbours->most));
     if (set.assembly.places > 0 && set.group.count > set.assembly.places) {
       say(WarningCode::planets_collide,
-          fmt::format("{} of {} have only {} in a turn where their teeth meet: some would stand in "
-                      "one place.",
-                      set.group.count, planet,
-                      set.assembly.places == 1 ? std::string("one place")
-                                               : fmt::format("{} places", set.assembly.places)));
+          fmt::format(
+              "{} copies of {} have only {} in a turn where their teeth meet: some would stand in "
+              "one place.",
+              set.group.count, planet,
+              set.assembly.places == 1 ? std::string("one place")
+                                       : fmt::format("{} places", set.assembly.places)));
       continue;
     }
     if (!set.assembly.equal && set.group.count > 1)
       say(WarningCode::unequal_spacing,
-          fmt::format("{} of {} do not stand at equal pitch: there are {} places in a turn.",
+          fmt::format("{} copies of {} do not stand at equal pitch: there are {} places in a turn.",
                       set.group.count, planet, set.assembly.places));
   }
   if (!drive.motion.redundant.empty())
@@ -261,6 +267,7 @@ Result<Drive> make_drive(const DriveInput& input) {
     drive.sets.push_back(std::move(set).take());
   }
   drive.backlash = backlash_of_drive(drive);
+  drive.error = transmission_error(drive, input.harmonics);
   find_facts(drive);
   for (const DriveGraph& stage : input.stages) {
     auto made = make_drive({stage, {}, input.harmonics});

@@ -1,5 +1,5 @@
-// A whole drive: its speeds, torques and losses, where its planets stand and how their meshes follow
-// each other, its teeth and its play.
+// A whole drive: its speeds, torques and losses, the places of its planets and the sequence of
+// their meshes, its teeth and its backlash.
 //
 //   const auto drive = make_drive(graph_of(PlanetarySpec{…}));
 //   if (drive) use(*drive->motion.ratio, drive->flow->efficiency);
@@ -16,6 +16,7 @@
 #include "gearwright/drive/drive_motion.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/power_flow.hpp"
+#include "gearwright/rating/rating.hpp"
 
 namespace gearwright {
 
@@ -25,15 +26,35 @@ struct PlanetSet {
   Assembly assembly;
   std::optional<Neighbours> neighbours;           ///< none: one planet, or no geometry
   std::optional<int> sun_teeth, ring_teeth;       ///< of the first central gears of either kind
-  std::vector<Rational> sun_phases, ring_phases;  ///< γ_i; empty: there is no such gear
+  std::vector<Rational> sun_phases, ring_phases;  ///< γ_i; empty if there is no such gear
   std::optional<double>
-      sun_ring_phase;  ///< γ_rs; none: not both on one planet gear, or no geometry
-  Phasing phasing;     ///< of the sun's mesh, without a sun of the ring's
+      sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with both, or without geometry
+  Phasing phasing;     ///< phasing of the sun's mesh, or of the ring's if there is no sun
 };
 
-/// The angle that an end turns while all others are held, rad.
+/// Transmission error at the output while the input turns uniformly.
+struct DriveError {
+  struct Line {
+    double frequency_ratio;  ///< waves per turn of the input
+    double amplitude;        ///< rad
+  };
+  /// Peak to peak, rad. For meshes of several frequencies it is the sum over the frequencies, which
+  /// is reached when their peaks coincide.
+  double peak_to_peak = 0.0;
+  std::vector<Line> lines;  ///< by frequency
+};
+
+/// The rotation of one end while all others are held, rad.
 struct DriveBacklash {
   double input, output;
+};
+
+/// A mesh rated as a pair, drive/drive_rating.hpp.
+struct MeshRating {
+  RatedPair pair;
+  RatingInput input;  ///< with the life for one engagement per turn and bending in one direction
+  Rating rating;      ///< with the actual engagements and bending of each gear
+  std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
 
 struct Drive {
@@ -41,29 +62,33 @@ struct Drive {
   DriveMotion motion;
   DriveGeometry geometry;
   std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< of each mesh
-  std::optional<PowerFlow> flow;      ///< none: an efficiency is not known, or meshes are redundant
-  std::optional<PowerFlow> backward;  ///< output drives; none: several inputs too
+  std::optional<PowerFlow> flow;  ///< none if an efficiency is unknown, or if meshes are redundant
+  std::optional<PowerFlow> backward;  ///< with the output driving; also none with several inputs
   std::vector<PlanetSet> sets;
-  std::optional<DriveBacklash> backlash;  ///< none: several inputs, redundant, or no geometry
+  std::optional<DriveBacklash> backlash;  ///< none with several inputs, redundant meshes, or
+                                          ///< without geometry
+  std::optional<DriveError> error;        ///< none as above, or if contact is lost in a mesh
+  std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
   std::vector<Warning> findings;
-  std::vector<Drive> stages;  ///< of a train, each by itself
+  std::vector<Drive> stages;  ///< of a train, each as a separate drive
 
-  /// Speeds of all bodies in 1/min, else none: the inputs' are not given.
+  /// Speeds of all bodies in 1/min; none if those of the inputs are not given.
   std::optional<double> speed_rpm(std::size_t body) const;
-  /// ω over that of the first input; none: it needs the speeds of all inputs, and they are not given.
+  /// ω relative to that of the first input; none if it depends on the speeds of all inputs, and
+  /// they are not given.
   std::optional<double> speed_ratio(std::size_t body) const;
-  /// ω of a body less that of the frame of its first mesh, the same way; none: no gear sits on it.
+  /// ω of a body relative to the frame of its first mesh, likewise; none if no gear is on it.
   std::optional<double> relative_speed_ratio(std::size_t body) const;
   /// |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
   std::optional<std::size_t> frame_of_body(std::size_t body) const;
 };
 
-/// A drive, and the stages that it consists of if it is a train: `stages` are graphs of their own.
+/// A drive and, for a train, its stages, each of which is a separate graph.
 struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
-  int harmonics = 3;  ///< of phasing
+  int harmonics = 3;  ///< of phasing and of the transmission error
 };
 
 /// Errors    as check_graph, drive_motion, power_flow and assemble

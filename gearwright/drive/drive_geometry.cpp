@@ -9,6 +9,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/pair/clearing_tip.hpp"
 #include "gearwright/pair/shift.hpp"
 
 namespace gearwright {
@@ -17,7 +18,7 @@ namespace {
 
 using Fault = GeometryFault;
 
-// Whether both gears of a mesh have teeth, not only numbers of them.
+// True if both gears of a mesh have teeth, not only tooth numbers.
 bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
@@ -85,7 +86,7 @@ class Completion {
   }
 
  private:
-  // A mesh with both shifts unknown comes last: others may give one of them.
+  // A mesh with both shifts unknown comes last, because others may determine one of them.
   int unknowns(std::size_t m) const {
     int count = 0;
     for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;
@@ -115,10 +116,12 @@ class Completion {
 };
 
 std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
+                                    std::optional<double> tip_diameter,
                                     std::vector<Fault>& faults) {
   CylindricalSpec spec = *gear.spec;
   spec.teeth = gear.teeth;
   spec.profile_shift = shift;
+  if (tip_diameter) spec.tip_diameter = tip_diameter;
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
   auto made = make_gear(spec);
   if (!made) {
@@ -130,21 +133,92 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   return cut ? std::move(*cut) : std::move(made).take();
 }
 
-// Places of the riders in the carrier's frame: distance from its axis, and angle of copy 0.
+void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
+  const DriveMesh& mesh = graph.meshes[m];
+  const auto& one = made.gears[mesh.gears[0]];
+  const auto& two = made.gears[mesh.gears[1]];
+  if (!one || !two || !made.distance[m]) return;
+  auto pair =
+      mount(*one, *two,
+            {made.distance[m], std::nullopt, mesh.friction.value_or(graph.friction), std::nullopt});
+  if (pair) {
+    made.pairs[m] = std::move(pair).take();
+  } else {
+    std::string why = pair.error().rule;
+    while (why.ends_with('.')) why.pop_back();
+    made.faults.push_back(
+        {Fault::Kind::no_pair,
+         fmt::format(
+             "{} cannot be mounted at {:.4f} mm with profile shifts of {:.4f} and {:.4f}: {}.",
+             mesh.name, *made.distance[m], *made.shift[mesh.gears[0]], *made.shift[mesh.gears[1]],
+             why)});
+  }
+}
+
+// Makes the teeth of a gear again with a tip diameter, and mounts its meshes.
+void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, DriveGeometry& made) {
+  made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], tip_diameter, made.faults);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+    if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
+}
+
+// Whether the tip of a gear follows from its rack and may be moved.
+bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
+  const DriveGear& gear = graph.gears[g];
+  return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
+}
+
+// Large shifts bring the gears of a mesh nearer than their racks would have them: where a tip has less
+// clearance than the verdict asks for it ends at the clearance of the racks, k m_n lower.
+void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
+  constexpr double kLeast = 0.1;  // m_n
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    for (const std::size_t side : {0, 1}) {
+      const std::size_t g = graph.meshes[m].gears[side];
+      const auto& pair = made.pairs[m];
+      if (!pair || !pair->involute() || graph.gears[g].teeth < 0 || !free_tip(graph, g, made))
+        continue;
+      const double module = graph.gears[g].spec->normal_module;
+      const double lower = pair->involute()->tip_shortening;
+      if (pair->mounted().tip_clearance[side] < kLeast * module && lower < 0.0)
+        turn_tip(graph, g, made.gears[g]->tip_diameter + 2 * lower, made);
+    }
+  }
+}
+
+// A ring's teeth as its rack has them often reach below the flanks of the gears that it meshes with.
+// Where no tip diameter is given they end where contact is still on those flanks.
+void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
+  constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
+  for (std::size_t g = 0; g < graph.gears.size(); ++g) {
+    const DriveGear& gear = graph.gears[g];
+    if (gear.teeth >= 0 || !free_tip(graph, g, made)) continue;
+    std::optional<double> tip;
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+      const auto& pair = made.pairs[m];
+      if (graph.meshes[m].gears[1] != g || !pair || !pair->involute()) continue;
+      const auto least = tip_that_clears(*pair->involute(), 2, kClear * gear.spec->normal_module);
+      if (least && (!tip || *least > *tip)) tip = least;
+    }
+    if (tip && *tip < made.gears[g]->root_diameter) turn_tip(graph, g, *tip, made);
+  }
+}
+
+// Places of the riders in the carrier's frame, with the tip diameter of the widest gear of each.
 struct Rider {
   double distance, angle, tip_diameter;
 };
 
 std::optional<double> distance_between(const DriveGraph& graph, const PlanetGroup& group,
-                                       const DriveGeometry& geometry, std::size_t a,
-                                       std::optional<std::size_t> b) {
+                                       const std::vector<std::optional<double>>& distances,
+                                       std::size_t a, std::optional<std::size_t> b) {
   for (const std::size_t m : group.meshes) {
     const std::size_t one = graph.gear(graph.meshes[m], 0).body;
     const std::size_t two = graph.gear(graph.meshes[m], 1).body;
     const auto other = one == a ? std::optional(two) : two == a ? std::optional(one) : std::nullopt;
     if (!other) continue;
     const bool matches = b ? *other == *b : !graph.bodies[*other].carrier;
-    if (matches) return geometry.distance[m];
+    if (matches) return distances[m];
   }
   return std::nullopt;
 }
@@ -152,36 +226,17 @@ std::optional<double> distance_between(const DriveGraph& graph, const PlanetGrou
 std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const PlanetGroup& group,
                                                const DriveGeometry& geometry,
                                                std::optional<Fault>& fault) {
+  const auto places = rider_places(graph, group, geometry.distance, fault);
+  if (!places) return std::nullopt;
   std::vector<Rider> riders;
-  // Angles are chained: each rider after the first by the triangle with one that is placed.
   for (std::size_t i = 0; i < group.riders.size(); ++i) {
-    const std::size_t body = group.riders[i];
-    const auto a = distance_between(graph, group, geometry, body, std::nullopt);
     double tip = 0.0;
     for (std::size_t g = 0; g < graph.gears.size(); ++g) {
-      if (graph.gears[g].body != body) continue;
+      if (graph.gears[g].body != group.riders[i]) continue;
       if (!geometry.gears[g]) return std::nullopt;
       tip = std::max(tip, geometry.gears[g]->tip_diameter);
     }
-    if (!a) return std::nullopt;
-    double angle = 0.0;
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto between = distance_between(graph, group, geometry, body, group.riders[j]);
-      if (!between) continue;
-      const double r = riders[j].distance;
-      const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
-      if (!(std::abs(cosine) <= 1.0)) {
-        fault = {Fault::Kind::not_coaxial,
-                 fmt::format("{} and {} find no place on {}: no triangle has the sides {:.4f}, "
-                             "{:.4f} and {:.4f} mm.",
-                             graph.bodies[body].name, graph.bodies[group.riders[j]].name,
-                             graph.bodies[group.carrier].name, *a, r, *between)};
-        return std::nullopt;
-      }
-      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
-      break;
-    }
-    riders.push_back({*a, angle, tip});
+    riders.push_back({(*places)[i].distance, (*places)[i].angle, tip});
   }
   return riders;
 }
@@ -195,7 +250,8 @@ double tip_gap(const Rider& a, const Rider& b, double turned) {
   return between - (a.tip_diameter + b.tip_diameter) / 2;
 }
 
-// Over all copies; of copies that stand alone only riders that do not mesh, which have none here.
+// The least gap over all copies. If a copy is not at equal pitch, only riders that do not mesh
+// count.
 double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
   double least = kInfinity;
   for (std::size_t i = 0; i < turned.size(); ++i)
@@ -217,21 +273,42 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
   for (std::size_t g = 0; g < graph.gears.size(); ++g)
     if (graph.gears[g].spec && made.shift[g])
-      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], made.faults);
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-    const DriveMesh& mesh = graph.meshes[m];
-    const auto& one = made.gears[mesh.gears[0]];
-    const auto& two = made.gears[mesh.gears[1]];
-    if (!one || !two || !made.distance[m]) continue;
-    auto pair = mount(*one, *two, {made.distance[m], std::nullopt, graph.friction, std::nullopt});
-    if (pair) {
-      made.pairs[m] = std::move(pair).take();
-    } else {
-      made.faults.push_back({Fault::Kind::no_pair, fmt::format("{} cannot be mounted: {}.",
-                                                               mesh.name, pair.error().message())});
-    }
-  }
+      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], std::nullopt, made.faults);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) mount_mesh(graph, m, made);
+  cut_back_tips(graph, made);
+  turn_out_rings(graph, made);
   return made;
+}
+
+std::optional<std::vector<RiderPlace>> rider_places(
+    const DriveGraph& graph, const PlanetGroup& group,
+    const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault) {
+  std::vector<RiderPlace> riders;
+  // Angles are chained: each rider after the first by the triangle with one that is placed.
+  for (std::size_t i = 0; i < group.riders.size(); ++i) {
+    const std::size_t body = group.riders[i];
+    const auto a = distance_between(graph, group, distances, body, std::nullopt);
+    if (!a) return std::nullopt;
+    double angle = 0.0;
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto between = distance_between(graph, group, distances, body, group.riders[j]);
+      if (!between) continue;
+      const double r = riders[j].distance;
+      const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
+      if (!(std::abs(cosine) <= 1.0)) {
+        fault = {Fault::Kind::not_coaxial,
+                 fmt::format("{} and {} find no place on {}: no triangle has the sides {:.4f}, "
+                             "{:.4f} and {:.4f} mm.",
+                             graph.bodies[body].name, graph.bodies[group.riders[j]].name,
+                             graph.bodies[group.carrier].name, *a, r, *between)};
+        return std::nullopt;
+      }
+      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
+      break;
+    }
+    riders.push_back({*a, angle});
+  }
+  return riders;
 }
 
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
@@ -243,11 +320,11 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   std::vector<double> turned;
   for (const Rational& u : assembly.turns) turned.push_back(2 * std::numbers::pi * u.value());
   found.clearance = least_gap_of(*riders, turned);
-  constexpr int kMost = 1000;  // more planets than any gear has teeth for
+  constexpr int kMost = 1000;  // more planets than any gear has teeth
   for (int n = 2; n <= kMost; ++n) {
     turned.clear();
     for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch copy 0 sees every distance that there is.
+    // At equal pitch, copy 0 has every distance that occurs.
     double gap = kInfinity;
     for (int i = 1; i < n; ++i)
       for (const Rider& a : *riders)

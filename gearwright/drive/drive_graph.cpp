@@ -61,7 +61,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
     return wrong("its planets have different numbers of copies; meshed planets come in pairs");
   if (b.rack && carrier_a)
-    return wrong("its pinion rides on a carrier; a rack meshes with a gear of a fixed axis");
+    return wrong("its pinion is on a carrier; a rack can only mesh with a gear on a fixed axis");
   if (mesh.efficiency && !(*mesh.efficiency > 0.0 && *mesh.efficiency <= 1.0))
     return refused("drive.mesh", *mesh.efficiency,
                    fmt::format("the efficiency of {} must lie above 0 and not above 1", mesh.name));
@@ -96,7 +96,7 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
 }
 
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
-  // Riders are joined where they mesh: each carries the least index of those it is joined with.
+  // Riders are joined where they mesh. Each gets the least index of those joined with it.
   std::vector<std::size_t> group(graph.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) group[i] = i;
   for (const DriveMesh& mesh : graph.meshes) {

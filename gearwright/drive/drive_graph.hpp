@@ -1,4 +1,5 @@
-// A drive as a graph: bodies that turn or move, gears on them, bodies that ride on others, meshes.
+// A drive as a graph: bodies that turn or move, gears on them, bodies that ride on others, and
+// meshes.
 //
 //   body     turns about an axis, or moves (a rack's); may ride on a carrier, in N copies: a planet
 //   gear     z > 0 external, z < 0 ring, or a rack; sits on one body
@@ -17,14 +18,24 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
 
 namespace gearwright {
 
+/// Arrangement of the copies of a planet around the carrier.
+enum class Spacing {
+  nearest,        ///< at equal pitch if it assembles, else at the nearest places that do
+  equal,          ///< at equal pitch; otherwise an error
+  equal_clocked,  ///< at equal pitch, with each stepped planet clocked for its place
+  opposite,       ///< every planet has another one opposite
+};
+
 struct DriveBody {
   std::string name;
-  std::optional<std::size_t> carrier;  ///< the body that it rides on
+  std::optional<std::size_t> carrier;  ///< the body on which it rides
   int count = 1;                       ///< N, copies of a body that rides
   std::vector<double> positions_deg;   ///< of the copies, from copy 0; empty: by `spacing`
+  std::optional<Spacing> spacing{};    ///< absent: that of the graph
 };
 
 /// What is known of the teeth of a gear; without a module there is no geometry.
@@ -32,11 +43,12 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  bool rack = false;                    ///< its body moves: v/p_t stands for its speed
+  bool rack = false;                    ///< its body moves, and v/p_t replaces its speed
   std::optional<CylindricalSpec> spec;  ///< all but the shift; its teeth are `teeth`
   std::optional<double> shift;          ///< x; absent: it follows
+  std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
 
-  /// The number that stands for it in [T13.1]: z, of a rack −1.
+  /// The factor in [T13.1]: z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
 };
 
@@ -45,15 +57,14 @@ struct DriveMesh {
   std::array<std::size_t, 2> gears{};
   std::optional<double> efficiency;       ///< η with the frame at rest; absent: of the pair
   std::optional<double> center_distance;  ///< a  mm
+  /// Direction from the axis of the first gear to that of the second, counter-clockwise, for meshes
+  /// in the housing; planets are placed by their spacing. Absent: the shafts are in one line.
+  std::optional<Angle> direction{};
+  std::optional<double> friction{};  ///< μ; absent: that of the graph
 };
 
-/// How the copies of a planet stand round the carrier.
-enum class Spacing {
-  nearest,        ///< at equal pitch if it assembles, else at the nearest places that do
-  equal,          ///< at equal pitch, else an error
-  equal_clocked,  ///< at equal pitch, each stepped planet clocked for its place
-  opposite,       ///< every planet has one opposite it
-};
+/// Gap between the faces of gears beside each other, in m_n.
+inline constexpr double kBetweenFaces = 2.0;
 
 struct DriveGraph {
   std::vector<DriveBody> bodies;
@@ -65,7 +76,7 @@ struct DriveGraph {
   std::optional<double> torque_Nm;  ///< on the first input
   double friction = 0.05;           ///< μ of meshes without an efficiency
   Spacing spacing = Spacing::nearest;
-  bool idler_left = true;  ///< which of two mirrored places an idler takes, seen from the planet
+  bool idler_left = true;  ///< which of two mirrored places an idler has, seen from the planet
 
   const DriveGear& gear(const DriveMesh& mesh, int which) const {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];
@@ -77,14 +88,15 @@ struct DriveGraph {
   bool is_input(std::size_t body) const;
 };
 
-/// Whether the graph can be computed at all: names, indices, teeth, frames.
+/// Checks that the graph can be computed: names, indices, teeth, frames.
 ///
-/// Errors    `drive.mesh` between riders of two carriers, of racks that meet no external gear of
-///           the housing; `drive.gear` without teeth; `drive.body` that rides on itself
+/// Errors    `drive.mesh` between riders of two carriers, of racks that do not mesh with an
+///           external gear of the housing; `drive.gear` without teeth; `drive.body` that rides on
+///           itself
 std::optional<Error> check_graph(const DriveGraph& graph);
 
-/// Planets that move as one: the bodies of one carrier that mesh with each other, and the meshes
-/// of any of them. All have as many copies.
+/// Planets that move as one: the bodies of one carrier that mesh with each other, and all their
+/// meshes. All have the same number of copies.
 struct PlanetGroup {
   std::size_t carrier;
   std::vector<std::size_t> riders;  ///< bodies
@@ -92,7 +104,7 @@ struct PlanetGroup {
   int count;  ///< N
 };
 
-/// In the order of their first riders.   Domain  a checked graph
+/// The groups in the order of their first riders.   Domain  a checked graph
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph);
 
 }  // namespace gearwright

@@ -32,7 +32,7 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// "a_b, c_d" of the meshes without which, one at a time, a drive is free that is locked with them.
+// "a_b, c_d": the meshes each of which locks the drive, so that it is free without that mesh.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {
@@ -56,7 +56,7 @@ Error too_large() {
 }
 
 Error locked(const DriveGraph& graph) {
-  // A loop locks by itself: then even with nothing held the drive has too few freedoms.
+  // A loop locks by itself if the drive has too few degrees of freedom even with nothing held.
   RationalMatrix rows = mesh_rows(graph);
   const auto rank = rank_of(rows);
   if (!rank) return too_large();
@@ -155,7 +155,7 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
                              "contradict; leave out {}",
                              inputs, freedom, freedom == 1 ? "" : "s", inputs - freedom)};
 
-  // ω of every body by the inputs: the right-hand sides are columns beside the matrix.
+  // ω of every body for each input; the right-hand sides are additional columns of the matrix.
   add_unit_rows(rows, graph.inputs, n);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     rows[r].resize(n + inputs);

@@ -21,9 +21,9 @@ struct DriveMotion {
   int freedom = 0;  ///< f
   /// ω of each body per unit speed of each input: speeds[body][input].
   std::vector<std::vector<Rational>> speeds;
-  std::optional<Rational> ratio;   ///< i; none: several inputs
-  std::optional<Rational> period;  ///< turns of the input after which all stands as at the start
-  /// Meshes of closed loops that stay movable: their torques are a matter of compliance.
+  std::optional<Rational> ratio;   ///< i; none with several inputs
+  std::optional<Rational> period;  ///< turns of the input after which all positions repeat
+  /// Meshes of closed loops that can move. Their torques depend on compliance.
   std::vector<std::size_t> redundant;
 
   /// ω of a body at the speeds of the inputs, in their unit.

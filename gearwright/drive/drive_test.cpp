@@ -217,6 +217,28 @@ TEST(Drive, TeethPassAsTheFrameCounts) {
   EXPECT_NEAR(*drive.frequency_ratio(1), 70 * carrier, 1e-13);
 }
 
+// (5) what meshes give a body, it gives outside; what a mesh gives in all is minus its loss.
+TEST(Drive, PowersOfMeshesAddUp) {
+  PlanetarySpec set = simple_set(12, 24, 60, 0.985, 0.993);
+  set.z(M::planet2) = 21;
+  set.z(M::ring2) = 57;
+  set.output = "ring2";
+  set.efficiency.each.emplace_back("planet_ring2", 0.992);
+  const Drive drive = made(set);
+  ASSERT_TRUE(drive.flow);
+  std::vector<double> body(drive.graph.bodies.size()), mesh(drive.graph.meshes.size());
+  for (const PowerPath& path : drive.flow->paths) {
+    body[path.body] += path.power;
+    mesh[path.mesh] += path.power;
+  }
+  for (std::size_t b = 0; b < body.size(); ++b)
+    EXPECT_NEAR(body[b], -drive.flow->torque[b] * *drive.speed_ratio(b), 1e-12) << b;
+  for (std::size_t m = 0; m < mesh.size(); ++m) {
+    const double eta = drive.efficiencies[m]->first_drives;
+    EXPECT_NEAR(mesh[m], -drive.flow->mesh_power[m] * (1 - eta), 1e-12) << m;
+  }
+}
+
 TEST(Drive, GeometryOfASet) {
   PlanetarySpec set = simple_set(21, 24, 69, 0.985, 0.993);
   set.planets = 3;

@@ -10,10 +10,11 @@ namespace gearwright {
 
 namespace {
 
-/// A sum of N unit vectors is 0 or N up to rounding: what is below is 0.
+/// A sum of N unit vectors is 0 or N within rounding; less than this is 0.
 constexpr double kNothing = 1e-12;
 
-// Angles are reduced exactly before they become numbers, so that sums that vanish do so.
+// Angles are reduced exactly before they become floating-point numbers, so that vanishing sums are
+// 0.
 double share_left(const std::vector<Rational>& turns) {
   std::complex<double> sum = 0.0;
   for (const Rational& t : turns) sum += std::polar(1.0, 2 * std::numbers::pi * t.frac().value());
@@ -60,7 +61,7 @@ double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun
   const double flanks = (share_1 + share_2) / 2;
   const double phase = (planet_teeth % 2 == 0 ? 0.0 : 0.5) + (sun_drives ? -flanks : flanks);
   const double frac = phase - std::floor(phase);
-  // A phase that rounding puts just below a whole period is none.
+  // A phase that rounding puts just below a whole period is 0.
   return frac > 1.0 - kNothing ? 0.0 : frac;
 }
 

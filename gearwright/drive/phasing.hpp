@@ -1,8 +1,8 @@
-// When the meshes of a group of planets come one after the other, and what cancels by that.
+// The sequence of the meshes of a group of planets, and the harmonics that cancel by it.
 //
 //   γ_i    periods by which a tooth event of copy i comes after that of copy 0, the sun turning
 //          counter-clockwise as the carrier sees it [T13.16]
-//   R_k, F_k^±   share of harmonic k that is left of torque and axial force, and of a transverse
+//   R_k, F_k^±   remaining share of harmonic k of torque and axial force, and of a transverse
 //          force that turns with and against the sun [T13.18]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
@@ -13,10 +13,10 @@
 
 namespace gearwright {
 
-/// Of the first harmonic. [T13.19]
+/// Classes of the first harmonic. [T13.19]
 enum class PhasingClass {
   in_phase,    ///< R = 1: torques add, forces cancel
-  sequential,  ///< R = 0 and a force that turns is left
+  sequential,  ///< R = 0, and a rotating force remains
   counter,     ///< nothing is left
   mixed,       ///< some of each
 };

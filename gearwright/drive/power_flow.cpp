@@ -12,12 +12,12 @@ namespace gearwright {
 
 namespace {
 
-/// Of the input's power or torque: what is less is rounding.
+/// Relative to the power or torque of the input: less is rounding error.
 constexpr double kIdle = 1e-11;
-/// Patterns of signs that are tried one by one: 2 to this power.
+/// At most 2 to this power patterns of signs are tried one by one.
 constexpr std::size_t kMostSigns = 16;
 
-// The bodies with an unknown external torque: held ones, and all ends but the one that is given.
+// The bodies with an unknown external torque: held ones, and all ends except the given one.
 std::vector<std::size_t> reacting(const DriveGraph& graph, std::size_t given) {
   std::vector<std::size_t> list = graph.fixed;
   for (const std::size_t in : graph.inputs)
@@ -35,7 +35,7 @@ class Statics {
         efficiencies_(efficiencies),
         reacting_(reacting(graph, graph.inputs.front())) {}
 
-  // The flow of one pattern of drivers; −1: the mesh is taken without friction.
+  // The flow for one pattern of drivers; −1: the mesh has no friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();
@@ -63,7 +63,8 @@ class Statics {
       (power > 0.0 ? flow.power_in : out) += power;
     }
     flow.efficiency = flow.power_in > 0.0 ? -out / flow.power_in : 0.0;
-    // With one freedom the input drives: power that flows in at the output is no drive.
+    // With one degree of freedom the input drives. Power that flows in at the output means that the
+    // drive cannot run.
     if (graph_.inputs.size() == 1 && flow.torque[graph_.output] * speeds_[graph_.output] >= 0.0)
       flow.efficiency = 0.0;
     find_drivers(flow, driver);
@@ -88,8 +89,9 @@ class Statics {
  private:
   static Eigen::Index as_index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-  // The drivers that a solution has by itself, [T13.7], and the powers in the frames. The torque of a
-  // mesh on gear a is z_a λ; what gear a gives is −z_a λ (ω_a − ω_c), where > 0 power leaves the mesh.
+  // The drivers of a solution, [T13.7], and the powers in the frames. The torque of a mesh on gear
+  // a is z_a λ. Gear a supplies −z_a λ (ω_a − ω_c), and a value > 0 means that power leaves the
+  // mesh.
   void find_drivers(PowerFlow& flow, const std::vector<int>& assumed) const {
     for (std::size_t k = 0; k < graph_.meshes.size(); ++k) {
       const DriveMesh& mesh = graph_.meshes[k];
@@ -113,15 +115,15 @@ class Statics {
   std::vector<std::size_t> reacting_;
 };
 
-// Idle meshes agree with whatever was assumed of them.
+// True if the drivers agree with the assumed ones; idle meshes always agree.
 bool consistent(const std::vector<int>& assumed, const std::vector<int>& found) {
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k] >= 0 && found[k] != assumed[k]) return false;
   return true;
 }
 
-// A unit of meshes with one frame passes power from body to body; where one of these branches has
-// more than flows in from outside, power goes round.
+// Meshes with one frame pass power from body to body. If one of these branches carries more than
+// flows in from outside, power circulates.
 bool circulates(const DriveGraph& graph, const Statics& statics, const std::vector<double>& speeds,
                 const PowerFlow& flow) {
   const std::vector<PlanetGroup> groups = planet_groups(graph);
@@ -148,6 +150,12 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
   const std::size_t meshes = graph.meshes.size();
   const auto finish = [&](PowerFlow flow) {
     flow.circulating = circulates(graph, statics, speeds, flow);
+    for (std::size_t m = 0; m < meshes; ++m) {
+      for (const auto& [body, torque] : statics.torques(m, flow.driver[m])) {
+        const double power = torque * flow.load[m] * speeds[body];
+        if (std::abs(power) > kIdle * flow.power_in) flow.paths.push_back({m, body, power});
+      }
+    }
     return flow;
   };
   const PowerFlow lossless = statics.solve(std::vector<int>(meshes, -1));

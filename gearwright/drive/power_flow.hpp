@@ -1,11 +1,12 @@
-// Torques, powers and losses of a drive: the direction of power is found, not assumed.
+// Torques, powers and losses of a drive: the direction of power is computed, not assumed.
 //
 //   λ_m    tooth load of a mesh in the unit "torque per tooth", all copies together
 //   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)    σ = ±1: a or b drives [T13.6], [T13.7]
 //   Σ_m T_body,m + T_ext = 0 on every body [T13.8]; T_ext > 0 and ω > 0: power flows in
 //                                              theory: docs/theory/13-drives.md
 //
-// A mesh loses power as its frame sees it: the frame's own rotation carries power without loss.
+// The loss of a mesh depends on the power relative to its frame. The rotation of the frame itself
+// transmits power without loss.
 #pragma once
 
 #include <optional>
@@ -20,13 +21,21 @@ struct MeshEfficiency {
   double first_drives, second_drives;
 };
 
+/// Power that flows from a mesh to a body (> 0) or from the body (< 0), in the frame of the
+/// housing. The powers of one mesh add up to its loss, < 0.
+struct PowerPath {
+  std::size_t mesh, body;
+  double power;
+};
+
 struct PowerFlow {
   std::vector<double> load;        ///< λ of each mesh
-  std::vector<int> driver;         ///< 0: gear a drives, 1: gear b, −1: none, the mesh is idle
+  std::vector<int> driver;         ///< 0: gear a drives, 1: gear b, −1: the mesh is idle
   std::vector<double> mesh_power;  ///< P_m in the frame, of the driving gear
   std::vector<double> torque;      ///< T_ext of each body, 0 of free ones
+  std::vector<PowerPath> paths;    ///< by mesh; none for bodies at rest
   double power_in = 0.0;           ///< Σ of P = T ω that flow in
-  double efficiency = 0.0;         ///< η [T13.9]; 0: self-locking, and the rest is empty
+  double efficiency = 0.0;         ///< η [T13.9]; 0: self-locking, and the other members are empty
   bool circulating = false;        ///< a branch carries more than flows in
 
   bool self_locking() const { return efficiency <= 0.0; }
@@ -34,15 +43,17 @@ struct PowerFlow {
 
 /// The flow at given speeds of all bodies, torque 1 on the first input.
 ///
-/// Formula   signs of the flow without friction, then those of each solution until they repeat; else
-///           all patterns of signs; kept is the one with η > 0. Closed forms: [T13.10], [T13.11]
+/// Formula   signs of the flow without friction, then those of each solution until they repeat;
+///           otherwise all patterns of signs are tried, and the one with η > 0 is used. Closed
+///           forms: [T13.10], [T13.11]
 /// Domain    independent meshes, f inputs and one output (contract)
 /// Errors    more than 16 loaded meshes whose signs do not settle
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
-/// λ of each mesh without friction per unit torque on `body`, exactly: how much of a motion of a mesh
-/// arrives there [T13.20]. The inputs and the output but `body` are held where that leaves one solution.
+/// λ of each mesh without friction per unit torque on `body`, exact: the fraction of a motion of a
+/// mesh that arrives there [T13.20]. Inputs and output except `body` are held if that leaves one
+/// solution.
 ///
 /// Domain    one degree of freedom, independent meshes; body turns (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,

@@ -152,7 +152,7 @@ std::optional<std::size_t> rank_of(RationalMatrix rows) {
 
 RationalMatrix left_kernel(const RationalMatrix& rows) {
   if (rows.empty()) return {};
-  // [A | I]: a row whose part of A vanishes has its y in the part of I.
+  // [A | I]: if the A part of a row vanishes, its I part is a y.
   const std::size_t columns = rows.front().size();
   RationalMatrix both = rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -1,10 +1,10 @@
-// Exact fractions of whole numbers, whose overflow is a state of its own and never a wrong number.
+// Exact fractions of whole numbers. Overflow is a separate state and never gives a wrong number.
 //
 //   p/q in lowest terms, q > 0; q = 0: a result did not fit into 127 bits
 //                                              theory: docs/theory/13-drives.md, [T13.3]
 //
-// A fraction that did not fit makes every fraction that is computed from it one that did not fit, as
-// a NaN does. Code computes to the end and looks once.
+// Like NaN, overflow passes to every fraction that is computed from it, so code checks once at the
+// end.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ class Rational {
                       // fraction
   /// p/q.   Domain  q ≠ 0 (contract)
   static Rational of(long long p, long long q);
-  static Rational too_large();  ///< one that does not fit
+  static Rational too_large();  ///< a fraction in the state of overflow
 
   bool fits() const { return q_ != 0; }
   bool zero() const { return q_ != 0 && p_ == 0; }
@@ -30,12 +30,12 @@ class Rational {
   /// −1, 0, 1.   Domain  fits() (contract)
   int sign() const;
   double value() const { return static_cast<double>(p_) / static_cast<double>(q_); }
-  /// p and q; none where one of them has more than 63 bits.
+  /// p and q; none if one of them has more than 63 bits.
   std::optional<long long> numerator() const;
   std::optional<long long> denominator() const;
   /// v − floor(v), of [0, 1).
   Rational frac() const;
-  /// The greatest whole number that is not above it.
+  /// The greatest whole number that does not exceed it.
   Rational floor() const;
 
   friend Rational operator+(const Rational& a, const Rational& b);
@@ -53,22 +53,22 @@ class Rational {
   Wide p_ = 0, q_ = 1;
 };
 
-/// Least common multiple of two whole numbers > 0; one that does not fit stays such.
+/// Least common multiple of two whole numbers > 0; overflow if one of them has overflow.
 Rational least_common_multiple(const Rational& a, const Rational& b);
 
 /// Rows of equal length.
 using RationalMatrix = std::vector<std::vector<Rational>>;
 
-/// Reduces the rows: each leading entry is 1 and stands alone in its column. Pivots are looked for in
-/// the first `columns` columns only; returns their columns, row by row.
+/// Reduces the rows: each leading entry is 1 and is the only entry of its column. Pivots are
+/// searched in the first `columns` columns only; returns their columns, row by row.
 ///
 /// Formula   Gauss–Jordan elimination over the fractions: the rank is exact
 std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 
-/// Rank of the matrix; none: a number did not fit.
+/// Rank of the matrix; none after overflow.
 std::optional<std::size_t> rank_of(RationalMatrix rows);
 
-/// Basis of the y with y·A = 0, one row each; empty where the rows are independent or did not fit.
+/// Basis of the y with y·A = 0, one row each; empty if the rows are independent or after overflow.
 RationalMatrix left_kernel(const RationalMatrix& rows);
 
 }  // namespace gearwright

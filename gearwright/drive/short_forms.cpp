@@ -35,7 +35,7 @@ std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
   return list;
 }
 
-// The hand of each member against the sun's: it turns over in every external mesh.
+// The hand of each member relative to that of the sun. It is reversed in every external mesh.
 double hand_of(const PlanetarySpec& spec, M member) {
   const double planet = spec.z(M::idler) ? 1.0 : -1.0;
   switch (member) {
@@ -46,6 +46,13 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
+// Whether central gears of one kind are adjacent along this planet.
+bool spans_two(const PlanetarySpec& spec, M member) {
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  if (member != M::planet || has(M::planet2)) return false;
+  return (has(M::ring) && has(M::ring2)) || (has(M::sun2) && (has(M::sun) || has(M::idler)));
+}
+
 CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
   CylindricalSpec made;
   made.normal_module = spec.module.of(member).value_or(spec.normal_module.value_or(0.0));
@@ -53,7 +60,9 @@ CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
   const auto& own_helix = spec.helix_deg.each[static_cast<std::size_t>(member)];
   const double sun = spec.helix_deg.each[0].value_or(spec.helix_deg.all.value_or(0.0));
   made.helix_angle = Angle::degrees(own_helix.value_or(hand_of(spec, member) * sun));
-  made.face_width = spec.face_width.of(member).value_or(0.0);
+  made.face_width = spec.face_width.of(member).value_or(10 * made.normal_module);
+  if (!spec.face_width.each[static_cast<std::size_t>(member)] && spans_two(spec, member))
+    made.face_width = 2 * made.face_width + kBetweenFaces * made.normal_module;
   made.thickness_allowance = spec.allowance.of(member).value_or(0.0);
   made.tip_diameter = spec.tip_diameter.of(member);
   if (spec.rack) made.rack = *spec.rack;
@@ -77,6 +86,17 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
     return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
                    "must be a number of teeth, 1 or more; only a ring's may be negative");
   }
+  for (const SetMesh& mesh : meshes_of(spec)) {
+    if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;
+    return refused(fmt::format("planetary.{}", to_string(mesh.second)), *spec.z(mesh.second),
+                   fmt::format("must have more teeth than {} = {}, which runs in it",
+                               to_string(mesh.first), *spec.z(mesh.first)));
+  }
+  if (!spec.fixed && meshes_of(spec).size() == 1 && !has(M::ring) && !has(M::ring2))
+    return absent_input(
+        "planetary.ring",
+        "; a sun with planets alone has nothing to hold and nothing to drive: give a "
+        "ring, a second sun, or fixed, input and output");
   if (spec.planets < 1)
     return refused("planetary.planets", spec.planets, "must be at least one planet");
   return std::nullopt;
@@ -92,7 +112,7 @@ std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std:
   return std::nullopt;
 }
 
-// What is held, drives and is driven where the set does not say it.
+// Default fixed body, inputs and output of a set.
 std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   std::vector<std::string> inputs = spec.inputs;
@@ -127,7 +147,8 @@ DriveGraph pair_graph(const PairStage& stage) {
   for (const std::size_t i : {0, 1}) {
     const std::string name = i == 0 ? "gear1" : "gear2";
     graph.bodies.push_back({name, std::nullopt, 1, {}});
-    graph.gears.push_back({name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i]});
+    graph.gears.push_back(
+        {name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i], stage.modifications[i]});
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
   graph.inputs = {0};
@@ -147,6 +168,7 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
     body[b] = train.bodies.size();
     train.bodies.push_back(stage.bodies[b]);
     train.bodies.back().name = prefix + stage.bodies[b].name;
+    if (stage.bodies[b].carrier) train.bodies.back().spacing = stage.spacing;
   }
   for (std::size_t b = 0; b < body.size(); ++b) {
     if (joined && b == stage.inputs.front()) continue;
@@ -160,6 +182,7 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
   }
   for (DriveMesh mesh : stage.meshes) {
     mesh.name = prefix + mesh.name;
+    mesh.friction = stage.friction;
     for (std::size_t& g : mesh.gears) g += first_gear;
     train.meshes.push_back(std::move(mesh));
   }
@@ -169,8 +192,6 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
     train.speeds_rpm = stage.speeds_rpm;
     train.torque_Nm = stage.torque_Nm;
   }
-  train.friction = stage.friction;
-  train.spacing = stage.spacing;
   train.output = body[stage.output];
 }
 
@@ -202,7 +223,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
   if (auto error = check_set(spec)) return *error;
   DriveGraph graph;
   std::array<std::size_t, kSetMembers> gear_of{};
-  // Bodies: central gears, the carrier, then what rides on it; a stepped planet is one body.
+  // Bodies: the central gears, the carrier, then the riders; a stepped planet is one body.
   for (const M m : {M::sun, M::sun2, M::ring, M::ring2})
     if (spec.z(m)) graph.bodies.push_back({to_string(m), std::nullopt, 1, {}});
   const std::size_t carrier = graph.bodies.size();
@@ -249,6 +270,7 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
     if (!stages[k].planetary) {
       own.speeds_rpm = stages[k].speeds_rpm;
       own.torque_Nm = stages[k].torque_Nm;
+      own.friction = stages[k].friction;
     }
     if (k > 0 && own.inputs.size() != 1)
       return Error{

@@ -19,7 +19,7 @@ enum class SetMember { sun, sun2, idler, planet, planet2, ring, ring2 };
 inline constexpr std::size_t kSetMembers = 7;
 const char* to_string(SetMember member);
 
-/// One number for all gears of a set, or one for each that is named.
+/// One number for all gears of a set, or one for each named gear.
 struct PerMember {
   std::optional<double> all;
   std::array<std::optional<double>, kSetMembers> each{};
@@ -39,14 +39,14 @@ struct PerMesh {
 };
 
 struct PlanetarySpec {
-  /// Absent: no such gear. A ring's number may have either sign.
+  /// Absent if there is no such gear. A ring's number may have either sign.
   std::array<std::optional<int>, kSetMembers> teeth{};
   int planets = 1;
   std::optional<double> normal_module;  ///< m_n  mm; none: no geometry
   Angle normal_pressure_angle = Angle::degrees(20);
   PerMember module;         ///< of single gears  mm
   PerMember profile_shift;  ///< x
-  PerMember helix_deg;      ///< β of the sun; of others where they are named
+  PerMember helix_deg;      ///< β of the sun; of others if they are named
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
@@ -73,14 +73,16 @@ struct PairStage {
   std::array<int, 2> teeth{};
   std::array<std::optional<CylindricalSpec>, 2> specs;
   std::array<std::optional<double>, 2> shifts;
+  std::array<std::array<FlankModifications, 2>, 2> modifications{};
   std::optional<double> efficiency, center_distance;
 };
 
 struct StageSpec {
-  std::optional<PlanetarySpec> planetary;  ///< else the pair
+  std::optional<PlanetarySpec> planetary;  ///< absent for a pair
   PairStage pair;
   std::vector<double> speeds_rpm{};   ///< of the pair's input
   std::optional<double> torque_Nm{};  ///< on it
+  double friction = 0.05;             ///< μ of the pair
 };
 
 /// The index of a body by its name.
@@ -91,12 +93,11 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
 
 /// Bodies sun, planet, ring, carrier and so on; meshes sun_planet, planet_ring and so on.
 ///
-/// Errors    a member that is missing, a set without a mesh; `fixed`, `input`, `output` that no body
-///           has
+/// Errors    a missing member, a set without a mesh; unknown bodies in `fixed`, `input`, `output`
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
-/// The whole train, and its stages by themselves. Bodies are s1_sun, s2_gear1; what joins two stages
-/// is one body, with the name that it has in the first of them.
+/// The whole train, and its stages as separate drives. Bodies are s1_sun, s2_gear1. The body that
+/// joins two stages has the name that it has in the first of them.
 Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
 
 }  // namespace gearwright

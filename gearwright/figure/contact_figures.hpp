@@ -1,5 +1,5 @@
-// The figures of tooth contact: transmission error, its spectrum, flanks laid flat with what touches
-// them, and maps of two errors.
+// The figures of tooth contact: transmission error, its spectrum, developed flanks with their
+// contact, and maps of two errors.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,18 @@ struct TeRun {
   std::vector<double> rotation, te;  ///< rad; ends are shared with the neighbouring runs
 };
 
-/// The curve in runs, over one pitch as it is; positions without contact end a run. Where a tooth
-/// pair hands over to the next, both curves are prolonged to where they cross, but not beyond the
-/// greatest and the least value computed.
+/// The curve over one pitch in runs. Positions without contact end a run. At the handover between
+/// tooth pairs, both curves are extended to their intersection, but not beyond the greatest and the
+/// least computed value.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
-/// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact that make
-/// it. `result` is the scene's own, or that of the non-working flanks; none where nothing touches.
+/// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
+/// `result` is that of the scene, or that of the non-working flanks. None if nothing touches.
 std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
-/// Whether nothing but rounding is left of the waves.
+/// True if all waves are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
-/// None when contact is lost, for what does not repeat has no spectrum, and when there is no wave.
+/// None if contact is lost, because the curve does not repeat, and if there is no wave.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
 /// A raster's nodes for contours; its gaps in mm.
@@ -43,20 +43,20 @@ std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& fi
 /// Share of the flank that a pattern covers at this thickness of the marking, 0 … 1.
 double pattern_share(const FlankRaster& raster, double marking);
 
-/// One path of the contact point over a flank without a break: positions in the order in which a
-/// tooth runs through them, of edges or of flanks alone.
+/// One continuous path of the contact point over a flank: positions in the order in which a tooth
+/// passes them, of edges or of flanks alone.
 struct PathPiece {
   bool edge = false;
   std::vector<const ContactPoint*> points;
 };
 std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 
-/// An empty flank laid flat: along the face to the right, the root below, the tip above, with the
-/// limits of its usable part and some of the tooth beyond them.
+/// An empty developed flank: the face from left to right, the root below, the tip above, with the
+/// limits of its usable part and a little of the tooth beyond them.
 Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, bool internal,
                    std::size_t which);
 
-/// What lies on a flank; what is null is left out.
+/// The layers drawn on a flank; null ones are omitted.
 struct FlankLayers {
   const FlankRaster* pattern = nullptr;  ///< least gap over a mesh
   const FlankRaster* gap = nullptr;      ///< at one position
@@ -75,11 +75,11 @@ Figure small_pattern(std::string id, std::string title, const FlankRaster& patte
 struct ContactMap {
   ErrorMap map;                     ///< rad over the units below
   std::array<NamedAmount, 2> axes;  ///< of x and y: names, units and the values of the spec
-  bool whole = true;                ///< false: values are missing that are not yet computed
+  bool whole = true;                ///< false if some values have not yet been computed
 };
-/// Round levels over the map's values, arc seconds, growing; few enough to tell apart.
+/// Round levels over the map's values, arc seconds, ascending; few enough to be distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
-/// Peak to peak of the transmission error over two errors, as a field of steps.
+/// Peak to peak of the transmission error over two errors, as shaded steps.
 Figure error_map_figure(const ContactMap& map);
 
 }  // namespace gearwright

@@ -55,7 +55,7 @@ std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint
                                    std::size_t which) {
   if (!p.ellipse || !p.ellipse->semi_major) return {};
   constexpr int kCorners = 64;
-  // The angle counts from the projection of axis 1, about the normal.
+  // The angle is measured from the projection of axis 1, about the normal.
   const Vec3& axis_1 = scene.axes[0].direction;
   const Vec3 e_1 = (axis_1 - p.normal * p.normal.dot(axis_1)).normalized();
   const Vec3 e_2 = p.normal.cross(e_1);

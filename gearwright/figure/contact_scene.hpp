@@ -1,6 +1,6 @@
-// Tooth contact as its figures take it: the gears, their axes as mounted, and what was found.
+// Data of the contact figures: the gears, their axes as mounted, and the results.
 //
-//   TE   transmission error, rad: how far gear 2 is ahead of the ratio, > 0
+//   TE   transmission error, rad: lead of gear 2 over the ratio, > 0
 //   δ    thickness of the marking compound, mm
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// An axis as mounted, errors and all, in the housing.
+/// An axis as mounted, including errors, in the housing.
 struct ContactAxis {
   Vec3 point = Vec3::Zero();  ///< mm, the middle of the gear's face
   Vec3 direction = Vec3(0, 0, 1);
@@ -48,7 +48,7 @@ const char* words_of(TouchKind kind);
 /// A tooth pair's number with its sign; "0" is the one nearest the centre line.
 std::string pair_words(int k);
 
-/// Arc seconds with the digits that a reader can use.
+/// Arc seconds with the significant digits.
 std::string shown_arcsec(double arcsec);
 
 /// Signed and short, "+0.03°", "−0.02 mm".
@@ -60,8 +60,8 @@ struct FlankPlace {
 };
 FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
 
-/// The contact ellipse as gear `which` (0, 1) carries it, seen along the tooth's direction of
-/// motion: points (height, radius), closed. None where it has no end, or there is none.
+/// The contact ellipse on gear `which` (0, 1), seen along the tooth's direction of
+/// motion: points (height, radius), closed. None if there is none, or if it is unbounded.
 ///
 /// Units     mm, true size: the tangent plane of the contact point, projected
 std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,

@@ -32,7 +32,7 @@ class Framed {
     return 2 * (row * columns() + column) + (along_row ? 0 : 1);
   }
 
-  // Where the level is crossed, in nodes of the raster itself.
+  // The position of the level on an edge, in nodes of the raster itself.
   Vec2 crossing(std::size_t edge) const {
     const bool along_row = edge % 2 == 0;
     const std::size_t row = edge / 2 / columns();
@@ -71,7 +71,7 @@ void add_cell(const Framed& grid, std::size_t row, std::size_t column,
       grid.edge(row, column, true), grid.edge(row, column + 1, false),
       grid.edge(row + 1, column, true), grid.edge(row, column, false)};
   const bool saddle = in[0] == in[2] && in[1] == in[3] && in[0] != in[1];
-  // With the mean of all four below the level the two corners below it are one region.
+  // If the mean of all four is below the level, the two corners below it belong to one region.
   const double mean = 0.25 * (grid.value(row, column) + grid.value(row, column + 1) +
                               grid.value(row + 1, column + 1) + grid.value(row + 1, column));
   const bool joined = mean < grid.level();
@@ -102,7 +102,7 @@ std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double l
   std::vector<std::vector<Vec2>> loops;
   while (!next.empty()) {
     std::vector<Vec2> loop;
-    // Every crossing is left once and reached once: following them comes back to the first.
+    // Every crossing is left once and reached once, so the sequence returns to the first.
     std::size_t at = next.begin()->first;
     for (auto it = next.find(at); it != next.end(); it = next.find(at)) {
       const Vec2 p = grid.crossing(at);
@@ -124,7 +124,7 @@ double area_of(const std::vector<std::vector<Vec2>>& loops) {
       twice += a.x() * b.y() - a.y() * b.x();
     }
   }
-  // Borders of the region and of its holes run in opposite senses: signed areas add up.
+  // Borders of the region and of its holes have opposite senses, so signed areas add up.
   return std::abs(twice) / 2;
 }
 

@@ -1,8 +1,8 @@
 // Regions of a raster in which its values stay below a level, by marching squares.
 //
-// A raster's nodes are (column, row); between two of them the value is linear. A node that is
-// infinite lies above every level: the border runs halfway to it, for no one knows where between
-// the nodes the values end. The raster's own edge closes every region. Values are shown as ten shades
+// A raster's nodes are (column, row); between two of them the value is linear. An infinite node
+// lies above every level, and the border runs halfway to it, because the end of the values between
+// the nodes is unknown. The raster's own edge closes every region. Values are shown as ten shades
 // from dark (low) to bright, with the levels at which they change.
 #pragma once
 

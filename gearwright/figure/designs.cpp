@@ -12,9 +12,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFree = 0.06;      // of an axis, left free at both ends
-constexpr double kWideSpan = 15.0;  // greatest over least value: a linear axis would crowd one end
-constexpr double kOneValue = 1e-6;  // relative: values as near are one, and get room around them
+constexpr double kFree = 0.06;      // fraction of an axis that is free at both ends
+constexpr double kWideSpan = 15.0;  // greatest over least value, above which a linear axis would
+                                    // crowd one end
+constexpr double kOneValue = 1e-6;  // relative: values within this count as one value, with some
+                                    // room around it
 constexpr double kRoomOfOne = 0.01;
 
 void fit(FigureAxis& axis, double lo, double hi) {
@@ -41,7 +43,7 @@ Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& 
   fit(y, box.lo.y(), box.hi.y());
   Figure f{"designs-plot",
            fmt::format("Designs by {} and {}", x.words, y.words),
-           fmt::format("{} designs as dots; to the right the {}, upright the {}.", dots.size(),
+           fmt::format("{} designs as dots; horizontally the {}, vertically the {}.", dots.size(),
                        x.words, y.words),
            "",
            std::move(x),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxLevels = 9;
 
-// Values of the map as a raster of arc seconds; what touches nothing lies above every level.
+// Values of the map as a raster of arc seconds; points without contact lie above every level.
 FlankRaster raster_of(const ErrorMap& map) {
   FlankRaster raster{map.y, map.x, {}};
   for (const auto& row : map.value)
@@ -36,7 +36,7 @@ std::vector<double> map_levels(const ErrorMap& map) {
       hi = std::max(hi, v * kArcsecPerRad);
     }
   }
-  // Rounding alone is no field.
+  // A field of rounding errors is not drawn.
   if (!(hi - lo > 1e-6)) return {};
   return levels_between(lo, hi, kMaxLevels);
 }
@@ -49,7 +49,7 @@ Figure error_map_figure(const ContactMap& both) {
            fmt::format("Shades and contour lines of the transmission error's peak to peak over {} "
                        "and {}.",
                        across.name, up.name),
-           ", all others as specified; the brighter, the more.",
+           ", all others as specified; brighter shades are greater values.",
            {across.name, across.unit, map.x.front(), map.x.back()},
            {up.name, up.unit, map.y.front(), map.y.back()},
            "",
@@ -69,7 +69,7 @@ Figure error_map_figure(const ContactMap& both) {
               !gaps        ? ""
               : both.whole ? "no contact"
                            : "not yet"};
-  // From the whole down to the lowest step, one over the other.
+  // Draws the whole first, then each lower step on top of it.
   const std::size_t n = levels.size() + 1;
   f.bar({-kInfinity, -kInfinity}, {kInfinity, kInfinity}, "zone none");
   f.area(region_below(raster, field, 2 * most + 1), shade_style(n - 1, n));

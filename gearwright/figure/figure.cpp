@@ -34,6 +34,38 @@ void Figure::text(const Vec2& at, std::string markup, Anchor anchor, std::string
   marks.push_back({Kind::text, std::move(style), {at}, std::move(markup), anchor, offset});
 }
 
+void Figure::point(const Vec2& at, double radius, std::string style, std::string label,
+                   const Vec2& offset) {
+  dot(at, radius, std::move(style));
+  marks.back().label = std::move(label);
+  marks.back().offset = offset;
+}
+
+void Figure::circle(const Vec2& center, double radius, std::string style, int gear,
+                    std::string label, std::string words) {
+  marks.push_back({Kind::circle, std::move(style), {center}, std::move(words)});
+  marks.back().radius = radius;
+  marks.back().gear = gear;
+  marks.back().label = std::move(label);
+}
+
+void Figure::cross(const Vec2& at, std::string label) {
+  marks.push_back({Kind::cross, "cross", {at}});
+  marks.back().label = std::move(label);
+}
+
+Figure plane_figure(std::string id, std::string title, std::string description,
+                    const Bounds& window) {
+  Figure f{std::move(id), std::move(title), std::move(description), "", {"x", "mm"}, {"y", "mm"}};
+  f.x.lo = window.lo.x();
+  f.x.hi = window.hi.x();
+  f.y.lo = window.lo.y();
+  f.y.hi = window.hi.y();
+  f.bare = f.plane = true;
+  f.tall = window.size().y() / window.size().x();
+  return f;
+}
+
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops) {
   std::vector<Vec2> points;
   for (const auto& loop : loops) {

@@ -1,9 +1,9 @@
-// A figure as a value: what is drawn in the units of its axes, without a pixel and without a colour.
+// A figure as a value: marks in the units of its axes, without pixels and colours.
 //
 // It is made once, from a result of the engine, and written by several writers: SVG for the report and
-// the page (figure_svg.hpp), JSON and CSV for anybody's own plots (figure_data.hpp). A mark's style is
-// a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into colours for
-// light, dark and paper.
+// the page (figure_svg.hpp), JSON and CSV for the user's own plots (figure_data.hpp). A mark's
+// style is a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into
+// colours for light, dark and paper.
 //
 //   Places are data coordinates. ±∞ is the edge of the plot, NaN begins a new piece of a line or
 //   of an area.
@@ -24,8 +24,8 @@ inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_
 struct FigureAxis {
   std::string words;          ///< "rotation of gear 1"; plain text
   std::string unit;           ///< "°"; empty: a pure number
-  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis runs the other way
-  bool whole = false;         ///< values between whole numbers do not exist
+  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis is reversed
+  bool whole = false;         ///< only whole numbers are possible
   std::string symbol = {};    ///< "ε_α", after the words
   bool log = false;           ///< of powers; 0 < lo < hi
 };
@@ -36,7 +36,10 @@ struct FigureMark {
     area,  ///< within closed pieces, even-odd
     bar,   ///< a rectangle between two opposite corners
     dot,
-    text
+    text,
+    circle,  ///< about a point, `radius` in the units of the axes
+    shape,   ///< a gear's section (gear_shape.hpp), `radius` mm per unit of its path
+    cross    ///< an axis
   };
   Kind kind = Kind::line;
   std::string style;
@@ -46,7 +49,26 @@ struct FigureMark {
   Anchor anchor = Anchor::start;
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
-  int frame = -1;              ///< seen while a slider stands there; −1: always
+  int frame = -1;              ///< shown only at this position of a slider; −1: always
+  /// For a line, dot, circle or cross: its name as SVG markup, drawn if there is room. For a dot
+  /// the positions `offset` and −`offset` are tried first.
+  std::string label = {};
+  std::string label_style = {};
+  /// For a line: the border of an area, named on its right side or within the area. For a bar:
+  /// keeps labels away.
+  bool border = false;
+  double turned = 0.0;     ///< of a shape: degrees, counter-clockwise
+  double per_pitch = 0.0;  ///< of a shape: degrees clockwise while gear 1 turns by one pitch
+  int gear = -1;           ///< 0, 1: gear of the mark; for a circle also the side of its label
+  bool head = false;       ///< of a line: an arrow at its end
+};
+
+/// Dots of one style, a pitch apart, that slide along a line with the rotation of gear 1: at t
+/// pitches the dot of tooth k is at `at` + (t + k) `step`, visible while from ≤ t + k ≤ to.
+struct FigureSlide {
+  Vec2 at, step;
+  double from, to;
+  std::string style;
 };
 
 /// A row of blocks below the plot, over its x axis: "tooth pair", "tip edge of gear 1".
@@ -63,10 +85,10 @@ struct FigureLane {
 struct FigureShades {
   std::vector<double> levels;  ///< between the steps
   std::string most;            ///< at the upper end
-  std::string nothing;         ///< words of places without a value; empty: there are none
+  std::string nothing;         ///< words for places without a value; empty if there are none
 };
 
-/// What a line or a colour means.
+/// The meaning of a line or a colour.
 struct FigureKey {
   std::string style, words;
 };
@@ -74,18 +96,22 @@ struct FigureKey {
 struct Figure {
   std::string id;           ///< unique in a page
   std::string title;        ///< plain text: the head of the caption
-  std::string description;  ///< what is seen, for those who do not see it
+  std::string description;  ///< the content in words, for users who cannot see it
   std::string caption;      ///< HTML, after the title
   FigureAxis x, y;
-  std::string note = {};  ///< at the upper right: the value that decides; plain text
+  std::string note = {};  ///< at the upper right: the decisive value; plain text
   double tall = 0.45;     ///< height of the plot over its width
-  double pitch = 0.0;     ///< one pitch of gear 1 along x; 0: x is no rotation
+  double pitch = 0.0;     ///< one pitch of gear 1 along x; 0 if x is not a rotation
   bool bare = false;      ///< a small picture without axes
+  bool plane = false;     ///< a region of a plane with the same scale on both axes; `tall` is the
+                          ///< length of the vertical axis
   int frames = 0;         ///< of the slider; 0: none
   std::vector<FigureMark> marks = {};
   std::vector<FigureLane> lanes = {};
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
+  std::optional<FigureSlide> slide = {};
+  std::string definitions = {};  ///< SVG definitions of its shapes; empty: they are in the page
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
   void area(std::vector<Vec2> points, std::string style);
@@ -94,13 +120,23 @@ struct Figure {
            int frame = -1);
   void text(const Vec2& at, std::string markup, Anchor anchor = Anchor::start,
             std::string style = {}, const Vec2& offset = Vec2::Zero());
+  /// With a label at `offset` px from it or on the opposite side.
+  void point(const Vec2& at, double radius, std::string style, std::string label,
+             const Vec2& offset);
+  void circle(const Vec2& center, double radius, std::string style, int gear,
+              std::string label = {}, std::string words = {});
+  void cross(const Vec2& at, std::string label = {});
 };
+
+/// An empty figure of a plane with this window, mm.
+Figure plane_figure(std::string id, std::string title, std::string description,
+                    const Bounds& window);
 
 /// Loops as the points of one area.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Widens the axes to hold every finite point of the curves that are named, with `share` of their
-/// length as room above and below; `from_zero`: y begins at 0. False: they have no range.
+/// Widens the axes to contain every finite point of the named curves, with `share` of their length
+/// as room above and below. If `from_zero`, y begins at 0. Returns false if they have no range.
 bool fit_axes(Figure& figure, double share = 0.06, bool from_zero = false);
 
 }  // namespace gearwright

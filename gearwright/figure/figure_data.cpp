@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/figure/markup.hpp"
+
 namespace gearwright {
 
 nlohmann::ordered_json figure_data(const Figure& figure) {
@@ -12,19 +14,29 @@ nlohmann::ordered_json figure_data(const Figure& figure) {
     return std::isnan(p.x()) || std::isnan(p.y()) ? Json{nullptr, nullptr} : Json{p.x(), p.y()};
   };
   Json curves = Json::array();
-  Json bars = Json::array();
+  Json bars = Json::array(), circles = Json::array(), points = Json::array();
   for (const FigureMark& m : figure.marks) {
+    if (m.kind == FigureMark::Kind::circle)
+      circles.push_back({{"gear", m.gear},
+                         {"name", m.words},
+                         {"center", point(m.points[0])},
+                         {"radius", m.radius}});
+    if (m.kind == FigureMark::Kind::dot && !m.label.empty())
+      points.push_back({{"name", without_tags(m.label)}, {"at", point(m.points[0])}});
     if (m.words.empty()) continue;
     if (m.kind == FigureMark::Kind::bar)
       bars.push_back({0.5 * (m.points[0].x() + m.points[1].x()), m.points[1].y()});
     if (m.kind != FigureMark::Kind::line) continue;
-    Json points = Json::array();
-    for (const Vec2& p : m.points) points.push_back(point(p));
-    curves.push_back({{"name", m.words}, {"points", std::move(points)}});
+    Json of = Json::array();
+    for (const Vec2& p : m.points) of.push_back(point(p));
+    curves.push_back({{"name", m.words}, {"points", std::move(of)}});
   }
   if (!bars.empty()) curves.push_back({{"name", figure.y.words}, {"points", std::move(bars)}});
-  return {{"id", figure.id},     {"title", figure.title}, {"description", figure.description},
-          {"x", axis(figure.x)}, {"y", axis(figure.y)},   {"curves", std::move(curves)}};
+  Json data{{"id", figure.id},     {"title", figure.title}, {"description", figure.description},
+            {"x", axis(figure.x)}, {"y", axis(figure.y)},   {"curves", std::move(curves)}};
+  if (!circles.empty()) data["circles"] = std::move(circles);
+  if (!points.empty()) data["points"] = std::move(points);
+  return data;
 }
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// A figure as data: what its curves and bars are made of, for anybody's own plots.
+// A figure as data: the points of its curves and bars, for the user's own plots.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,7 @@
 namespace gearwright {
 
 /// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x, y], …]}]}.
-/// Curves are the lines that have a name and the bars, these one after the other; a break of a line
-/// is [null, null].
+/// Curves are the named lines and the bars in sequence; a break of a line is [null, null].
 nlohmann::ordered_json figure_data(const Figure& figure);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// What a pointer on a figure reads: the curve that is nearest to it, and its values there.
+// Shows the values of the nearest curve at the pointer on a figure.
 (function () {
   'use strict';
   var near = 32;  // px
@@ -22,7 +22,7 @@
     }
     return path.pieces;
   }
-  // Where a path passes the pointer's upright line, nearest to the pointer.
+  // The point at which a path crosses the pointer's vertical line, nearest to the pointer.
   function passing(plot, at) {
     var best = null;
     plot.querySelectorAll('path[data-name]').forEach(function (path) {

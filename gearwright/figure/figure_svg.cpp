@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/figure/contour.hpp"
+#include "gearwright/figure/figure_labels.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/ticks.hpp"
 
@@ -17,33 +18,31 @@ namespace {
 using Kind = FigureMark::Kind;
 
 constexpr double kLetter = 7.6;  // px, of a number of 12 to 14 px
-constexpr double kEdge = 12.0;   // px of air around everything
+constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot: the words of the y axis
 constexpr double kFoot = 44.0;   // px below it: numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kShade = 19.0;               // px, a box of the key
 constexpr double kAcross = 58.0, kUp = 26.0;  // px between ticks, at least
 
-// Letters of markup: tags and the further bytes of a character count nothing.
+// Number of characters of markup; continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {
-  double count = 0.0;
-  bool tag = false;
-  for (const char c : markup) {
-    if (c == '<') tag = true;
-    if (!tag && (static_cast<unsigned char>(c) & 0xC0) != 0x80) ++count;
-    if (c == '>') tag = false;
-  }
-  return count;
+  const std::string text = without_tags(markup);
+  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
 }
 
 // An axis on the screen: values from.lo … hi at px.
 struct Scale {
   double lo, hi, from, to;
   bool log = false;
+  bool plane = false;
   double operator()(double v) const {
     if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
     const double share = log ? std::log(v / lo) / std::log(hi / lo) : (v - lo) / (hi - lo);
-    // Curves may leave their plot, but no further than it is long.
+    if (plane) return from + share * (to - from);
+    // Curves may leave their plot, but by no more than its length.
     const double length = std::abs(to - from);
     return std::clamp(from + share * (to - from), std::min(from, to) - length,
                       std::max(from, to) + length);
@@ -65,14 +64,6 @@ Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
   return ticks;
 }
 
-std::string tick_words(double value, int decimals) {
-  if (decimals < 0)
-    return value < 1000 ? fmt::format("{:g}", value)
-                        : counted(static_cast<std::int64_t>(std::llround(value)));
-  const std::string text = fixed(value, decimals);
-  return text.front() == '-' ? "−" + text.substr(1) : text;
-}
-
 std::string words_of(const FigureAxis& axis) {
   return escaped(axis.words) + (axis.symbol.empty() ? "" : " " + symbol_svg(axis.symbol)) +
          escaped(axis.unit.empty() ? "" : ", " + axis.unit);
@@ -80,12 +71,19 @@ std::string words_of(const FigureAxis& axis) {
 
 struct Layout {
   double left, right, top, bottom;  // px, of the plot
-  double foot, height;              // px, the line of the x axis' numbers; the whole
+  double foot, height;              // px, the line of the numbers of the x axis; the total height
   double note = 20.0;               // px, the line of the note
-  double lane_words = 0.0;          // px, their line above each lane; 0: they stand before it
+  double lane_words = 0.0;          // px, the line of the words above each lane; 0 if they are in
+                                    // front of it
   Ticks across, up;
 
   Layout(const Figure& f, double width) {
+    if (f.plane) {
+      left = top = 0.0;
+      right = width;
+      foot = bottom = height = f.tall * width;
+      return;
+    }
     if (f.bare) {
       left = top = kEdge;
       right = width - kEdge;
@@ -93,7 +91,7 @@ struct Layout {
       height = bottom + kEdge;
       return;
     }
-    // What stands beside the plot at its right, and before it at its left.
+    // Widths of the words to the right and to the left of the plot.
     double beside = 0.0, before = 0.0;
     for (const FigureMark& m : f.marks) {
       if (m.kind != Kind::text || m.anchor != Anchor::start) continue;
@@ -110,10 +108,10 @@ struct Layout {
     const double tall = f.tall * (width - beside - 100);
     up = ticks_on(f.y, std::max(120.0, tall), kUp);
     for (const double v : up.values)
-      before = std::max(before, kLetter * letters(tick_words(v, up.decimals)));
+      before = std::max(before, kLetter * letters(tick_text(v, up.decimals)));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
-    // The note stands in a line of its own where it does not fit beside the words.
+    // The note is in a separate line if it does not fit next to the words.
     note = kLetter * (letters(words_of(f.y)) + letters(f.note)) > width - 4 * kEdge ? 38.0 : 20.0;
     top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));
@@ -129,8 +127,8 @@ class Writer {
   Writer(const Figure& figure, double width)
       : f_(figure),
         at_(figure, width),
-        x_{f_.x.lo, f_.x.hi, at_.left, at_.right, f_.x.log},
-        y_{f_.y.lo, f_.y.hi, at_.bottom, at_.top, f_.y.log},
+        x_{f_.x.lo, f_.x.hi, at_.left, at_.right, f_.x.log, f_.plane},
+        y_{f_.y.lo, f_.y.hi, at_.bottom, at_.top, f_.y.log, f_.plane},
         svg_(f_.id, width, at_.height, f_.title, f_.description) {}
 
   std::string str() {
@@ -138,6 +136,7 @@ class Writer {
       words();
       grid();
     }
+    if (!f_.definitions.empty()) svg_.define(f_.definitions);
     svg_.begin_group(fmt::format("class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"",
                                  x_.attribute(), y_.attribute(), f_.pitch));
     int frame = -1;
@@ -148,6 +147,8 @@ class Writer {
       mark(m);
     }
     if (frame >= 0) svg_.end_group();
+    if (f_.slide) slide(*f_.slide);
+    labels();
     svg_.end_group();
     for (std::size_t i = 0; i < f_.lanes.size(); ++i)
       lane(f_.lanes[i], at_.bottom + 8 + at_.lane() * static_cast<double>(i));
@@ -157,6 +158,7 @@ class Writer {
 
  private:
   Vec2 px(const Vec2& p) const { return {x_(p.x()), y_(p.y())}; }
+  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px
 
   void begin_frame(int frame) {
     svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,
@@ -172,11 +174,11 @@ class Writer {
   void grid() {
     for (const double v : at_.up.values) {
       svg_.line({at_.left, y_(v)}, {at_.right, y_(v)}, v == 0.0 ? "axis" : "grid");
-      svg_.text({at_.left - 7, y_(v) + 4}, tick_words(v, at_.up.decimals), Anchor::end, "tick");
+      svg_.text({at_.left - 7, y_(v) + 4}, tick_text(v, at_.up.decimals), Anchor::end, "tick");
     }
     for (const double v : at_.across.values) {
       svg_.line({x_(v), at_.top}, {x_(v), at_.foot + 4}, "grid");
-      svg_.text({x_(v), at_.foot + 17}, tick_words(v, at_.across.decimals), Anchor::middle, "tick");
+      svg_.text({x_(v), at_.foot + 17}, tick_text(v, at_.across.decimals), Anchor::middle, "tick");
     }
     svg_.line({at_.left, at_.foot}, {at_.right, at_.foot}, "axis");
   }
@@ -209,9 +211,10 @@ class Writer {
           on = true;
         }
         if (d.empty()) break;
-        const std::string inside = clip();
+        const std::string inside = f_.plane ? "" : clip();
         svg_.path(d + end, m.style,
                   inside + (name.empty() ? "" : fmt::format(" data-name=\"{}\"", name)));
+        if (m.head) head(px(m.points.back()), px(m.points[m.points.size() - 2]), m.gear);
         break;
       }
       case Kind::bar: {
@@ -222,7 +225,40 @@ class Writer {
       }
       case Kind::dot: svg_.dot(px(m.points[0]), m.radius, m.style, m.words); break;
       case Kind::text: svg_.text(px(m.points[0]), m.words, m.anchor, m.style, m.offset); break;
+      case Kind::circle: svg_.circle(px(m.points[0]), m.radius * per_unit(), m.style); break;
+      case Kind::cross: svg_.cross(px(m.points[0]), 5.0, m.style); break;
+      case Kind::shape: {
+        std::string turning = fmt::format("data-gear=\"{}\"", m.gear);
+        if (m.per_pitch != 0.0) turning += fmt::format(" data-turn=\"{:.12g}\"", m.per_pitch);
+        svg_.use(m.words, px(m.points[0]), per_unit() * m.radius, m.turned, m.style, turning);
+        break;
+      }
     }
+  }
+
+  void head(const Vec2& tip, const Vec2& from, int gear) {
+    const Vec2 along = (tip - from).normalized(), across = 4.0 * Vec2(-along.y(), along.x());
+    const Vec2 back = tip - 9.0 * along;
+    svg_.polygon({tip, back + across, back - across},
+                 gear < 0 ? "mark" : std::string("head ") + kInk[static_cast<std::size_t>(gear)]);
+  }
+
+  void slide(const FigureSlide& s) {
+    const Vec2 step = px(s.at + s.step) - px(s.at);
+    for (int k = static_cast<int>(std::floor(s.from)); k <= static_cast<int>(std::floor(s.to));
+         ++k) {
+      svg_.begin_group(
+          fmt::format("visibility=\"hidden\" data-tooth=\"{}\" data-from=\"{:.6f}\" "
+                      "data-to=\"{:.6f}\" data-dx=\"{}\" data-dy=\"{}\"",
+                      k, s.from, s.to, pixel(step.x()), pixel(step.y())));
+      svg_.dot(px(s.at), 5.0, s.style);
+      svg_.end_group();
+    }
+  }
+
+  void labels() {
+    const auto place = [this](const Vec2& p) { return px(p); };
+    write_labels(svg_, f_, {{at_.left, at_.top, at_.right, at_.bottom}, place, per_unit()});
   }
 
   void lane(const FigureLane& lane, double y) {

@@ -1,7 +1,8 @@
 // A figure as SVG: one layout with one set of margins, tick rules and number formats for all of them.
 //
-// The plot takes what the axes' numbers, the key and the words beside it leave of the width; the
-// number of ticks follows from the room. Numbers and letters keep their size at every width.
+// The plot takes the width that the numbers of the axes, the key and the words next to it leave.
+// The number of ticks follows from the available room. Numbers and letters keep their size at every
+// width.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace gearwright {
 inline constexpr double kFigureWidth = 560.0;  ///< px, of a figure in a column of the report
 
 /// The picture. Its group of class "plot" carries `data-x` and `data-y`, "lo hi from to": values and
-/// their px, by which figure_script.js reads values and puts a line at a chosen place.
+/// their px, from which figure_script.js computes values and the position of a line.
 ///
 /// Domain    width ≥ 240 px; finite axes of some length (contract)
 std::string figure_svg(const Figure& figure, double width = kFigureWidth);
@@ -24,12 +25,13 @@ std::string figure_svg(const Figure& figure, double width = kFigureWidth);
 std::string figure_html(const Figure& figure, double width = kFigureWidth,
                         std::string_view attributes = "", std::string_view control = "");
 
-/// The same of a figure that may not be; empty without one.
+/// The same for an optional figure; empty without one.
 std::string html_of(const std::optional<Figure>& figure);
 
-/// What the classes of marks look like, and what a pointer on a figure reads: figure_style.css and
-/// figure_script.js. The page takes the same files.
+/// Styles of the marks, the script that shows values at the pointer, and the script for zooming:
+/// figure_style.css, figure_script.js and zoom_script.js. The web page uses the same files.
 std::string_view figure_style();
 std::string_view figure_script();
+std::string_view zoom_script();
 
 }  // namespace gearwright

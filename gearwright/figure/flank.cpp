@@ -1,5 +1,5 @@
-// Flanks laid flat: the face from left to right, the root below, the tip above; on them the marking, the
-// gap, and the path of contact with its ellipses or lines.
+// Developed flanks: the face from left to right, the root below, the tip above, with the marking,
+// the gap, and the path of contact with its ellipses or lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kEllipses = 7;                           // drawn, or a few more
-constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // height over width as it is drawn
+constexpr int kEllipses = 7;                           // approximate number that is drawn
+constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // drawn height over width
 constexpr double kBeyond = 0.09;                       // of the flank's depth, drawn beyond it
 constexpr std::array<double, 6> kGapLevels{50, 20, 10, 5, 2, 1};  // µm
 
@@ -27,7 +27,7 @@ Vec2 touch_of(const ContactPoint& p, std::size_t which) {
   return {p.height[which], p.diameter[which]};
 }
 
-// A contact line is straight in space and a curve on a flank laid flat.
+// A contact line is straight in space and curved on a developed flank.
 std::vector<Vec2> contact_line(const ContactScene& scene, const ContactPoint& p,
                                std::size_t which) {
   constexpr int kSteps = 12;
@@ -95,10 +95,10 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
                      ring ? " of the internal gear (its tip is the smaller diameter)" : "");
 }
 
-// The gap in bands, with their values when nothing else lies on the flank.
+// The gap in bands, with their values if nothing else is drawn on the flank.
 void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch) {
   const ContourField field = field_of(raster);
-  // Names keep off each other and off the ends: in shares of the plot.
+  // Names keep a distance from each other and from the ends, in fractions of the plot.
   const auto share = [&](const Vec2& p) -> Vec2 {
     return {(p.x() - f.x.lo) / (f.x.hi - f.x.lo), (p.y() - f.y.lo) / (f.y.hi - f.y.lo)};
   };
@@ -129,13 +129,13 @@ void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch
   }
 }
 
-// How far the contact goes over the flank of gear 1 from one position to the next, mm.
+// Distance of the contact on the flank of gear 1 from one position to the next, mm.
 double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
 
-// Beyond this it has jumped, as between the two arcs of a flank: many times the usual way between
-// positions, and a good part of the face.
+// A greater distance is a jump, as between the two arcs of a flank: many times the usual distance
+// between positions, and a considerable part of the face.
 double jump_of(const std::vector<const ContactPoint*>& points, double face) {
   constexpr double kTimes = 6.0, kPart = 0.1;
   std::vector<double> ways;
@@ -174,7 +174,7 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene) {
   std::vector<const ContactPoint*> points;
   for (const ContactPoint& p : scene.driving.positions)
     if (p.kind != TouchKind::none) points.push_back(&p);
-  // Pair k does at a rotation what pair 0 did k pitches before.
+  // Pair k is at a rotation where pair 0 was k pitches before.
   const auto own = [&](const ContactPoint* p) { return p->rotation1.rad() - p->pair * pitch; };
   std::sort(points.begin(), points.end(),
             [&](const auto* a, const auto* b) { return own(a) < own(b); });
@@ -201,7 +201,7 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
   Figure f{
       std::move(id),
       std::move(title),
-      "The usable flank laid flat: the face from left to right, the root below, the tip above.",
+      "The developed usable flank: the face from left to right, the root below, the tip above.",
       {},
       {"along the face from its middle", "mm", z0, z1},
       {"diameter", "mm", d0 - beyond, d1 + beyond}};
@@ -264,7 +264,8 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
     if (gap_alone)
       f.keys.push_back({"action", layers.now->line ? "contact line" : "contact point"});
   }
-  f.caption += (layers.way ? ". From the hollow dot to the full one. " : ". ") + proportions;
+  f.caption +=
+      (layers.way ? ". It runs from the hollow dot to the filled one. " : ". ") + proportions;
   return f;
 }
 

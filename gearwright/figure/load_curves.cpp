@@ -1,5 +1,5 @@
-// What changes under load while the gears turn: transmission error, load shares, stiffness, root stress;
-// and with the torque.
+// Curves under load over the rotation and over the torque: transmission error, load shares,
+// stiffness, root stress.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kWaves = 3;  // in the Harris map
 
-// A value at each position, and the first once more a pitch later.
+// A value at each position, and the first value again a pitch later.
 template <class Of>
 std::vector<Vec2> over_the_pitch(const LoadScene& scene, const LoadedTorque& t, const Of& of) {
   std::vector<Vec2> values;
@@ -39,7 +39,7 @@ std::vector<Vec2> from_its_mean(std::vector<Vec2> values) {
   return values;
 }
 
-// A figure over the rotation of gear 1 with a curve for every torque that is shown.
+// A figure over the rotation of gear 1 with a curve for every shown torque.
 template <class Of>
 Figure over_the_rotation(const LoadScene& scene, Figure f, const Of& of) {
   f.x = {"rotation of gear 1", "°"};
@@ -83,13 +83,12 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
 
 std::optional<Figure> share_figure(const LoadScene& scene) {
   const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
-  Figure f{
-      .id = "load-share",
-      .title = "Load share",
-      .description = "Over the way of one tooth pair through its mesh: its part of the whole load.",
-      .caption = " of one tooth pair from where it begins to bear to where it ceases.",
-      .x = {"turn of the tooth pair from the centre line", "pitches"},
-      .y = {"share of the load", ""}};
+  Figure f{.id = "load-share",
+           .title = "Load share",
+           .description = "Over the mesh of one tooth pair: its share of the load.",
+           .caption = " of one tooth pair while it carries load.",
+           .x = {"turn of the tooth pair from the centre line", "pitches"},
+           .y = {"share of the load", ""}};
   f.pitch = scene.gear2_drives ? -1.0 : 1.0;
   f.keys = torque_keys(scene);
   for (const std::size_t i : shown_torques(scene)) {
@@ -101,7 +100,7 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
     std::sort(values.begin(), values.end(),
               [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
     if (values.empty()) continue;
-    // Before and after it bears nothing.
+    // Before and after this, the tooth carries no load.
     values.insert(values.begin(), {values.front().x() - step, 0.0});
     values.push_back({values.back().x() + step, 0.0});
     f.line(std::move(values), "curve " + curve_style(f.marks.size()), torque_words(t));
@@ -179,9 +178,8 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
            .description =
                "Over the torque: the loaded transmission error's peak to peak and the "
                "amplitudes of its first waves.",
-           .caption =
-               fmt::format(". Of the torques asked for the quietest is {}, {}″ from peak to peak.",
-                           torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
+           .caption = fmt::format(". Of the given torques, {} has the least, {}″ peak to peak.",
+                                  torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
            .x = {"torque on gear 1", "N m"},
            .y = {"transmission error", "arc seconds"}};
   const auto add = [&](auto of, const std::string& style, const std::string& words) {

@@ -1,5 +1,4 @@
-// Flanks under load laid flat: the pressure of teeth that bear along lines, the ellipses of teeth that
-// touch about points.
+// Developed flanks under load: the pressure of line contact, the ellipses of point contact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +19,11 @@ namespace {
 constexpr std::size_t kRows = 81;
 constexpr std::size_t kColumns = 65;
 constexpr int kMostLevels = 10;
-constexpr std::size_t kMostDrawn = 14;  // ellipses that can be told apart
+constexpr std::size_t kMostDrawn = 14;  // ellipses that can be distinguished
 constexpr int kCorners = 48;            // of an ellipse
 
-// A slice of a flank on its way through the mesh: where it is nearest, and how it presses there.
+// A slice of a flank on its way through the mesh: the place of its least gap, and the pressure
+// there.
 struct Sample {
   double own;     // the turn of the tooth pair, pitches
   double radius;  // mm
@@ -40,8 +40,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// The greatest pressure at a radius. A mating edge passes a place twice, out and back: of all ways
-// past it the greatest counts.
+// The greatest pressure at a radius. A mating edge passes a place twice, out and back, and the
+// greatest value counts.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -69,7 +69,7 @@ std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair,
   return line;
 }
 
-// Adds something of each tooth pair that bears, a frame for every position.
+// Adds something for each loaded tooth pair, with a frame for every position.
 template <class Add>
 void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
   const auto positions = frame_positions(scene);
@@ -79,13 +79,13 @@ void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
       add(pair, static_cast<int>(k));
 }
 
-// A tooth at one place of its way.
+// A tooth at one position of its mesh.
 struct Passing {
   double own;  // its turn, pitches
   const LoadedPoint* point;
 };
 
-// A way for each track: the teeth of double arcs have two.
+// A list for each track, because the teeth of double arcs have two.
 std::vector<std::vector<Passing>> ways_of(const LoadScene& scene, const LoadedTorque& t) {
   std::map<int, std::vector<Passing>> by_track;
   for (const LoadedPosition& p : t.positions)
@@ -126,7 +126,7 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
     slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
   for (const double d : raster.diameter) {
     for (const double z : raster.height) {
-      // Beyond the middles of the last slices it is theirs.
+      // Beyond the middles of the last slices, their value is used.
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);
@@ -146,7 +146,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   f.caption = fmt::format(" at {}: the greatest pressure over a mesh, N/mm². ", torque_words(t)) +
               f.caption;
   f.keys.push_back({"bears", "where teeth bear now"});
-  // Of pressures turned over, to have the regions above a level.
+  // Regions above a level are computed from the negative pressures.
   ContourField field = field_of(raster);
   for (double& v : field.value) v = -v;
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
@@ -155,7 +155,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
     f.area(region_below(raster, field, i == 0 ? 0.0 : -levels[i - 1]),
            shade_style(i, n) + (i ? " step" : ""));
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  std::erase_if(f.marks, [](const FigureMark& m) {  // the key stands where limits have their names
+  std::erase_if(f.marks, [](const FigureMark& m) {  // the key replaces the names of the limits
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
@@ -174,7 +174,7 @@ Figure pressure_along_figure(const LoadScene& scene) {
       "Pressure along the face",
       "Over the face: the greatest pressure of a mesh, and that of the tooth pairs that bear at "
       "one position.",
-      " of each tooth pair that bears there, a colour for each.",
+      " of each loaded tooth pair, in its own colour.",
       {"along the face from its middle", "mm", s.lo, s.hi},
       {"pressure", "N/mm²", 0.0, 1.06 * t.max_pressure}};
   f.keys.push_back({"before", "the greatest over a mesh"});
@@ -217,7 +217,7 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
                   "the line joins their middles. ",
                   torque_words(shown_torque(scene))) +
               f.caption;
-  f.keys = {{"action", "on the flank"}, {"before", "hanging over an end of it"}};
+  f.keys = {{"action", "on the flank"}, {"before", "extending beyond an end of it"}};
   for (const auto& way : ways) {
     std::vector<Vec2> path;
     for (const Passing& p : way) path.push_back(middle_of(*p.point, which));
@@ -242,7 +242,7 @@ std::optional<Figure> point_pressure_figure(const LoadScene& scene) {
   Figure f{
       "point-pressure",
       "Pressure",
-      "Over the way of one tooth pair through its mesh: the greatest pressure.",
+      "Over the mesh of one tooth pair: the greatest pressure.",
       " in the middle of the ellipse, of one tooth pair from where it begins to bear to where it "
       "ceases.",
       {"turn of the tooth pair from the centre line", "pitches"},

@@ -80,7 +80,7 @@ std::string with_symbols(std::string_view text) {
   const auto in_word = [](char c) {
     return is_letter_or_digit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
   };
-  // Letters of UTF-8: bytes that do not continue one.
+  // Letters of UTF-8, counted by bytes that do not continue a letter.
   const auto letters = [](std::string_view word) {
     return std::count_if(word.begin(), word.end(),
                          [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
@@ -99,6 +99,17 @@ std::string with_symbols(std::string_view text) {
     text.remove_prefix(std::min<std::size_t>(1, text.size()));
   }
   return result;
+}
+
+std::string without_tags(std::string_view markup) {
+  std::string text;
+  bool tag = false;
+  for (const char c : markup) {
+    if (c == '<') tag = true;
+    if (!tag) text += c;
+    if (c == '>') tag = false;
+  }
+  return text;
 }
 
 std::string captioned(std::string_view picture, std::string_view caption,

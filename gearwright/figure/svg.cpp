@@ -110,9 +110,21 @@ void Svg::path(std::string_view d, std::string_view style, std::string_view attr
                        attributes.empty() ? "" : " ", attributes);
 }
 
+void Svg::define(std::string_view shapes) {
+  body_ += fmt::format("<defs class=\"definitions\">\n{}</defs>\n", shapes);
+}
+
+void Svg::cross(const Vec2& at, double half, std::string_view style) {
+  body_ += fmt::format(
+      "<g class=\"lb\" transform=\"translate({0})\"><path class=\"{1}\" "
+      "d=\"M-{2} 0H{2}M0 -{2}V{2}\"/></g>\n",
+      point(at), style, pixel(half));
+}
+
 void Svg::use(std::string_view shape, const Vec2& center, double scale, double degrees,
               std::string_view style, std::string_view attributes) {
-  // Units of a shape are tiny and gears have up to 10^6 of them: the scale needs digits of its own.
+  // Units of a shape are tiny, and gears have up to 10^6 of them, so the scale has its own number
+  // of digits.
   body_ += fmt::format(
       "<use class=\"{}\" href=\"#{}\" transform=\"translate({}) scale({:.9g}) rotate({})\"{}{}/>\n",
       style, shape, point(center), scale, fixed(-degrees, 6), attributes.empty() ? "" : " ",

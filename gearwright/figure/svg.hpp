@@ -1,10 +1,10 @@
-// A small builder of inline SVG pictures, and what their labels need to keep out of each other's
-// way: pixels, for the writer of figures and for pictures that are not yet figures.
+// A small builder of inline SVG pictures, and the arrangement of labels without overlap: pixels,
+// for the writer of figures and for pictures that are not yet figures.
 //
 // Positions are pixels of the picture, y down; a Viewport carries millimetres there. Colours and
-// widths are classes of the page's style (report/page/), so that one picture serves light,
-// dark and paper. Strokes do not grow when a reader zooms, nor do marks and labels: those are
-// groups of class "lb" at their place, which the page's script scales back.
+// widths are classes of the page's style (report/page/), so one picture is used for light, dark and
+// paper. Strokes do not grow when a reader zooms, nor do marks and labels: those are groups of
+// class "lb" at their place, which the page's script scales back.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-/// Classes of what belongs to gear 1 and gear 2.
+/// Classes of marks of gear 1 and gear 2.
 inline constexpr std::array<const char*, 2> kInk{"g1", "g2"};
 
 /// The rectangle that holds some points; empty at first.
@@ -36,7 +36,7 @@ struct Viewport {
   double height;      ///< px
   Vec2 center;        ///< mm, the point in the middle of the picture
   double scale;       ///< px/mm
-  bool x_up = false;  ///< the plane's x axis points up (a tooth stands upright), else to the right
+  bool x_up = false;  ///< the plane's x axis points up (a tooth is upright); otherwise to the right
 
   Vec2 px(const Vec2& mm) const;
   std::vector<Vec2> px(const std::vector<Vec2>& mm) const;
@@ -52,7 +52,7 @@ class Svg {
   Svg(std::string_view id, double width, double height, std::string_view title,
       std::string_view description);
 
-  /// What follows is seen only inside this rectangle, until end_group.
+  /// Until end_group, only marks inside this rectangle are visible.
   void begin_clip(double x, double y, double width, double height);
   void begin_group(std::string_view attributes);
   void end_group();
@@ -61,13 +61,18 @@ class Svg {
   void polyline(const std::vector<Vec2>& points, std::string_view style);
   void polygon(const std::vector<Vec2>& points, std::string_view style);
   void circle(const Vec2& center, double radius, std::string_view style);
-  /// With a title, SVG markup, it shows where the pointer rests on it.
+  /// The title, SVG markup, is shown at the pointer.
   void rect(double x, double y, double width, double height, std::string_view style,
             std::string_view title = "");
   /// `attributes` are added as they are.
   void path(std::string_view d, std::string_view style, std::string_view attributes = "");
   /// A rectangle that attributes name as clip-path="url(#id)".
   void define_clip(std::string_view id, double x, double y, double width, double height);
+  /// Shapes for `use`, SVG markup.
+  void define(std::string_view shapes);
+  /// Vertical and horizontal lines, `half` px long on each side, whose size does not change with
+  /// the zoom.
+  void cross(const Vec2& at, double half, std::string_view style);
   /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
   /// counter-clockwise by `degrees`. `attributes` are added as they are.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,
@@ -76,7 +81,7 @@ class Svg {
   /// from `at`, at every zoom.
   void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,
             std::string_view style = "", const Vec2& offset = Vec2::Zero());
-  /// A dot that keeps its size; its title, plain text, shows where the pointer rests on it.
+  /// A dot of constant size; its title, plain text, is shown at the pointer.
   void dot(const Vec2& at, double radius, std::string_view style, std::string_view title = "");
 
   std::string str() const;  ///< the element; every group is closed (contract)
@@ -89,8 +94,8 @@ class Svg {
   int clips_ = 0;
 };
 
-/// Places labels that want to stand at `wanted`, at least `gap` apart and within [lo, hi], each as
-/// near to its wish as the sum of squares allows; the order is kept.
+/// Places labels as near to `wanted` as possible (least sum of squares), at least `gap` apart and
+/// within [lo, hi]. The order is kept.
 ///
 /// Domain    gap ≥ 0; (n − 1) gap ≤ hi − lo, else the labels share [lo, hi] evenly
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);

@@ -1,4 +1,4 @@
-// A symbol as our texts write it, "d_Ff", "h_aP*", "C_βI = C_βII", in the pieces that are set.
+// A symbol as written in texts, "d_Ff", "h_aP*", "C_βI = C_βII", in pieces for formatting.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct SymbolPiece {
   Place place;
 };
 
-/// A subscript runs from '_' over letters, digits and UTF-8 bytes; '*' stands above.
+/// A subscript extends from '_' over letters, digits and UTF-8 bytes; '*' is a superscript.
 std::vector<SymbolPiece> symbol_pieces(std::string_view symbol);
 
 }  // namespace gearwright

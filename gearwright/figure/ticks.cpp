@@ -1,9 +1,12 @@
 #include "gearwright/figure/ticks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 
@@ -28,7 +31,7 @@ Ticks round_ticks(double lo, double hi, int most) {
 
 Ticks log_ticks(double lo, double hi, double apart) {
   GW_EXPECTS(0.0 < lo && lo < hi);
-  // The finest list whose values keep so far from each other.
+  // The finest list whose values keep this distance from each other.
   using List = std::vector<double>;
   const double room = std::pow(10.0, apart);
   const List steps = room <= 1.2   ? List{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}
@@ -40,6 +43,15 @@ Ticks log_ticks(double lo, double hi, double apart) {
     for (const double step : steps)
       if (const double v = step * std::pow(10.0, k); v >= lo && v <= hi) ticks.values.push_back(v);
   return ticks;
+}
+
+std::string tick_text(double value, int decimals) {
+  if (decimals < 0) {
+    return value < 1000 ? fmt::format("{:g}", value)
+                        : counted(static_cast<std::int64_t>(std::llround(value)));
+  }
+  const std::string text = fixed(value, decimals);
+  return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
 std::vector<double> levels_between(double lo, double hi, int most) {

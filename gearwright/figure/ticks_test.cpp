@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "gearwright/figure/markup.hpp"
+
 namespace gearwright {
 namespace {
 
@@ -53,6 +55,13 @@ TEST(Ticks, ASingleValueGetsRoom) {
   const auto ends = widened(1.0, 3.0, 0.1);
   EXPECT_DOUBLE_EQ(ends[0], 0.8);
   EXPECT_DOUBLE_EQ(ends[1], 3.2);
+}
+
+TEST(Ticks, TextHasATrueMinusAndGroups) {
+  EXPECT_EQ(tick_text(-0.5, 1), "−0.5");
+  EXPECT_EQ(tick_text(-0.001, 1), "0.0");
+  EXPECT_EQ(tick_text(0.2, -1), "0.2");
+  EXPECT_EQ(tick_text(20000, -1), counted(20000));
 }
 
 }  // namespace

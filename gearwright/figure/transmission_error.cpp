@@ -15,14 +15,15 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 1e-6;  // arcsec: waves below it are not drawn
-constexpr double kFlat = 0.01;      // arcsec: a span below it is drawn as no more than this
+constexpr double kFlat = 0.01;      // arcsec: a smaller span is drawn with this range
 
 const char* pair_style(int pair) {
   constexpr std::array kStyles{"tp0", "tp1", "tp2"};
   return kStyles[static_cast<std::size_t>(((pair % 3) + 3) % 3)];
 }
 
-// The shown pitch and half of its neighbours: positions with their rotation and tooth pair moved.
+// The shown pitch and half of the neighbouring pitches: positions with shifted rotation and tooth
+// pair.
 std::vector<ContactPoint> repeated(const std::vector<ContactPoint>& one, double pitch) {
   const int n = static_cast<int>(one.size());
   const int half = n / 2;
@@ -98,7 +99,7 @@ void add_lanes(Figure& figure, const std::vector<ContactPoint>& points) {
   }
 }
 
-// Where the straight continuation of one curve meets that of the next, between two positions.
+// The intersection of the linear continuations of two curves, between two positions.
 Vec2 crossing(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Vec2 middle = 0.5 * (b + c);
   const double slope_1 = (b - a).y() / (b - a).x();
@@ -132,7 +133,8 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
     if (!open || runs.back().pair != p.pair || runs.back().edge != edge) {
       TeRun run{p.pair, edge, {}, {}};
       if (open) {
-        // Neighbouring runs meet: of one pair at the last position, of two where they cross.
+        // Neighbouring runs join: those of one pair at the last position, those of two pairs at
+        // their intersection.
         Vec2 border = at(i - 1);
         if (runs.back().pair != p.pair) {
           border = 0.5 * (at(i - 1) + at(i));
@@ -169,12 +171,12 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   const double half = 0.62 * std::max(peak, kFlat);
   Figure f{other ? "te-other" : "te",
            other ? "Transmission error of the non-working flanks" : "Transmission error",
-           "Over the rotation of gear 1: transmission error in arc seconds, below it which tooth "
-           "pair touches and where on its flanks.",
-           fmt::format(", from its middle at {}″. {} positions in the shaded pitch, which repeats "
-                       "for ever. A colour for each tooth pair, numbered from the one nearest the "
-                       "centre line; dashed: an edge touches; dotted upright: one pair hands over "
-                       "to the next.",
+           "Over the rotation of gear 1: transmission error in arc seconds, below it the tooth "
+           "pair in contact and its place on the flanks.",
+           fmt::format(", from its middle at {}″. {} positions in the shaded pitch, which is "
+                       "repeated. A colour for each tooth pair, numbered from the one nearest the "
+                       "centre line; dashed: an edge touches; dotted vertical lines: one pair "
+                       "hands over to the next.",
                        shown_arcsec(middle * kArcsecPerRad), result.positions.size()),
            {"rotation of gear 1", "°", -pitch, pitch},
            {"transmission error", "arc seconds", -half, half},
@@ -226,7 +228,7 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", told);
     by_size.push_back(h);
   }
-  // Values of peaks, where no bar stands in the words' way: the tallest three.
+  // The values of the three highest peaks, unless a bar is in the way.
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](int a, int b) { return amplitude(a) > amplitude(b); });
   std::vector<int> named;

@@ -52,8 +52,6 @@ TEST(ArcGear, has_diameters_of_its_rack_and_no_involute) {
   EXPECT_DOUBLE_EQ(gear.reference_diameter, d);
   EXPECT_DOUBLE_EQ(gear.tip_diameter, d + 4 * 0.9);
   EXPECT_DOUBLE_EQ(gear.root_diameter, d - 4 * 0.3);
-  EXPECT_FALSE(of_involute(gear, &ReferenceGeometry<double>::base_diameter));
-  EXPECT_FALSE(of_involute(gear, &InvoluteTeeth::undercut_l));
   GW_EXPECT_VIOLATION(static_cast<void>(gear.reference()));
   EXPECT_TRUE(gear.warnings.empty());
   EXPECT_EQ(names(gear), (std::vector{ArcName::root_land, ArcName::root_fillet, ArcName::flank,

@@ -30,7 +30,8 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
   const double depth = bore.has_keyway() ? bore.keyway_depth : 0.0;
   const double largest =
       room > half ? 2.0 * (std::sqrt((room - half) * (room + half)) - depth) : 0.0;
-  const double printed = std::floor(largest * 1000.0) / 1000.0;  // rounded down: it fits
+  // rounded down, so that the printed value fits
+  const double printed = std::floor(largest * 1000.0) / 1000.0;
   const char* with = bore.has_keyway() ? " with its keyway" : "";
   return refused(
       "bore.diameter", bore.diameter,

@@ -22,15 +22,15 @@ Gear described(const CylindricalSpec& spec) {
   const double m = spec.normal_module;
   const double d = gear.reference_diameter;
   const double x_E = reference.generating_profile_shift;
-  const double sign = gear.internal() ? -1.0 : 1.0;
+  const double sigma = gear.side();
   const double beta = spec.helix_angle.rad();
   gear.tip_diameter =
-      spec.tip_diameter.value_or(d + sign * 2 * m * (addendum_of(spec.rack) + spec.profile_shift));
-  gear.root_diameter = d - sign * 2 * m * (dedendum_of(spec.rack) - x_E);
+      spec.tip_diameter.value_or(d + sigma * 2 * m * (addendum_of(spec.rack) + spec.profile_shift));
+  gear.root_diameter = d - sigma * 2 * m * (dedendum_of(spec.rack) - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double psi_b = reference.base_tooth_thickness / reference.base_diameter;
   // An internal gear's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do. [T2.13]
-  const double y = sign * psi_b;
+  const double y = sigma * psi_b;
   if (y >= 0.0) gear.pointed_diameter = reference.base_diameter / std::cos(inverse_involute(y));
   return gear;
 }

@@ -140,14 +140,6 @@ const ReferenceGeometry<double>& Gear::reference() const {
   return involute()->reference;
 }
 
-std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number) {
-  return gear.involute() ? std::optional(gear.involute()->reference.*number) : std::nullopt;
-}
-
-std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number) {
-  return gear.involute() ? gear.involute()->*number : std::nullopt;
-}
-
 std::optional<double> Gear::root_form_radius() const {
   return tooth ? tooth->form_radius : std::nullopt;
 }

@@ -47,7 +47,8 @@ struct PinionCutting {
 /// The data of involute gears only.
 struct InvoluteTeeth {
   ReferenceGeometry<double> reference;
-  std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
+  std::optional<double> undercut_free_profile_shift;  ///< least x_E without undercut, signed; only
+                                                      ///< of a rack
   std::optional<double> undercut_l;                   ///< l_F  mm, signed; none if internal
   std::optional<double> point_c_l, point_j_l;         ///< l_C, l_J  mm, with circular fillets
 };
@@ -56,9 +57,9 @@ struct InvoluteTeeth {
 struct ArcTeeth {
   RackOfArcs rack;                            ///< its edge, in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
-  Angle flank_begin;                          ///< τ at the root end of the flank's arc, of several
-                                              ///< the undercut one or else the lowest
-  std::optional<Angle> undercut_limit;        ///< τ of that arc's cusp; none: it has none
+  Angle flank_begin;                          ///< τ at the root end of the flank's arc; of several
+                                              ///< arcs, the undercut one or else the lowest
+  std::optional<Angle> undercut_limit;        ///< τ of that arc's cusp; none if it has no cusp
 };
 
 /// The projection of a tip beyond the involute (gear/tip_bulge.hpp).
@@ -77,15 +78,16 @@ struct Gear {
   double tip_diameter;        ///< d_a   mm, of the blank
   double root_diameter;       ///< d_f   mm, negative if the rack passes through the axis
   double lead;                ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
-  bool undercut;  ///< the cutter took some of the flank; not under a circular root fillet
+  bool undercut;  ///< the cutter removed part of the flank; false with a circular root fillet
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
-  std::optional<TipBulge> tip_bulge;                 ///< none: nothing stands out
+  std::optional<TipBulge> tip_bulge;                 ///< none if the tip does not project
   std::optional<Bore> bore;             ///< of the body (internal: rim); independent of the teeth
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }
+  double side() const { return side_of(spec.teeth); }  ///< σ  +1 external, −1 internal
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
   /// Domain  an involute gear (contract), here and for the base radius
@@ -103,10 +105,6 @@ struct Gear {
   double actual_tip_radius() const;
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
-
-/// A number of involute gears; none for other gears.
-std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number);
-std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number);
 
 /// Checks the limits of a spec and returns the first member out of bounds, or nothing. make_gear
 /// calls it too.

@@ -42,7 +42,7 @@ double in_um(double mm) {
 
 double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0) * (rho + r0))); }
 
-// µm are what people read.
+// Messages give µm.
 constexpr const char* kTenth =
     "must lie between {} and {} µm, a tenth of the depth of this gear's usable flank";
 

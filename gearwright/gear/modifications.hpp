@@ -110,10 +110,10 @@ class RemovalField {
   /// The material removed at (u, z), by the formulas of `piece`.
   ///
   /// Units     u = ln(ρ/mm), z in mm
-  /// Domain    any u, z. A relief of `piece` that is not placed is a contract. √(ρ² − r0²) ends on
+  /// Domain    any u, z. Every relief of `piece` must be placed (contract). √(ρ² − r0²) ends on
   ///           the base circle: below half the least L of the usable flank (or 1e-6 of its greatest
-  ///           L, if the flank begins on the circle) another function goes on, with the same first
-  ///           two derivatives, through 0 and bounded like √
+  ///           L, if the flank begins on the circle) L is continued by another function with the
+  ///           same first two derivatives, which passes through 0 and is bounded like √
   /// Accuracy  derivatives are those of the formulas, not differences. They grow as ρ²/L² towards
   ///           the base circle, where c is no smooth function of u
   Removal at(double u, double z, const Piece& piece) const;
@@ -128,7 +128,7 @@ class RemovalField {
   /// The piece that contains (u, z); on a border the one above, and beyond the flank the nearest
   /// one.
   const Piece& piece_at(double u, double z) const;
-  /// Growing u, and for each u growing z.
+  /// Pieces in order of u, and for equal u in order of z.
   const std::vector<Cell>& pieces() const { return cells_; }
   /// Borders between pieces, growing: where a first derivative jumps, or (parabolic) a second one.
   /// A relief with a start has a border even if its amount is 0, because its derivative needs it.

@@ -111,7 +111,7 @@ enum class WarningCode {
   designs_cut,
   edges_left_out,
   changes_left_out,
-  // Of whole drives, the worst first.
+  // Warnings about whole drives, the worst first.
   not_coaxial,
   planets_collide,
   unequal_spacing,

@@ -16,7 +16,7 @@
 
 namespace gearwright::detail {
 
-/// Relative: the bottom of the cutter ends on the circle of the land within this rounding error.
+/// Relative rounding error within which the bottom of the cutter ends on the circle of the land.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
@@ -45,10 +45,12 @@ struct ToothEnds {
   double side;              ///< 1, an internal gear −1
   double root_land_angle;   ///< rad: polar angle where the root land ends; π/|z| without one
   double blank_radius;      ///< mm, infinite (an internal gear: 0) without one
-  double cutter_radius;     ///< mm, where the cutter itself ends the tooth; likewise
+  double cutter_radius;     ///< mm, where the cutter itself ends the tooth; infinite (an internal
+                            ///< gear: 0) if it does not
   bool rack = true;         ///< cut by a rack
   bool turns_back = false;  ///< true if the cutter may also cut behind the tooth
-  std::function<std::vector<Branch>()> all = {};  ///< in that case every branch, ahead and behind
+  std::function<std::vector<Branch>()> all = {};  ///< in that case returns every branch, ahead and
+                                                  ///< behind
 };
 
 /// Joins the branches and ends them at the tip. `tooth` contains root_radius and the requested

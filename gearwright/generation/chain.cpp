@@ -104,7 +104,8 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
       j = joint(chain[kept - 1], next);
     }
     if (j.kind == Joint::next_hidden) continue;
-    if (j.kind == Joint::at_height && j.height >= tip_height) continue;  // takes over in the air
+    // the crossing lies beyond the tip
+    if (j.kind == Joint::at_height && j.height >= tip_height) continue;
     if (j.kind == Joint::last_hidden) {
       chain.clear();
     } else {
@@ -164,7 +165,8 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
       continue;
     }
     if (gap(before) < 0.0) return find_root(gap, before, h).x;
-    // The two are one point here, as after a has passed below b, and may coincide for some length.
+    // The two curves coincide here, for example after a has passed below b, and possibly over some
+    // length.
     for (double near = h; near - before > kSameHeight * std::abs(before);) {
       near = before + 0.5 * (near - before);
       if (gap(near) < -kRounding) return find_root(gap, near, h).x;

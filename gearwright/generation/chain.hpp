@@ -16,9 +16,9 @@ namespace gearwright::detail {
 /// two ends that should meet do not.
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
 
-/// The same for branches in any order: starting with the first, which begins at the root, it takes
-/// the lowest half angle at every height. [T6.13] It is slower than the walk along an edge and is
-/// used for cutters whose path turns back.
+/// The same chain for branches in any order. Starting with the first, which begins at the root, it
+/// takes the lowest half angle at every height. [T6.13] It is slower than the walk along an edge
+/// and is used for cutters whose path turns back.
 std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
 
 /// True if every branch begins at the end of the preceding one.

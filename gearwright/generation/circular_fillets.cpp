@@ -102,7 +102,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   return CircularFillet{xi, *arc};
 }
 
-// ξ_J ≥ ψ_b of the tip fillet that ends at the radius ρ: there the end moves out with ξ. [T6.6]
+// ξ_J of the tip fillet that ends at the radius ρ. It is at least ψ_b, where the end moves outward
+// as ξ grows. [T6.6]
 std::optional<double> roll_of_end(const Involute& flank, double rho) {
   const double r_b = flank.base_radius();
   const double psi_b = flank.base_half_angle();

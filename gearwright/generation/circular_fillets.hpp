@@ -9,9 +9,10 @@
 //                                              theory: docs/theory/06-few-teeth.md
 //   γ    polar angle of the centre of a rounded tip corner, half of the land that is left
 //
-// All arcs are tangent to the flank, so that their centres lie on its normal: the root fillet's
-// where that meets the space's centre line, the tip fillet's where it meets the tooth's, that of a
-// rounded tip corner where it is as far from the tip circle. All are closed forms.
+// All arcs are tangent to the flank, so their centres lie on its normal. The centre of the root
+// fillet is on the centre line of the space, that of the tip fillet on the centre line of the
+// tooth. The centre of a rounded tip corner is one radius inside the tip circle. All are closed
+// forms.
 #pragma once
 
 #include <optional>

@@ -62,7 +62,7 @@ class Cutting {
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
       const double nu_tip_side = normal_angle(arc, 1.0);
-      if (nu_tip_side > nu + kSameNormal) {  // a corner that stands out
+      if (nu_tip_side > nu + kSameNormal) {  // a convex corner
         add_fan(arc, nu, nu_tip_side, smooth);
       } else if (nu_tip_side < nu - kSameNormal) {
         smooth = false;  // a concave corner does not cut; its neighbours do
@@ -88,7 +88,7 @@ class Cutting {
         pieces(all, std::make_shared<CornerFan>(arc.end_point), Walk::forward, nu_tip_side, nu);
       }
       nu = normal_angle(arc, 0.0);
-      std::visit(Overloaded{[](const AxisCircle*) {},  // lands are ends
+      std::visit(Overloaded{[](const AxisCircle*) {},  // a land only ends the tooth
                             [&](const Involute* involute) { involute_piece(all, *involute, arc); },
                             [&](const auto*) {
                               pieces(all, arc.curve, walk_of(arc), arc.begin, arc.end);
@@ -99,7 +99,7 @@ class Cutting {
   }
 
  private:
-  // Behind the tooth, from the root side of the cutter's arc to its tip side.
+  // Adds the branches behind the tooth, from the root side of the cutter's arc to its tip side.
   void pieces(std::vector<Branch>& all, const CurvePtr& curve, Walk walk, double t_root,
               double t_tip) const {
     const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
@@ -118,7 +118,8 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // On one side of the cusp only: an external gear's ξ < 0, an internal gear's ξ > 0.
+    // Only one side of the cusp is kept, which is ξ < 0 on an external gear and ξ > 0 on an
+    // internal one.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);
@@ -127,10 +128,10 @@ class Cutting {
     if (branch.height_lo < branch.height_hi) all.push_back(std::move(branch));
   }
 
-  // Returns whether the branch after it goes on smoothly.
+  // Returns true if the next branch continues smoothly.
   bool add_arc(const Arc& arc, bool smooth) {
     return std::visit(
-        Overloaded{[](const AxisCircle*) { return true; },  // lands are ends
+        Overloaded{[](const AxisCircle*) { return true; },  // a land only ends the tooth
                    [&](const Involute* involute) { return add_involute(arc, *involute, smooth); },
                    [&](const auto*) {
                      return add_envelope(cut_by_arc(arc.name), arc.curve, walk_of(arc), arc.end,
@@ -157,7 +158,7 @@ class Cutting {
     const double side = motion_.side();
     double t_lo = cut->roll(arc.end);
     const double t_hi = cut->roll(arc.begin);
-    if (side > 0.0 && t_lo < 0.0) {  // undercut: up to the cusp it runs backward
+    if (side > 0.0 && t_lo < 0.0) {  // with undercut, the branch runs backward up to the cusp
       if (!(t_hi > 0.0)) return false;
       t_lo = 0.0;
       smooth = false;

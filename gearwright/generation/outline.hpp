@@ -26,11 +26,15 @@ struct Arc {
   CurvePoint at(double u) const;
 };
 
+/// σ: the sign of z, +1 of external and −1 of internal teeth. Radii grow by it from root to tip.
+constexpr double side_of(int teeth) { return teeth < 0 ? -1.0 : 1.0; }
+
 struct Outline {
   int teeth = 0;  ///< z, negative for an internal gear
   std::vector<Arc> arcs;
 
-  const Arc* find(ArcName name) const;  ///< first arc of that name, or null
+  double side() const { return side_of(teeth); }  ///< σ
+  const Arc* find(ArcName name) const;            ///< first arc of that name, or null
 };
 
 /// n points per arc, both ends included.   Domain: n ≥ 2 (contract)

@@ -134,8 +134,8 @@ bool PinionEnvelope::cuts(double t) const {
 }
 
 // The cutter's curve as a circle about D∠γ with the radius ρ along its normal, < 0 where it is
-// hollow. With h = λ + ρ, the way from the centre to the pitch point, and K = r_p² − D², everything
-// is rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
+// hollow. With h = λ + ρ, the distance from the centre to the pitch point, and K = r_p² − D²,
+// everything is rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
 struct PinionEnvelope::Circle {
   double distance, direction, rho;
   double nu_to_t;  // t = ν + this
@@ -148,7 +148,8 @@ std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
                                  return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
                                },
                                [&](const OffsetCircle* c) -> None {
-                                 const bool hollow = walk_ > 0.0;  // walked counter-clockwise
+                                 // a hollow curve is walked counter-clockwise
+                                 const bool hollow = walk_ > 0.0;
                                  return Circle{c->distance(), c->direction(),
                                                hollow ? -c->radius() : c->radius(),
                                                hollow ? -kPi : 0.0};

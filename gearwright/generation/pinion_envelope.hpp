@@ -20,6 +20,7 @@
 
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/curve/curve.hpp"
+#include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
 
@@ -27,7 +28,7 @@ struct PinionMotion {
   int cutter_teeth;  ///< z_0 ≥ 1
   int teeth;         ///< z, negative for an internal gear
   double distance;   ///< E > 0  mm
-  double side() const { return teeth > 0 ? 1.0 : -1.0; }
+  double side() const { return side_of(teeth); }
   double ratio() const { return static_cast<double>(cutter_teeth) / teeth; }  ///< m
   double cutter_pitch_radius() const;                                         ///< r_p  mm
   double pitch_radius() const;                                                ///< r_g  mm, signed
@@ -59,7 +60,7 @@ enum class Meeting { ahead, behind };
 /// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)}, G = 1 + (1+m) λ (1 − k λ)/w, σ and k length and curvature of
 ///           the cutter's curve: G = 0 is a cusp; [T6.9]
 ///       (2) d|W|²/dσ = −2 (r_g/r_p) s G: between cusps the radius is monotone
-/// Domain  s ≤ r_p at every parameter asked for
+/// Domain  s ≤ r_p at every evaluated parameter
 class PinionEnvelope final : public Curve {
  public:
   PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
@@ -69,14 +70,14 @@ class PinionEnvelope final : public Curve {
   CurvePoint at(double t) const override;
   double polar_angle(double t) const override;
 
-  /// Whether the cutter lies outside the gear's material around the point: s < r_p and w G > 0.
+  /// True if the cutter lies outside the gear's material around the point: s < r_p and w G > 0.
   bool cuts(double t) const;
   bool reaches(double t) const;  ///< s < r_p: the normal meets the centrode
-  /// The parameters between a and b, ordered from a, at which that may change: cusps and limits of
-  /// reach.
-  /// Exact for circles and corners, elsewhere isolated on 256 cells. [T6.9]
+  /// The parameters between a and b, ordered from a, at which cuts() may change: cusps and limits
+  /// of reach. Exact for circles and corners, elsewhere isolated on 256 cells. [T6.9]
   std::vector<double> breaks(double a, double b) const;
-  /// Where the gear's half angle is stationary, q = w (1 + 1/m); likewise. [T6.10]
+  /// The parameters between a and b, ordered from a, at which the gear's half angle is stationary:
+  /// q = w (1 + 1/m). [T6.10]
   std::vector<double> turns(double a, double b) const;
 
  private:

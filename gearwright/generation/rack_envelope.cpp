@@ -86,7 +86,7 @@ double transverse(const RackMotion& motion, double tau) {
 
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
   const double alpha_t = transverse(motion, line.tau.rad());
-  // The line's half width on the pitch circle, then down to the base circle.
+  // Half width of the line on the pitch circle, then on the base circle.
   const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau.rad())) / motion.cos_beta;
   return {motion.pitch_radius * std::cos(alpha_t),
           y_pitch / motion.pitch_radius + involute(alpha_t)};

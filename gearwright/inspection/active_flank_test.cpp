@@ -6,7 +6,7 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/evaluation_ranges.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 namespace {
@@ -27,8 +27,8 @@ double by_hand(double base, double mate_base, double mate_tip, double twice_a_si
 
 TEST(ActiveFlank, of_external_gears_by_hand) {
   for (const double beta : {0.0, 15.0}) {
-    const auto pair = testing::taken(
-        mount_involutes(gear_of(23, beta, 0.2), gear_of(43, -beta, 0.1), {.center_distance = {}}));
+    const auto pair = testing::taken(mount_as<ParallelPair>(
+        gear_of(23, beta, 0.2), gear_of(43, -beta, 0.1), {.center_distance = {}}));
     const auto& g = pair.gears;
     const double d_b1 = 2 * g[0].base_radius(), d_b2 = 2 * g[1].base_radius();
     const double a = pair.center_distance;
@@ -50,7 +50,7 @@ TEST(ActiveFlank, of_external_gears_by_hand) {
 
 TEST(ActiveFlank, of_a_ring_and_its_pinion) {
   const auto pair =
-      testing::taken(mount_involutes(gear_of(23, 0, 0.2), gear_of(-60, 0, 0.2, 147.0), {}));
+      testing::taken(mount_as<ParallelPair>(gear_of(23, 0, 0.2), gear_of(-60, 0, 0.2, 147.0), {}));
   const auto& g = pair.gears;
   const double d_b1 = 2 * g[0].base_radius(), d_b2 = 2 * g[1].base_radius();
   const double a = pair.center_distance;
@@ -66,7 +66,8 @@ TEST(ActiveFlank, of_a_ring_and_its_pinion) {
 
 TEST(ActiveFlank, ends_where_the_flank_itself_ends) {
   // Undercut: contact cannot begin below d_Ff, though the mating tip reaches below.
-  const auto pair = testing::taken(mount_involutes(gear_of(9, 0, -0.1), gear_of(80, 0, 0.0), {}));
+  const auto pair =
+      testing::taken(mount_as<ParallelPair>(gear_of(9, 0, -0.1), gear_of(80, 0, 0.0), {}));
   const auto one = active_flank(pair, 1), two = active_flank(pair, 2);
   ASSERT_TRUE(one && two);
   EXPECT_NEAR(one->root.diameter, 2 * *pair.gears[0].root_form_radius(), 1e-9);
@@ -75,7 +76,7 @@ TEST(ActiveFlank, ends_where_the_flank_itself_ends) {
 
 TEST(ActiveFlank, none_of_gears_that_do_not_touch) {
   const auto pair = testing::taken(
-      mount_involutes(gear_of(23, 0, 0.2), gear_of(43, 0, 0.1), {.center_distance = 92.0}));
+      mount_as<ParallelPair>(gear_of(23, 0, 0.2), gear_of(43, 0, 0.1), {.center_distance = 92.0}));
   EXPECT_FALSE(active_flank(pair, 1));
 }
 

@@ -32,8 +32,7 @@ struct Base {
 // [T10.5]
 Base base_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
-  const double sigma = gear.internal() ? -1.0 : 1.0;
-  return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), sigma,
+  return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), gear.side(),
           pi / std::abs(gear.spec.teeth) - base_thickness / g.base_diameter};
 }
 Base base_of(const Gear& gear) { return base_of(gear, gear.reference().base_tooth_thickness); }
@@ -77,9 +76,9 @@ std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, doub
 
 // The root diameter as cut, which limits the lowest point of a ball.
 bool hits_root(const Gear& gear, const BallSeat& seat) {
-  const double lowest =
-      seat.center_diameter / 2 - (gear.internal() ? -1 : 1) * seat.ball_diameter / 2;
-  return gear.internal() ? 2 * lowest > gear.root_diameter : 2 * lowest < gear.root_diameter;
+  const double sigma = gear.side();
+  const double lowest = seat.center_diameter / 2 - sigma * seat.ball_diameter / 2;
+  return sigma * 2 * lowest < sigma * gear.root_diameter;
 }
 
 }  // namespace
@@ -94,11 +93,11 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
     return no_ball(ball, "a gear with one tooth space has no opposite space for the second ball");
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
-  const bool internal = gear.internal();
   // The spaces of an internal gear widen towards its tip, so a ball that is too large finds no
   // flank.
   if (!seat) {
-    const bool small = !internal || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);
+    const bool small =
+        !gear.internal() || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);
     return no_ball(ball, (small ? "is too small to touch both flanks; "
                                 : "is too large for the tooth space; ") +
                              sizes);
@@ -113,7 +112,7 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
     return no_ball(ball, fmt::format("touches the root at {} mm before it touches both flanks; {}",
                                      format_number(gear.root_diameter), sizes));
   const double proud = seat->radial - flank->tip / 2;
-  if (internal ? proud >= 0.0 : proud <= 0.0)
+  if (gear.side() * proud <= 0.0)
     return no_ball(ball, fmt::format("does not project beyond the tip, because it ends at {} mm "
                                      "and the tip at {} mm from the axis; {}",
                                      format_number(seat->radial, flank->tip / 2),
@@ -125,13 +124,13 @@ double over_two_balls(const Gear& gear, const BallSeat& seat) {
   const int z = std::abs(gear.spec.teeth);
   GW_EXPECTS(z >= 2);
   const double across = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
-  return seat.center_diameter * across + (gear.internal() ? -1 : 1) * seat.ball_diameter;
+  return seat.center_diameter * across + gear.side() * seat.ball_diameter;
 }
 
 namespace {
 
 // The least distance of two helices on one cylinder, in its diameters, whose points in one
-// transverse plane stand δ off opposite: √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. [T10.9]
+// transverse plane deviate by δ from opposite: √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. [T10.9]
 double least_across(double delta, double T) {
   double epsilon = delta;
   if (T > 0.0 && (delta > 0.0 || T > 1.0)) {
@@ -159,8 +158,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat) {
   if (gear.spec.helix_angle.rad() == 0.0) {
     const double both = over_two_balls(gear, seat);
     const double c = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
-    const double side = gear.internal() ? -1.0 : 1.0;
-    return {both, both, seat.center_diameter * c * c + side * seat.ball_diameter};
+    return {both, both, seat.center_diameter * c * c + gear.side() * seat.ball_diameter};
   }
   if (gear.internal()) return {};
   const double delta = z % 2 == 0 ? 0.0 : pi / z;

@@ -27,7 +27,8 @@ struct BallSeat {
   double center_diameter;        ///< d_K   mm
   double contact_diameter;       ///< d_M   mm
   double contact_offset;  ///< mm, distance of the contacts before and behind the ball's centre
-  double radial;          ///< M_r   mm, from the axis over the ball, of a ring inside it
+  double radial;          ///< M_r   mm, from the axis over the ball, or to its inner side in an
+                          ///< internal gear
   ContactPlace place;
 
   bool usable() const { return place == ContactPlace::usable; }
@@ -43,8 +44,8 @@ struct PinReading {
 /// The ball or pin in a space of the gear, if it touches both flanks and can be measured.
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
-/// Errors    `ball_diameter`: falls between the teeth, rests on the tips, does not stand out beyond
-///           them; with the diameters that do
+/// Errors    `ball_diameter` if the ball falls between the teeth, rests on the tips or does not
+///           project beyond them, with the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
 /// Over two opposite balls in one transverse plane; between them in an internal gear. [T10.8]
@@ -52,7 +53,8 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 /// Domain    |z| ≥ 2 (contract): one space has no opposite one
 double over_two_balls(const Gear& gear, const BallSeat& seat);
 
-/// The same over pins; none for an internal helical gear, into which a straight pin does not fit.
+/// The dimensions over pins; none for an internal helical gear, into which a straight pin does not
+/// fit.
 ///
 /// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; parallel anvils: d_K ± D_M [T10.10];
 ///           three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
@@ -63,7 +65,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat);
 ///
 /// Formula   α_Kt + tan² β_b tan α_Kt = ξ_M/cos² β_b + σ η_b; [T10.11]
 /// Domain    contact_diameter ≥ d_b (contract)
-/// None      the flanks of a space meet before
+/// None      the flanks of a space meet before that diameter
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
 
 /// The transverse base tooth thickness of the gear over whose balls M_d is read. [T10.12]

@@ -29,7 +29,8 @@ struct ApproximateChord {
 ///
 /// Formula   [T5.8], [T5.9], [T5.10]
 /// Units     mm, rad
-/// Accuracy  the first term left out, relative, leads: after n corrections O(u^(2n + 2)) in each
+/// Accuracy  the first omitted term dominates the relative error: after n corrections O(u^(2n + 2))
+///           in each
 /// Domain    θ_t > 0, |ψ| < π/2, 0 ≤ corrections ≤ 3 (contract)
 template <class T>
 ApproximateChord<T> chord_by_series(const T& theta_t, const T& psi, const T& radius,

@@ -18,7 +18,7 @@ Error off_flank(double diameter, const std::string& why) {
 
 struct FlankRange {
   double lo, hi;     // mm, diameters
-  std::string ends;  // what they are, for people
+  std::string ends;  // description of the two ends, for messages
 };
 
 // The range with involutes on both sides of the tooth.

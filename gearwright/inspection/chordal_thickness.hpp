@@ -115,11 +115,10 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
 /// The tooth of a gear on the cylinder of that diameter.
 ///
 /// Formula   θ_t = s_yt/d_y, tan ψ = (d_y/d_b) tan β_b; [T2.11], [T2.12]
-/// Domain    d_y ≥ d_b (contract); a tooth thinner than nothing has θ_t ≤ 0
+/// Domain    d_y ≥ d_b (contract); beyond the point of the tooth θ_t ≤ 0
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 
-/// The shortest chord over a tooth of the gear, allowance included; of an internal gear's tooth
-/// too.
+/// The shortest chord over a tooth of the gear, allowance included. The gear may be internal.
 ///
 /// Errors    `chord_diameter`: not on the usable flank (from d_Ff to d_Fa, and never inside the
 ///           base circle; an internal gear: from d_Fa to its root), beyond the diameter at which

@@ -10,7 +10,7 @@ std::optional<ConstantChord> constant_chord(const Gear& gear) {
   const double half = gear.reference().reference_tooth_thickness_normal / 2;
   const double sin_a = std::sin(gear.spec.normal_pressure_angle.rad());
   const double cos_a = std::cos(gear.spec.normal_pressure_angle.rad());
-  const double side = gear.internal() ? -1.0 : 1.0;
+  const double side = gear.side();
   const double across = half * cos_a * cos_a;  // from the middle of the tooth, normal to the rack
   const double up = half * sin_a * cos_a;      // towards the tip
   // The rack's normal points along (cos β, sin β) of transverse section and axis. [T10.14]

@@ -9,7 +9,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kLeftOut = 0.05;  // fraction of the profile at its tip and of the face at each end
+constexpr double kLeftOut = 0.05;  // omitted fraction of the profile at its tip and of the face at
+                                   // each end
 
 }  // namespace
 

@@ -22,8 +22,9 @@ struct ToleranceSubject {
   double face_width;                                  ///< b    mm
   int teeth;                                          ///< |z|
   double helix_angle;                                 ///< β    rad
-  std::optional<double> transverse_pressure_angle{};  ///< α_t  rad; none: no involute
-  std::optional<double> contact_ratio{};              ///< ε_γ  of the mounted pair; none: no pair
+  std::optional<double> transverse_pressure_angle{};  ///< α_t  rad; none if the teeth are not
+                                                      ///< involute
+  std::optional<double> contact_ratio{};  ///< ε_γ  of the mounted pair; none without a pair
 };
 
 /// All values are in µm, rounded by the rules of the standard.
@@ -43,8 +44,8 @@ struct FlankToleranceValues {
   std::optional<double> sector_pitch{};          ///< F_pk over k = ⌊|z|/8⌋ pitches
   std::optional<double> single_flank{};          ///< F_i′, total composite with the mating gear
   std::optional<double> tooth_single_flank{};    ///< f_i′, tooth to tooth
-  std::optional<double> axis_deviation{};        ///< f_Σβ, of the pair: the axes cross
-  std::optional<double> axis_inclination{};      ///< f_Σδ, of the pair: in the plane of the axes
+  std::optional<double> axis_deviation{};    ///< f_Σβ of the pair, out of the plane of the axes
+  std::optional<double> axis_inclination{};  ///< f_Σδ of the pair, in the plane of the axes
 };
 
 /// The classes that the edition has: 1 to 11, or 0 to 12.
@@ -58,7 +59,8 @@ bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
 ///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]
 /// Units     mm in, µm out
-/// Domain    has_class (contract). Radial composites are none beyond 1000 mm or 10 mm of module
+/// Domain    has_class (contract). Radial composite tolerances are absent beyond 1000 mm of
+///           diameter or 10 mm of module
 FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
                                       const ToleranceSubject& gear);
 
@@ -68,7 +70,7 @@ FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
 void set_axis_tolerances(FlankToleranceValues& t, double greater_helix_total, double face_width,
                          double bearing_span);
 
-/// To 1 µm above 10 µm, to 0.5 µm from 5 µm on, to 0.1 µm below.
+/// Rounds to 1 µm above 10 µm, to 0.5 µm from 5 µm on, and to 0.1 µm below.
 double rounded_tolerance(double um);
 
 }  // namespace gearwright

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/generation/outline.hpp"
 #include "gearwright/inspection/identify_fit.hpp"
 #include "gearwright/inspection/identify_model.hpp"
 #include "gearwright/inspection/standard_racks.hpp"
@@ -50,7 +51,7 @@ class Searching {
       if (possible(rack.module, rack.alpha)) add(rack, found);
     }
     if (const auto module = module_of_pitch()) {
-      // A module of no standard, with the usual or the known pressure angle.
+      // A nonstandard module, with the usual or the known pressure angle.
       const double alpha = problem_.normal_pressure_angle.value_or(Angle::degrees(20)).rad();
       add({*module / std::cos(alpha), alpha, ModuleSeries::none, {}, kLogOwnModule}, found);
     }
@@ -63,7 +64,8 @@ class Searching {
   static constexpr double kSameAngle = 1e-6;
   static constexpr double kLogOwnModule = -3.5;
 
-  // Base pitch from the spans furthest apart, and its standard deviation; none: one span.
+  // Base pitch from the spans furthest apart, and its standard deviation; none if there is only one
+  // span.
   std::optional<std::array<double, 2>> base_pitch() const {
     const Observation *least = nullptr, *most = nullptr;
     for (const Observation& o : readings_) {
@@ -140,7 +142,8 @@ class Searching {
     take(rack, fit_rack(start, of_both, readings_), prior.any, found);
   }
 
-  // Lead and helix angle determine the angle directly. Returns true if this one is excluded.
+  // A measured lead or helix angle determines the helix angle directly. Returns true if it excludes
+  // this gear.
   bool off_the_lead(const GearNumbers& gear) const {
     return std::any_of(readings_.begin(), readings_.end(), [&](const Observation& o) {
       if (o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix) return false;
@@ -161,7 +164,7 @@ class Searching {
   std::vector<Observation> readings_;
 };
 
-// The χ² of exact readings that one gear in ten thousand exceeds, about.
+// The χ² of exact readings that about one gear in ten thousand exceeds.
 double most_misfit(const std::vector<Observation>& readings, const RackFit& fit) {
   const auto exact = std::count_if(readings.begin(), readings.end(),
                                    [](const Observation& o) { return o.exact(); });
@@ -209,7 +212,7 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
     const double likelihood = std::exp(f.log_worth - top) / sum;
     if (likelihood < kNothing || static_cast<int>(list.size()) == kMostCandidates) break;
     const GearNumbers& g = f.fit.gear;
-    const double side = p.teeth > 0 ? 1.0 : -1.0;
+    const double side = side_of(p.teeth);
     const double d = std::abs(g.teeth) * g.module / std::cos(g.beta);
     const double nominal = d + side * 2 * g.module * (1 + g.shift);
     std::optional<double> of_tip;

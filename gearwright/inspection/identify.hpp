@@ -5,11 +5,11 @@
 //   x_E    generating profile shift, allowance included       p_bn  normal base pitch
 //                                              theory: docs/theory/10-inspection.md
 //
-// A gear of z teeth is module, pressure angle, helix and x_E. The first two come from the standards,
-// the helix angle is 0, a whole number of degrees, or any; x_E is fitted, and the helix where it is any.
-// A hypothesis is judged by its evidence: how well it fits, how much of what it could have said the
-// readings leave, how usual it is. Tips may be worn, and roots are of several racks: both readings
-// say roughly where the gear is, no more.
+// A gear of z teeth is described by module, pressure angle, helix angle and x_E. The first two come
+// from the standards. The helix angle is 0, a whole number of degrees, or free. x_E and a free
+// helix angle are fitted. A hypothesis is judged by its evidence, which combines its fit, the
+// fraction of its prior range that the readings leave, and how common such gears are. Tips may be
+// worn and roots may come from several racks, so these two readings locate the gear only roughly.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct SpanReading {
   double value = 0.0;  ///< W_k  mm
 };
 
-/// Over two balls.
+/// A dimension over two balls.
 struct DiameterReading {
   double tool = 0.0;   ///< D_M   mm
   double value = 0.0;  ///< M_dK  mm
@@ -63,7 +63,7 @@ struct IdentifiedGear {
   ModuleSeries series;
   std::optional<double> diametral_pitch;  ///< 1/in, of that series
   Angle normal_pressure_angle;            ///< α_n
-  Angle helix_angle;                      ///< β, > 0 right hand; of an unknown hand > 0
+  Angle helix_angle;                      ///< β, > 0 right hand; also > 0 if the hand is unknown
   double generating_shift;                ///< x_E
   double tip_diameter;                    ///< mm, measured, or as the shift determines it
   std::optional<double> shift_of_tip;     ///< x that follows from an unworn tip
@@ -86,7 +86,7 @@ struct Contradiction {
 struct NextMeasurement {
   std::string reading;           ///< "span", "over_balls", "lead"
   double tool;                   ///< k, D_M
-  std::array<double, 2> expect;  ///< of the first candidate and of the one it decides against
+  std::array<double, 2> expect;  ///< readings expected of the first candidate and of its rival
   int rival;                     ///< index of that candidate, from 0
 };
 

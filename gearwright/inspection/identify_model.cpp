@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "gearwright/generation/outline.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright::detail {
@@ -37,7 +38,7 @@ struct Base {
 };
 
 Base base_of(const GearNumbers& g) {
-  const double z = std::abs(g.teeth), sigma = g.teeth > 0 ? 1.0 : -1.0;
+  const double z = std::abs(g.teeth), sigma = side_of(g.teeth);
   const double cos_beta = std::cos(g.beta), tan_alpha = std::tan(g.alpha);
   const double alpha_t = std::atan(tan_alpha / cos_beta);
   Base b{};
@@ -114,7 +115,7 @@ std::optional<double> residual(const GearNumbers& g, const Observation& o) {
   using Kind = Observation::Kind;
   const auto read = reading_of(g, o);
   if (!read) return std::nullopt;
-  const double side = g.teeth > 0 ? 1.0 : -1.0;
+  const double side = side_of(g.teeth);
   const double off = (o.value - *read) / g.module;  // modules
   const double sigma = o.sigma / g.module;
   switch (o.kind) {

@@ -38,7 +38,8 @@ std::vector<Observation> observations(const IdentifyProblem& problem);
 /// Formula   [T10.2], [T10.6], [T10.8]; lead π z m_n/sin β
 std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 
-/// (reading − gear)/σ [T10.24], with the scatter of rough readings: tips wear and racks differ, in modules.
+/// (reading − gear)/σ [T10.24]. The σ of a rough reading includes its scatter in modules, because
+/// tips wear and racks differ.
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
 }  // namespace gearwright::detail

@@ -20,7 +20,7 @@ NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankS
   const ReferenceGeometry<double>& g = gear.reference();
   const double r_b = g.base_diameter / 2;
   const double hand = side == FlankSide::left ? 1.0 : -1.0;
-  const double sigma = gear.internal() ? -1.0 : 1.0;
+  const double sigma = gear.side();
   const double cos_b = std::cos(g.base_helix_angle), sin_b = std::sin(g.base_helix_angle);
   const double psi_b = g.base_tooth_thickness / g.base_diameter;
   const double phi = hand * (psi_b - sigma * roll) + gear.twist() * height;
@@ -93,7 +93,7 @@ std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   if (length == 0.0) return places;
   // In the direction from root to tip, the material of an external tooth's upper side lies to the
   // right.
-  const double out = outline.teeth > 0 ? 1.0 : -1.0;
+  const double out = outline.side();
   std::size_t at = 0;
   for (int i = 0; i < n; ++i) {
     const double wanted = length * i / (n - 1);

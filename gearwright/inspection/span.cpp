@@ -78,7 +78,7 @@ double span_length(const Gear& gear, int k) {
 }
 
 double thickness_per_span(const Gear& gear) {
-  return (gear.internal() ? -1.0 : 1.0) / std::cos(gear.spec.normal_pressure_angle.rad());
+  return gear.side() / std::cos(gear.spec.normal_pressure_angle.rad());
 }
 
 Result<Span> span_over(const Gear& gear, int k) {

@@ -41,8 +41,9 @@ double thickness_per_span(const Gear& gear);
 
 /// The span over k teeth and its contacts. [T10.2], [T10.3]
 ///
-/// Errors    `span_teeth`: no contact, nor a neighbour that has one, with the k that can be measured;
-///           an internal helical gear, between whose flanks there is no room for plane anvils
+/// Errors    `span_teeth` if neither k nor a neighbour has contacts, with the k that can be
+///           measured; also for an internal helical gear, whose flanks leave no room for plane
+///           anvils
 Result<Span> span_over(const Gear& gear, int k);
 
 /// The spans whose contacts lie on the usable flank, at most `most` nearest to the usual one.

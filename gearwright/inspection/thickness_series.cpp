@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// DIN 3967, table 1: reference diameters up to, mm, and −E_sns, µm, of the series.
+// DIN 3967, table 1: upper limits of the reference diameter, mm, and −E_sns of the series, µm.
 constexpr std::array<std::string_view, 11> kSeries{"a", "ab", "b", "bc", "c", "cd",
                                                    "d", "e",  "f", "g",  "h"};
 constexpr std::array kDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
@@ -47,7 +47,7 @@ constexpr std::array<std::array<int, 10>, 11> kTolerance{{
     {40, 60, 100, 160, 250, 400, 600, 1000, 1600, 2400},
 }};
 
-// ISO 286-1, table 1: nominal sizes up to, mm, and IT1 to IT12, µm.
+// ISO 286-1, table 1: upper limits of the nominal size, mm, and IT1 to IT12, µm.
 constexpr std::array kSizes{3.,   6.,   10.,  18.,  30.,   50.,   80.,   120.,  180.,  250., 315.,
                             400., 500., 630., 800., 1000., 1250., 1600., 2000., 2500., 3150.};
 constexpr std::array<std::array<double, 12>, 21> kGrades{{

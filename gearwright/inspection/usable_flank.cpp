@@ -29,8 +29,8 @@ std::optional<UsableFlank> usable_flank(const Gear& gear) {
 }
 
 double v_circle_diameter(const Gear& gear) {
-  const double side = gear.internal() ? -1.0 : 1.0;
-  return gear.reference_diameter + side * 2 * gear.spec.profile_shift * gear.spec.normal_module;
+  return gear.reference_diameter +
+         gear.side() * 2 * gear.spec.profile_shift * gear.spec.normal_module;
 }
 
 double usual_contact_diameter(const Gear& gear, const UsableFlank& flank) {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/compensate_load.hpp"
 #include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -22,23 +22,11 @@ namespace gearwright {
 namespace {
 
 constexpr int kPositions = 24;
-// Under load a curve costs a hundred times as much, and a pitch has fewer corners.
+// Under load a curve takes a hundred times as long, and a pitch has fewer corners.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
   return (under_load(spec.compensate.aim) ? spec.load.driver : spec.contact.driver) == 2;
-}
-
-std::optional<Error> check_corrections(const ContactSetup& setup, const CompensateInput& input) {
-  for (const std::size_t place : input.corrections) {
-    const WorkshopCorrection& c = kCorrections[place].correction;
-    if (can_take(setup, c)) continue;
-    return Error{"compensate.corrections", std::string(entry_of(c).key),
-                 c.what == CorrectionOf::tool_setting
-                     ? "is the setting of a rack F (one of circular arcs), which cuts neither gear"
-                     : "needs a helical gear cut by a rack"};
-  }
-  return std::nullopt;
 }
 
 struct NamedErrors {
@@ -46,7 +34,7 @@ struct NamedErrors {
   ContactErrors errors;
 };
 
-// The errors as they are, and every corner of the range.
+// The given errors, and every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   std::vector<std::size_t> ranged;
@@ -65,27 +53,7 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// Where the corrected spec holds a correction: the slope of the flank that works, a crowning of both.
-std::string spec_key(const SolvedJob& job, const ContactSetup& setup, const WorkshopCorrection& c) {
-  if (c.what == CorrectionOf::tool_setting)
-    return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
-  if (c.what == CorrectionOf::cutter_lead) return fmt::format("errors.{}", entry_of(c).key);
-  const bool left = gear2_drives(job.spec) != (c.gear == 2 && setup.gear(2).internal());
-  return fmt::format("gear{}.modifications.{}{}", c.gear,
-                     !c.slope() ? ""
-                     : left     ? "left_"
-                                : "right_",
-                     entry_of(c).own_key());
-}
-
-// A correction that stands at the end of what is looked for may want to go further; a crowning of 0
-// does not.
-bool at_bound(const Correction& range, double value) {
-  const double reach = 0.02 * range.step;
-  return value != 0.0 && (value - range.lo < reach || range.hi - value < reach);
-}
-
-// The sentence about those that do; none: nothing to say.
+// The warning about such corrections; none if there are none.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
@@ -103,53 +71,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
                  0};
 }
 
-// Corrections written into the spec, where its own keys hold them.
-Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
-                    const std::vector<WorkshopCorrection>& which, const std::vector<double>& v) {
-  Json tree = job.spec.tree->tables;
-  tree.erase("compensate");
-  const auto add = [](Json& table, const std::string& key, double value) {
-    // A sum of decimals has none of the digits that binary addition leaves.
-    constexpr double kDigits = 1e9;
-    const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
-    table[key] = std::round(sum * kDigits) / kDigits;
-  };
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    const WorkshopCorrection& c = which[k];
-    if (v[k] == 0.0) continue;
-    if (c.what == CorrectionOf::tool_setting) {
-      const int gear = *setup.convex_gear();
-      Json& rack = tree[gear_field(gear)]["rack"];
-      const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
-      rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
-      rack.erase("pressure_angle_deg");  // it was a check of the old setting
-    } else if (c.what == CorrectionOf::cutter_lead) {
-      add(tree["errors"], std::string(entry_of(c).key), v[k]);  // an error of the same name
-    } else {
-      const std::string name(entry_of(c).own_key());
-      const bool slope = c.slope();
-      Json& table = tree[gear_field(c.gear)]["modifications"];
-      const std::string path = spec_key(job, setup, c);
-      const std::string own = path.substr(path.rfind('.') + 1);
-      // What holds for both flanks so far is the amount to add to.
-      if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
-      add(table, own, v[k]);
-      // What is meant for both is added where a flank has its own, too.
-      for (const char* side : {"left_", "right_"})
-        if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
-      // With one of its own each, what was meant for both has no effect.
-      if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
-    }
-  }
-  // Tables after plain values, as a TOML file has them.
-  Json ordered = Json::object();
-  for (const bool tables : {false, true})
-    for (const auto& [key, value] : tree.items())
-      if (value.is_object() == tables) ordered[key] = value;
-  return ordered;
-}
-
-// The worst over the scenarios, at the positions told of.
+// The worst over the scenarios, at the reported positions.
 std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
                                    const std::vector<double>& found) {
   std::vector<AimedLoad> loads;
@@ -169,7 +91,7 @@ std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask
   return loads;
 }
 
-// What somebody meets who runs the corrected spec; `loads`: what the corrections do under torque.
+// The verdict on the corrected spec; `loads` is the effect of the corrections under torque.
 Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
                                 const std::vector<AimedLoad>& loads) {
   auto read = read_spec_tree(corrected);
@@ -182,7 +104,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Of the range of errors, which the spec's own are but one of, and of the load.
+  // Warnings about the range of errors, which includes those of the spec, and about the load.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -206,13 +128,12 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
   const CompensateInput& input = job.spec.compensate;
-  if (auto error = check_corrections(setup, input)) return *error;
+  auto corrections = corrections_of(setup, input.corrections, "compensate.corrections");
+  if (!corrections) return corrections.error();
   CompensateAnswer answer;
-  for (const std::size_t place : input.corrections)
-    answer.corrections.push_back(kCorrections[place].correction);
-  if (input.corrections.empty()) answer.corrections = usual_corrections(setup);
+  answer.corrections = std::move(corrections).take();
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // Before a search: nothing that a workshop corrects makes teeth longer.
+  // Checked before a search, because no correction of a workshop makes teeth longer.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
@@ -240,7 +161,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   answer.setting = arc_setting(job, setup);
   answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
-    // Of rack angle off the drawing's: the flank's end.
+    // Deviation of the rack angle from the drawing at the end of the flank.
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }
@@ -275,15 +196,17 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
           {WarningCode::load_unfinished,
            fmt::format("At {} N m the corrected teeth have no result at a position, because no "
                        "teeth touch there or the forces do not converge.",
-                       format_number(l.torque / kMmPerM)),
+                       format_number(newton_metres(l.torque))),
            0});
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
-    answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));
+    answer.spec_keys.push_back(spec_key(setup, answer.corrections[k], gear2_drives));
     answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));
   }
   if (auto warning = bound_warning(answer)) job.warnings.push_back(std::move(*warning));
-  answer.corrected = std::make_shared<const SpecTree>(
-      SpecTree{corrected_spec(job, setup, answer.corrections, answer.result.value)});
+  Json corrected =
+      corrected_spec(job, setup, answer.corrections, answer.result.value, gear2_drives);
+  corrected.erase("compensate");
+  answer.corrected = std::make_shared<const SpecTree>(SpecTree{std::move(corrected)});
   auto verdict = judge_corrected(answer.corrected->tables, job, answer.loads);
   if (!verdict) return verdict.error();
   answer.verdict = std::move(verdict).take();

@@ -21,7 +21,7 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// dTE/dφ1 of tooth pair 0 in the middle of its mesh, with one gear's lead angle changed.
+// dTE/dφ1 of tooth pair 0 in the middle of its mesh, with a changed lead angle of one gear.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -50,7 +50,7 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
   answer.exact = tool_setting_change(in, theta, delta);
   answer.first_order = -delta;  // [T8.21]
   answer.thickness_change = thickness_change(in.convex, theta, answer.exact);
-  // Both flanks move off along their normals by Δb sin θ.
+  // Both flanks move along their normals by Δb sin θ.
   answer.backlash_change = 2 * answer.exact * std::sin(theta.rad());
   in.center_distance += delta;
   answer.angle_displaced = contact_angle(in);
@@ -63,8 +63,8 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines: its lead is mended by slopes, which `compensate` looks
-  // for.
+  // An involute pair touches along lines. Its lead is corrected by slopes, which `compensate`
+  // computes.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -76,18 +76,18 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const auto slope = [&](double d) {
       return middle_slope(setup, gear2_drives, gear, Angle::radians(d));
     };
-    constexpr double kReach = 0.01;  // rad: half a degree and a little
+    constexpr double kReach = 0.01;  // rad: slightly more than half a degree
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
-    // Where contact is lost in between the bracket ends without a root.
+    // If contact is lost in between, the bracket has no root.
     constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
     const auto or_lost = [&](double d) { return slope(d).value_or(kLost); };
     const Root root = find_root(or_lost, -kReach, kReach);
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
   }
   if (!arcs->contacts.empty()) {
-    // [T8.22], every error at once.
+    // [T8.22], for all errors together.
     const double theta = arcs->first_contact().at.theta.rad();
     const ContactErrors& e = setup.place().errors;
     const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());

@@ -1,7 +1,8 @@
-// Corrections for loaded teeth: what `compensate` makes least under the torques of [load].
+// Corrections for loaded teeth: the quantity that `compensate` minimises under the torques of
+// [load].
 //
-// The tables of the teeth are made once, for corrections are microns on the flanks; each trial
-// repeats the contact.                    theory: docs/theory/12-loaded-contact.md, [T12.20]
+// The tables of the teeth are computed once, because corrections are microns on the flanks. Each
+// trial repeats the contact.                    theory: docs/theory/12-loaded-contact.md, [T12.20]
 #pragma once
 
 #include <memory>
@@ -15,12 +16,12 @@ namespace gearwright {
 
 class LoadedAim {
  public:
-  /// Errors    as load_task; where nothing touches, or the slices are too fine, as judge_load
+  /// Errors    as load_task; if nothing touches, or if the slices are too fine, as judge_load
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
-  /// Peak to peak in rad or pressure in MPa, at the worst of the torques.
+  /// Peak to peak in rad or pressure in MPa, for the worst of the torques.
   CompensationAim aim() const;
-  /// Of each torque, with so many positions per pitch; of none as loaded_scores.
+  /// For each torque, with this number of positions per pitch; NaN values as in loaded_scores.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;
   int positions() const { return held_->task.request.positions; }
   const std::vector<double>& torques() const { return held_->task.request.torques; }  ///< N mm

@@ -8,8 +8,9 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/base/units.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -27,10 +28,8 @@ CompensateView compensate_view(const CompensateAnswer& a) {
                       a.lead,
                       {}};
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const CorrectionEntry& c = entry_of(a.corrections[i]);
-    view.corrections.push_back({std::string(c.key), std::string(c.unit()), std::string(c.words),
-                                std::string(c.shown_unit()), a.result.value[i], a.spec_keys[i],
-                                a.at_bound[i]});
+    view.corrections.push_back(
+        found_correction(a.corrections[i], a.result.value[i], a.spec_keys[i], a.at_bound[i]));
   }
   for (std::size_t i = 0; i < a.scenarios.size(); ++i)
     view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
@@ -69,7 +68,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
         least_gain(a.aim));
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
-    head(fmt::format("Under {} N m", format_number(l.torque / kMmPerM)).c_str());
+    head(fmt::format("Under {} N m", format_number(newton_metres(l.torque))).c_str());
     out += quantity_listing(quantities.table(), {quantities.of(l.before), quantities.of(l.after)},
                             {"before", "after"});
   }

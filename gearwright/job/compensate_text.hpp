@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// What the catalogue says of an answer, for every door.
+/// The quantities of a result, for all interfaces.
 CompensateView compensate_view(const CompensateAnswer& answer);
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);

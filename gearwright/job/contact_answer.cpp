@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <span>
 
+#include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 
 namespace gearwright {
 
 namespace {
+
+constexpr int kLeastPositions = 32;  // per pitch; least number for the continuous curve
 
 std::vector<double> spread(const std::array<double, 2>& range, int n) {
   std::vector<double> values;
@@ -38,7 +41,7 @@ void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& wa
                       0});
 }
 
-// What the answer says that the numbers alone do not.
+// Warnings that the numbers alone do not show.
 void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   const auto warn = [&](WarningCode code, std::string text, int gear = 0) {
     warnings.push_back({code, std::move(text), gear});
@@ -83,14 +86,14 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
        touch.gear});
 }
 
-// Gear 1 keeps gear 2 ahead of one angle and behind the other: what lies between.
+// Gear 1 limits gear 2 from both sides. The play is the difference.
 std::optional<Angle> play_between(const ContactPoint& driving, const ContactPoint& behind,
                                   bool gear2_drives) {
   if (driving.kind == TouchKind::none || behind.kind == TouchKind::none) return std::nullopt;
   return (gear2_drives ? -1.0 : 1.0) * (behind.te - driving.te);
 }
 
-// Without errors the two outlines say it, [T2.34] and [T4.33].
+// Without errors, the outlines determine it, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
@@ -104,7 +107,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "pinion cutter or circular fillets."});
     return;
   }
-  // A pitch is like the other; of several at once those that are looked at might be of one phase.
+  // All pitches are equal. The examined positions of several pitches might have one phase.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;
@@ -124,7 +127,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
     }
     driving.asked[i] < other.asked[j] ? ++i : ++j;
   }
-  // Where the flanks alone jam that has been said.
+  // If the flanks alone jam, there is a warning already.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
   if (least && !flanks_jam) warn_of_jam(*least, "root fillets and flanks are", warnings);
 }
@@ -134,7 +137,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   auto made = setup_of(job);
   if (!made) return made.error();
-  ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
+  ContactAnswer answer{std::move(made).take(), {}, {}, {}, {}, {}, {}};
   const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
@@ -152,6 +155,8 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
     const auto play = play_between(positions[i], answer.other.positions[i], gear2_drives);
     if (play) answer.min_play = std::min(answer.min_play.value_or(*play), *play);
   }
+  answer.continuous_span =
+      continuous_span(answer.setup.pair(gear2_drives), std::max(kLeastPositions, input.positions));
   if (input.map)
     answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, progress);
   if (input.pattern)

@@ -1,4 +1,4 @@
-// The spec's pair under its errors and modifications, both flanks: the verb `contact`.
+// The pair of a spec under its errors and modifications, for both flanks: the verb `contact`.
 #pragma once
 
 #include <array>
@@ -12,11 +12,13 @@ namespace gearwright {
 
 struct ContactAnswer {
   ContactSetup setup;
-  ContactResult driving;          ///< the flanks of the driver asked for
+  ContactResult driving;          ///< flanks of the requested driver
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< of gear 2, between both; < 0: the gears jam
+  /// Peak to peak of the continuous curve of the driving flanks; none: contact is lost.
+  std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
-  std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
+  std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
 };
 
 /// Errors    as setup_of; `errors` when no tooth touches at any position

@@ -17,23 +17,23 @@ namespace gearwright {
 
 namespace {
 
-// Contact along lines is narrow across the tooth and long along it: so are the raster's cells. From
-// node to node and from position to position the gap of a line then changes by some hundredths of a
-// µm at modules of a few mm, and the border of a pattern hardly waves.
+// Line contact is narrow across the tooth and long along it, and so are the raster's cells. From
+// node to node and from position to position the gap then changes by some hundredths of a µm at
+// modules of a few mm, and the border of a pattern is almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
 constexpr RasterSize kGap{65, 129};
 constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
-constexpr int kMaxPositions = 1024;  // of the peak to peak beside a small picture
+constexpr int kMaxPositions = 1024;  // of the peak to peak in a small picture
 
 // "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty: none.
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   const auto um = [](double mm) { return fmt::format("{:.6g} µm", kUmPerMm * mm); };
-  // Reliefs first, as a drawing has them.
+  // Reliefs first, as on a drawing.
   for (const ModificationEntry& e : modification_entries()) {
     if (!e.relief || !e.placed(m)) continue;
     const Relief& r = m.*(e.relief);
@@ -64,7 +64,7 @@ std::vector<std::string> modifications_of(const SolvedJob& job) {
   return list;
 }
 
-// The one touching position nearest to the middle of the pitch.
+// The single touching position nearest to the middle of the pitch.
 std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   std::optional<ContactPoint> best;
   for (const ContactPoint& p : points) {
@@ -74,13 +74,13 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   return best;
 }
 
-// An error the other way round may be a lead that no gear has.
+// An error with the opposite sign may be an impossible lead.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
 }
 
-// An error or several, to be shown by themselves.
+// One or more errors, shown separately.
 struct Under {
   std::string name;
   ContactErrors errors;
@@ -105,12 +105,12 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   return list;
 }
 
-// All patterns, each in a task of its own: the bits do not depend on the number of threads.
+// All patterns, each in its own task, so the result does not depend on the number of threads.
 void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& setup) {
   const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
   const int positions = std::min(r.positions, kMaxPositions);
-  const bool of_points = job.pair->crossed() || job.pair->arcs();
+  const bool of_points = !job.pair->parallel();
   const auto make = [&](std::size_t i) {
     if (i == 0) {
       r.patterns =
@@ -169,7 +169,8 @@ NamedAmount named_error(std::size_t index, double value) {
 
 bool wants_contact(const SolvedJob& job) {
   if (!job.pair) return false;
-  // Circular arcs touch in points, whose ellipse and pattern are what such a pair is chosen for.
+  // Circular arcs touch in points, and their ellipse and pattern are the reason for choosing such a
+  // pair.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
          job.pair->arcs();
 }
@@ -178,7 +179,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
+    // For the whole pair there is a reason why nothing touches. For one number, the number is
+    // wrong.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

@@ -1,4 +1,4 @@
-// What the report tells about contact: the answer, patterns and maps, with names in plain words.
+// The contact part of the report: the result, patterns and maps, with names in words.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace gearwright {
 
-/// An error by its place in error_entries(), its value in the unit of its key.
+/// An error by its index in error_entries(), with its value in the unit of its key.
 NamedAmount named_error(std::size_t index, double value);
 
-/// The spec has [errors], [contact] or modifications, or its pair is one of circular arcs; and there
-/// is a pair to turn.
+/// True if the spec has [errors], [contact] or modifications, or if its pair is one of circular
+/// arcs, and if there is a pair.
 bool wants_contact(const SolvedJob& job);
 
-/// An answer and the part of the report about it. The report points into the job.
+/// A result and its part of the report. The report points into the job.
 struct ContactPart {
   ContactAnswer answer;
   ContactReport report;
 };
 
-/// None where the spec asks nothing of it, and where there is nothing to tell: then a warning in
-/// the job says why. A contract of the report needs equal positions over one pitch: where the
-/// spec has other rotations, those are the answer's, and a pitch of its own the report's.
+/// None if the spec does not request it, and if there is no result, with a warning in the job. A
+/// contract of the report needs equal positions over one pitch. If the spec has other rotations,
+/// the result has those, and the report has its own pitch.
 ///
 /// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);

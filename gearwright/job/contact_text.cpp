@@ -24,6 +24,7 @@ namespace {
 ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   ContactView view{&answer.driving, &answer.other, job.spec.contact.marking, answer.min_play};
   for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back({i.key, i.unit});
+  view.continuous_span = answer.continuous_span;
   if (answer.pattern) view.pattern = &*answer.pattern;
   if (answer.map) {
     view.map = &*answer.map;
@@ -52,7 +53,7 @@ std::string kinds_of(const ContactResult& result) {
   return text;
 }
 
-// What the short words of the table mean: the kinds that are no contact inside, and its columns.
+// Explains the short words of the table: the kinds other than interior contact, and its columns.
 std::string legend_of(const ContactResult& result) {
   std::vector<TouchKind> explained;
   std::string text;
@@ -69,7 +70,7 @@ std::string legend_of(const ContactResult& result) {
 }  // namespace
 
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
-  // The record's getters look at the view, its values do not.
+  // The record's getters refer to the view, but its values do not.
   return contact_quantities().of(view_of(job, answer));
 }
 
@@ -104,7 +105,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                   "TE", "tooth", "kind", "diam. 1", "diam. 2", "z 1", "z 2", "major", "minor");
   out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "°",
                      "arcsec", "", "", "mm", "mm", "mm", "mm", "mm", "mm");
-  // A page of them; --json has all.
+  // Rows for one page; --json has all.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
     const ContactPoint& p = r.positions[i];

@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// What the catalogue says of it.
+/// The quantities of the result.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
 /// {"contact"}, under its title.
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer);

@@ -38,7 +38,8 @@ const Value kNothing;
 using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // null: a row has no such record
 
-// Calls f(column, cells) for the columns of a table that JSON has, too, and that one of the rows has.
+// Calls f(column, cells) for the columns of a table that are also in JSON and that at least one of
+// the rows has.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {
@@ -59,8 +60,8 @@ void add_row(const QuantityInfo& info, const std::string& path, const std::strin
               second});
 }
 
-// A quantity of one or two records: plain values side by side, two of one record too; a longer list
-// of one record takes a row for each. Lists of records are for --json.
+// A quantity of one or two records: plain values side by side, also two values of one record. A
+// longer list of one record has a row for each value. Lists of records are in --json only.
 void add_rows(const QuantityInfo& info, const std::string& path, const Cells& cells,
               std::string& out) {
   const ValueList* list = cells.front()->list();
@@ -78,7 +79,7 @@ void add_rows(const QuantityInfo& info, const std::string& path, const Cells& ce
   add_row(info, path, csv_cell(*cells[0]), cells.size() > 1 ? csv_cell(*cells[1]) : "", out);
 }
 
-// Records side by side, those of the gears, or one of the pair.
+// Records side by side: those of the gears, or the one of the pair.
 void add_records(const std::string& path, const QuantityTable& table, const Rows& records,
                  std::string& out) {
   each_column(table, records, [&](const RecordColumn& column, const Cells& cells) {
@@ -86,16 +87,16 @@ void add_records(const std::string& path, const QuantityTable& table, const Rows
   });
 }
 
-// A column of plain values on its way to the file.
+// A column of plain values to be written.
 struct CsvColumn {
   std::string name;
   Cells cells;
 };
 
-// Lists and records of a quantity take a column for each of their plain values.
+// Lists and records of a quantity have a column for each of their plain values.
 void add_columns(const std::string& name, const QuantityInfo& info, const Cells& cells,
                  std::vector<CsvColumn>& all) {
-  if (info.of && info.list.empty()) return;  // its own columns come by themselves
+  if (info.of && info.list.empty()) return;  // its own columns follow separately
   std::size_t longest = 0;
   Rows records;
   for (const Value* v : cells) {
@@ -118,7 +119,7 @@ void add_columns(const std::string& name, const QuantityInfo& info, const Cells&
   }
 }
 
-// A column for whatever one of the rows has.
+// A column for every value that at least one of the rows has.
 std::string records_csv(const QuantityTable& table, const ValueList& records) {
   Rows rows;
   for (const Value& v : records) rows.push_back(v.record());

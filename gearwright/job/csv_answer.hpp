@@ -14,17 +14,17 @@ namespace gearwright {
 std::string csv_cell(const Value& value);
 /// A row for each quantity of the gears and, where they are mounted, of the pair:
 /// key, quantity, symbol, unit, first, second. The last two are gear 1 and gear 2, or the two ends
-/// of a range; what both have in common stands in `first`, a longer list in rows of its own
-/// (key.1, key.2, …). Lists of records (contacts, overlaps) are left to JSON.
+/// of a range; common values are in `first`, and a longer list has its own rows (key.1, key.2, …).
+/// Lists of records (contacts, overlaps) are left to JSON.
 std::string quantities_csv(const SolvedJob& job);
-/// The same of a pinion, its rack and the pair.
+/// The same for a pinion, its rack and the pair.
 std::string rack_csv(const Gear& pinion, const RackPair& pair);
 /// A row for each position of the working flanks, a column for each number of it.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each torque and position.
 std::string load_csv(const LoadAnalysis& answer);
 /// A row for each quantity: key, quantity, symbol, unit, first, second, formula, branch; `second`
-/// where it is gear 2's.
+/// is that of gear 2.
 std::string rating_csv(const RatingAnswer& answer);
 /// A row for each point: arc, x_mm, y_mm.
 std::string outline_csv(const Outline& outline, int points);

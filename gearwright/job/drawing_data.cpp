@@ -18,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-// "span.length_mm" in a record; none: it has no value there.
+// "span.length_mm" in a record; none if it has no value there.
 const Member* find(const ValueRecord& record, std::string_view path) {
   const std::size_t dot = std::min(path.find('.'), path.size());
   for (const Member& m : record) {
@@ -39,7 +39,7 @@ std::string number(const QuantityInfo& info, double value) {
   return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
-// A drawing says a hand and no sign.
+// A drawing gives a hand instead of a sign.
 enum class Sign { kept, dropped };
 
 /// A record, and the same at the lower and at the upper end of its tolerances.
@@ -74,7 +74,7 @@ class Group {
   void row(std::string words, std::string symbol, std::string value) {
     group_.rows.push_back({std::move(words), std::move(symbol), std::move(value)});
   }
-  /// As the catalogue says it; nothing where there is no value.
+  /// The row of a quantity of the catalogue; no row if there is no value.
   void row(const Records& r, std::string_view path, Sign sign = Sign::kept) {
     const Member* const m = find(r.nominal, path);
     if (m) row(capitalised(m->info->words), m->info->symbol, *r.value(path, sign));

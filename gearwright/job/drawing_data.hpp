@@ -1,5 +1,5 @@
-// The table of data of a workshop drawing: what ISO 21771 and DIN 3966-1 want to stand there, from
-// the catalogue's records. Internal to job/.
+// The table of data of a workshop drawing, as ISO 21771 and DIN 3966-1 require, from the
+// catalogue's records. Internal to job/.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 namespace gearwright {
 
 /// Teeth, diameters, tooth thickness with its limits, flank modifications, tolerances with a grade,
-/// mating gear; what the gear does not have is left out. `which`: 1 or 2.
+/// mating gear. Missing values are omitted. `which`: 1 or 2.
 std::vector<DataGroup> drawing_data(const SolvedJob& job, int which);
 
 }  // namespace gearwright

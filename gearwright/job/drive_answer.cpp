@@ -9,10 +9,13 @@
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 
@@ -32,7 +35,7 @@ std::string fraction(const Rational& r) {
   return *q == 1 ? fmt::format("{}", *p) : fmt::format("{}/{}", *p, *q);
 }
 
-// What a body is for: "input", "held" …
+// The function of a body: "input", "held" …
 std::string part_of(const Drive& drive, std::size_t body) {
   if (drive.graph.is_input(body)) return "input";
   if (drive.graph.is_fixed(body)) return "held";
@@ -112,59 +115,7 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
-void add_findings(std::vector<Finding>& all, const Drive& drive) {
-  Judged whole;
-  whole.warnings = &drive.findings;
-  for (const Warning& w : drive.findings) {
-    const Severity severity = severity_of(w);
-    all.push_back({w.code,
-                   severity == Severity::problem   ? Level::red
-                   : severity == Severity::caution ? Level::amber
-                                                   : Level::green,
-                   0, w.message});
-  }
-  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto& pair = drive.geometry.pairs[m];
-    if (!pair) continue;
-    std::vector<Warning> warnings = pair->warnings();
-    for (const int which : {1, 2})
-      for (Warning w : pair->gear(which).warnings) {
-        w.gear = which;
-        warnings.push_back(std::move(w));
-      }
-    Judged judged;
-    judged.gears = {&pair->gear(1), &pair->gear(2)};
-    judged.pair = &*pair;
-    judged.warnings = &warnings;
-    for (Finding& f : findings_of(judged)) {
-      f.message = fmt::format("{}: {}", drive.graph.meshes[m].name, f.message);
-      f.gear = 0;
-      all.push_back(std::move(f));
-    }
-  }
-}
-
 }  // namespace
-
-Verdict judge_drive(const Drive& drive) {
-  Verdict verdict;
-  add_findings(verdict.findings, drive);
-  std::stable_sort(
-      verdict.findings.begin(), verdict.findings.end(), [](const Finding& a, const Finding& b) {
-        return a.level != b.level ? a.level > b.level : a.level != Level::green && a.code < b.code;
-      });
-  if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
-  switch (verdict.level) {
-    case Level::green: verdict.headline = "The drive runs as specified."; break;
-    case Level::amber:
-      verdict.headline = "The drive runs. Check: " + verdict.findings.front().message;
-      break;
-    case Level::red:
-      verdict.headline = "The drive does not run as specified: " + verdict.findings.front().message;
-      break;
-  }
-  return verdict;
-}
 
 std::string drive_listing(const Drive& drive) {
   std::string out =
@@ -177,23 +128,98 @@ std::string drive_listing(const Drive& drive) {
 }
 
 Result<Answer> answer_drive(const JobSpec& spec) {
-  if (!spec.drive) {
-    return absent_input(
-        "planetary",
-        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
-        "planet = 25, ring = 70 and planets = 3 for example");
-  }
-  auto made = make_drive(*spec.drive);
-  if (!made) return of_drive_table(made.error(), spec.tree->tables);
-  const auto drive = std::make_shared<const Drive>(std::move(made).take());
+  auto solved = solve_drive(spec);
+  if (!solved) return solved.error();
+  const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
   Answer answer;
   answer.record = titled_record(spec);
-  answer.record["drive"] = to_json(drive_quantities().of(*drive));
-  answer.warnings = drive->findings;
-  answer.verdict = judge_drive(*drive);
+  answer.record["drive"] = to_json(drive_quantities().of(job->drive));
+  answer.warnings = job->drive.findings;
+  answer.verdict = job->verdict;
+  if (spec.rating.given) answer.verdict->not_judged.emplace_back("rating");
+  answer.specs = {expanded_spec(spec.tree->tables, *spec.drive)};
   const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
-  answer.listing = [drive, title] { return title + drive_listing(*drive); };
-  answer.csv = [drive] { return drive_csv(*drive); };
+  answer.listing = [job, title] { return title + drive_listing(job->drive); };
+  answer.csv = [job] { return drive_csv(job->drive); };
+  return answer;
+}
+
+namespace {
+
+// The load, which [rating] or the drive may give.
+Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
+  DriveLoad load;
+  load.common = spec.rating.input;
+  load.common.speed.reset();
+  const auto& own = drive.graph.torque_Nm;
+  const auto& rated = spec.rating.torque;
+  if (!own && !rated)
+    return absent_input("rating.torque_Nm",
+                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
+                        "[rating] torque_Nm, or power_kW with speed_rpm");
+  load.torque = std::abs(rated.value_or(own.value_or(0.0)));
+  if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
+  if (spec.rating.input.speed) {
+    load.speed = spec.rating.input.speed;
+  } else if (!drive.graph.speeds_rpm.empty()) {
+    load.speed = std::abs(drive.graph.speeds_rpm.front());
+  }
+  return load;
+}
+
+std::string safety_listing(const Drive& drive) {
+  std::string out =
+      fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
+                  "T1 N m", "n1 1/min", "S_H1", "S_H2", "S_F1", "S_F2");
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    const auto& r = drive.ratings[m];
+    const auto safety = [&](const FactorPair& s, std::size_t i) {
+      return r ? fixed_decimals(s[i].value, 3) : std::string(kAbsent);
+    };
+    if (!r) continue;
+    out += fmt::format(
+        "  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", printable(drive.graph.meshes[m].name, 17),
+        fixed_decimals(r->input.torque, 3), number(r->input.speed, 2), safety(r->rating.S_H, 0),
+        safety(r->rating.S_H, 1), safety(r->rating.S_F, 0), safety(r->rating.S_F, 1));
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Answer> answer_drive_rating(const JobSpec& spec) {
+  auto solved = solve_drive(spec);
+  if (!solved) return solved.error();
+  DriveJob rated_job = std::move(solved).take();
+  Drive& rated = rated_job.drive;
+  const auto load = load_of(spec, rated);
+  if (!load) return load.error();
+  const auto materials = drive_materials(spec.tree->tables);
+  auto ratings = rate_meshes(rated, *load, [&](std::size_t gear) {
+    const auto own = materials.find(rated.graph.gears[gear].name);
+    const MaterialInput given = own != materials.end() ? own->second
+                                : spec.rating.material ? *spec.rating.material
+                                                       : MaterialInput();
+    return material_of(given, "rating.material", spec.rating.input.edition);
+  });
+  if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
+  rated.ratings = std::move(ratings).take();
+  rated_job.verdict = judge(rated_job);
+  const auto job = std::make_shared<const DriveJob>(std::move(rated_job));
+  Answer answer;
+  answer.record = titled_record(spec);
+  answer.record["drive"] = to_json(drive_quantities().of(job->drive));
+  answer.warnings = job->drive.findings;
+  for (const auto& r : job->drive.ratings)
+    if (r)
+      answer.warnings.insert(answer.warnings.end(), r->rating.limits.begin(),
+                             r->rating.limits.end());
+  answer.verdict = job->verdict;
+  const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
+  answer.listing = [job, title] {
+    return title + safety_listing(job->drive) + body_listing(job->drive) + mesh_listing(job->drive);
+  };
+  answer.csv = [job] { return drive_csv(job->drive); };
   return answer;
 }
 

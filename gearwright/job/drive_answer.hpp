@@ -8,13 +8,15 @@
 
 namespace gearwright {
 
-/// The worst of the drive and of the pairs in its meshes.
-Verdict judge_drive(const Drive& drive);
-
-/// Tables for people: the whole, bodies, meshes, planets, phases; of a train its stages too.
+/// Tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a train.
 std::string drive_listing(const Drive& drive);
 
-/// Errors    a spec without a drive; as make_drive(), with the keys of the spec
+/// Errors    as solve_drive()
 Result<Answer> answer_drive(const JobSpec& spec);
+
+/// The same with each mesh rated by ISO 6336.
+///
+/// Errors    as solve_drive(); `rating.…` as rate_meshes() and material_of()
+Result<Answer> answer_drive_rating(const JobSpec& spec);
 
 }  // namespace gearwright

@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMaxContact = 20.0;  // nobody has mounted more
+constexpr double kMaxContact = 20.0;  // more than any real pair
 constexpr const char* kChosen = "is chosen by `fit.few_teeth` itself; leave it out";
 
 std::optional<Error> out_of_place(const JobSpec& spec) {
@@ -66,13 +66,13 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// As a drawing has them: to nine places, without the last digits of a conversion.
+// As on a drawing: nine places, without the last digits of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
-// Nine places where that is the number; a shift that follows from a distance keeps all of them.
+// Nine places if they are the number. A shift that follows from a distance keeps all digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
-// Never longer than it was computed.
+// Rounded so that the tooth is never longer than computed.
 double tip_as_drawn(double d, bool ring) {
   return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
 }
@@ -91,7 +91,7 @@ Json pinion_json(const CylindricalSpec& c) {
   return g;
 }
 
-// Found numbers in place of what was asked; what a user gave beside them (bore, title) stays.
+// The computed numbers replace the request. Other data of the user (bore, title) are unchanged.
 Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   const Json& given = spec.tree->tables;
   Json tree;

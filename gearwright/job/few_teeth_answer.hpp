@@ -7,7 +7,7 @@
 
 namespace gearwright {
 
-/// Errors    keys of the spec that have no place here, or are missing
+/// Errors    keys of the spec that are not allowed here, or are missing
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
 
 }  // namespace gearwright

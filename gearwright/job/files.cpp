@@ -28,6 +28,7 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
+#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
@@ -45,10 +46,15 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
   std::vector<MeshPart> parts;
   std::size_t triangles = 0;
   for (const ToothedBody& body : bodies) {
+    if (body.same_as) {
+      triangles += parts[*body.same_as].mesh.triangles.size();
+      parts.push_back({body.name, {}, body.pose, body.colour, body.same_as});
+      continue;
+    }
     auto mesh = tessellate(body, {.chord_tolerance_mm = options.mesh_tolerance_mm});
     if (!mesh) return of_body(mesh.error(), body.name);
     triangles += mesh->triangles.size();
-    parts.push_back({body.name, std::move(mesh).take(), body.pose});
+    parts.push_back({body.name, std::move(mesh).take(), body.pose, body.colour});
   }
   const char* what = kind == FileKind::stl ? "STL" : kind == FileKind::glb ? "GLB" : "3MF";
   std::string bytes = kind == FileKind::stl   ? stl_bytes(parts)
@@ -95,8 +101,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// None where the spec has no [compensate], and where nothing touches: then the warning of the
-// contact analysis, or one of its own, says why.
+// None if the spec has no [compensate], and if nothing touches, with a warning of the contact
+// analysis or its own.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
@@ -118,13 +124,24 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   return std::optional<CompensateView>();
 }
 
-// None where the spec has no [rating].
+// None if the spec has no [scatter], or if there is no contact, which the contact analysis reports.
+Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
+  if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
+  auto answer = answer_scatter(job, progress);
+  if (answer) return std::optional(std::move(answer).take());
+  if (without_contact(answer.error())) return std::optional<ScatterAnswer>();
+  return answer.error();
+}
+
+// None if the spec has no [rating].
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
   auto answer = answer_rating(job);
   if (!answer) return answer.error();
   return std::optional(std::move(answer).take());
 }
+
+}  // namespace
 
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   std::vector<ReportFile> rows;
@@ -137,7 +154,9 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   return rows;
 }
 
-}  // namespace
+bool FileOptions::wants(std::string_view part) const {
+  return only.empty() || std::find(only.begin(), only.end(), part) != only.end();
+}
 
 std::string_view ending(FileKind kind) {
   switch (kind) {
@@ -199,49 +218,17 @@ void write_files(const std::vector<JobFile>& files) {
 
 namespace {
 
-// The bodies for the page's own viewer, coarser than the files; none where there is no outline or
-// where they would make the page heavy.
-void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<ToothedBody>& mounted,
-               const FileOptions& options) {
-  constexpr double kOfDiameter = 1.0 / 2000;  // half a pixel of a picture as wide as the gear
-  constexpr std::size_t kMost = 3'000'000;    // bytes
-  FileOptions coarse = options;
-  coarse.on_file = nullptr;
-  for (const Gear& gear : job.gears)
-    coarse.mesh_tolerance_mm =
-        std::max(coarse.mesh_tolerance_mm, kOfDiameter * std::abs(gear.tip_diameter));
-  std::vector<ToothedBody> bodies = mounted;
-  if (!job.pair) {
-    const auto body = make_body(job, 1, false);
-    if (!body || job.gears.size() > 1) return;
-    bodies = {*body};
-  }
-  if (bodies.size() != job.gears.size()) return;
-  auto file = make_file(FileKind::glb, bodies, "pair.glb", coarse);
-  if (!file || file->bytes.size() > kMost) return;
-  report.solid = std::move(file->bytes);
-  report.solid_tolerance = coarse.mesh_tolerance_mm;
-}
-
-bool wanted(const FileOptions& options, std::string_view part) {
-  return options.only.empty() ||
-         std::find(options.only.begin(), options.only.end(), part) != options.only.end();
-}
-
-struct ShapeFiles {
-  std::vector<JobFile> files;
-  std::vector<ToothedBody> mounted;  ///< gears of the pair that have an outline, in the housing
-};
-
 // Solids, meshes, outlines and the drawing. A gear without an outline gets a warning instead.
-Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const FileOptions& options) {
-  ShapeFiles made;
+Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
+                                         const FileOptions& options) {
+  std::vector<JobFile> made;
+  std::vector<ToothedBody> mounted;  // gears of the pair that have an outline, in the housing
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
-    if (!wanted(options, ending(kind).substr(1))) return std::nullopt;
+    if (!options.wants(ending(kind).substr(1))) return std::nullopt;
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
     if (!file) return file.error();
-    made.files.push_back(std::move(file).take());
+    made.push_back(std::move(file).take());
     return std::nullopt;
   };
   std::vector<int> drawn;
@@ -256,16 +243,16 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
       if (auto error = make(kind, {*body}, gear_name(which))) return *std::move(error);
-    if (job.pair) made.mounted.push_back(make_body(job, which, true).value());
+    if (job.pair) mounted.push_back(make_body(job, which, true).value());
   }
-  if (made.mounted.size() == 2)
+  if (mounted.size() == 2)
     for (FileKind kind : {FileKind::step, FileKind::glb})
-      if (auto error = make(kind, made.mounted, "pair")) return *std::move(error);
-  if (!drawn.empty() && wanted(options, "drawing")) {
+      if (auto error = make(kind, mounted, "pair")) return *std::move(error);
+  if (!drawn.empty() && options.wants("drawing")) {
     auto file = make_workshop_drawing(job, drawn, SheetFormat::pdf, SheetSize::a4,
                                       folder / "drawing.pdf", options);
     if (!file) return file.error();
-    made.files.push_back(std::move(file).take());
+    made.push_back(std::move(file).take());
   }
   return made;
 }
@@ -281,14 +268,17 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (!load) return load.error();
   const auto compensation = compensation_part(job, options.progress);
   if (!compensation) return compensation.error();
+  const auto scatter = scatter_part(job, options.progress);
+  if (!scatter) return scatter.error();
+  std::optional<ScatterView> scatter_shown;
+  if (*scatter) scatter_shown = scatter_view(job, **scatter);
   const auto rating = rating_part(job);
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;
   const std::optional<RatingView> rating_view = rated ? std::optional(rated->view()) : std::nullopt;
   auto shapes = shape_files(job, folder, options);
   if (!shapes) return shapes.error();
-  std::vector<JobFile> files = std::move(shapes->files);
-  const std::vector<ToothedBody> mounted = std::move(shapes->mounted);
+  std::vector<JobFile> files = std::move(shapes).take();
 
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
@@ -306,13 +296,13 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                load.value().has_value()});
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
+  if (scatter_shown) report.scatter = &*scatter_shown;
   if (rating_view) report.rating = &*rating_view;
-  if (wanted(options, "report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
   std::vector<JobFile> all;
-  if (wanted(options, "report")) {
+  if (options.wants("report")) {
     all.push_back({folder / "report.html", "report", std::nullopt, "one self-contained page",
                    report_html(report)});
   }
@@ -321,25 +311,31 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*contact) result["contact"] = to_json(contact_record(job, contact.value()->answer));
   if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
+  if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
   if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";
-  if (wanted(options, "result")) {
+  if (options.wants("result")) {
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
   }
   return RunFiles{std::move(all), text, std::move(report.verdict)};
 }
 
-Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
-                                  const FileOptions& options) {
-  auto made = make_everything(job, folder, options);
-  if (!made) return made;
+void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
+                    const FileOptions& options) {
   if (options.progress) options.progress->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, made->files);
+  write_run(folder, files);
+}
+
+Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
+  auto made = make_everything(job, folder, options);
+  if (!made) return made;
+  write_run_into(folder, made->files, options);
   return made;
 }
 

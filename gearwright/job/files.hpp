@@ -1,4 +1,5 @@
-// The files of a job: solids, meshes and drawings of the gears, each whole or not there at all.
+// The files of a job: solids, meshes and drawings of the gears, each written completely or not at
+// all.
 #pragma once
 
 #include <array>
@@ -18,9 +19,11 @@
 
 namespace gearwright {
 
+struct ReportFile;  // report/report.hpp
+
 using OnFile = std::function<void(std::string_view what)>;
 
-/// The tolerances that a user may choose, mm: finer ones make files that nothing reads.
+/// The tolerances that a user may choose, mm. Finer ones make files that no program reads.
 struct ToleranceRange {
   double least, greatest;
 };
@@ -28,16 +31,17 @@ inline constexpr ToleranceRange kMeshTolerances{1e-5, 10.0}, kDrawingTolerances{
 
 struct FileOptions {
   OnFile on_file;                ///< called before each file; may be empty
-  Progress* progress = nullptr;  ///< told how far contact and corrections are
+  Progress* progress = nullptr;  ///< reports the progress of contact and corrections
   StepSchema step_schema = StepSchema::ap242;
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
-  std::vector<std::string> only{};      ///< of `run`: words of kRunParts; empty: everything
+  std::vector<std::string> only{};      ///< for `run`: words of kRunParts; empty: everything
+
+  bool wants(std::string_view part) const;
 };
 
-/// What `run` makes: kinds of files by their endings, the drawing (PDF, A4), the report, the
-/// result.
+/// Parts of `run`: kinds of files by their endings, the drawing (PDF, A4), the report, the result.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -60,34 +64,41 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// CAD errors name a member of a body, which is the gear's. Of a tolerance or of the number of faces
-/// a spec says nothing: their sentence is about the gear.
+/// CAD errors name a member of a body, which is replaced by that of the gear. A spec has no
+/// tolerance or number of faces, so those errors are about the gear.
 Error of_body(Error error, const std::string& name);
 
-/// Makes one file with these bodies, in memory: what can be refused is refused before anything is
-/// on disk.
+/// Makes one file with these bodies, in memory, so that all errors occur before anything is
+/// written.
 ///
-/// Errors    a bore that does not fit; a file too large to be of use
+/// Errors    a bore that does not fit; a file that is too large to be useful
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const std::filesystem::path& path, const FileOptions& options);
 
-/// Writes them, each whole or not at all.   Throws  IoError
+/// Rows of a report: contents and accuracy of the files.
+std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
+
+/// Writes them, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
+
+/// Makes the folder and writes a run into it.   Throws  IoError
+void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
+                    const FileOptions& options);
 
 struct RunFiles {
   std::vector<JobFile> files;
-  std::string result;  ///< result.json, written or not
+  std::string result;  ///< result.json, whether or not it is written
   Verdict verdict;
 };
 
-/// What `run` makes, in memory: nothing is written, the paths lie in `folder`.
+/// Makes the files of `run` in memory. Nothing is written; the paths are in `folder`.
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
 /// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
 /// drawing.pdf, gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead
 /// of files.
-/// What a former run left there and this one does not write is removed (run_folder.hpp).
+/// Files of an earlier run that this run does not write are removed (run_folder.hpp).
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

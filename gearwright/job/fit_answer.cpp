@@ -20,7 +20,7 @@ namespace {
 
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
 
-// What makes a table's helix angle: found angles replace all of it.
+// Keys that determine a table's helix angle. Computed angles replace all of them.
 constexpr const char* kHelixKeys[] = {"helix_angle_deg", "lead_angle_deg", "hand"};
 
 Json spec_of(const JobSpec& spec, const FitBranch& b) {
@@ -39,8 +39,8 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
     tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
-  tree["pair"].erase("mounting");  // the place is said
-  // Tables after plain values, as a TOML file has them.
+  tree["pair"].erase("mounting");  // the position is given explicitly
+  // Tables follow plain values, as in a TOML file.
   Json ordered = Json::object();
   for (const bool tables : {false, true}) {
     for (const auto& [key, value] : tree.items()) {
@@ -64,7 +64,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// What `pair` says to each branch.
+// The reason of `pair` for rejecting each branch.
 void mark_refused(FitAnswer& answer) {
   for (const Json& tree : answer.specs) {
     std::optional<Error> error;
@@ -85,7 +85,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   for (const int which : {1, 2}) {
     if (!spec.has(which) || !has_arcs(spec.gear(which))) continue;
     return Error{gear_field(which, "rack"), "",
-                 "the verb fit is about involute gears; these teeth are circular arcs"};
+                 "the verb fit supports involute gears only; these teeth are circular arcs"};
   }
   if (!spec.gears[1]) return absent_input("gear2", "; fit needs two gears");
   if (spec.fit.few_teeth) {

@@ -1,8 +1,7 @@
-// The verb fit: a spec with numbers left out in, the gears that have them out.
+// The verb fit: computes absent numbers of a spec, and returns the gears with these numbers.
 //
-// An absent key is an unknown here, not its default. Every branch comes as a spec of its own, which
-// the other verbs take.
-// Internal to job/ and the program.
+// An absent key is an unknown here, not its default. Every branch is returned as a spec for the
+// other verbs. Internal to job/ and the program.
 #pragma once
 
 #include <string>
@@ -17,8 +16,9 @@ namespace gearwright {
 
 struct FitAnswer {
   Fit fit;
-  std::vector<Json> specs;  ///< of the branches: the spec as read, with what was found
-  /// Of the branches: why the verb pair refuses it. A conjugate line of action is no tooth yet.
+  std::vector<Json> specs;  ///< of the branches: the spec as read, with the computed numbers
+  /// For each branch: the reason why the verb pair rejects it. A conjugate line of action is not
+  /// yet a tooth.
   std::vector<std::optional<Error>> refused{};
   std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
 };
@@ -26,7 +26,7 @@ struct FitAnswer {
 /// Errors    as fit, with keys of the spec; `gear2` missing
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
 
-/// What the catalogue says of an answer; it points into the answer.
+/// The quantities of a result; they point into it.
 FitView fit_view(const FitAnswer& answer);
 
 /// {"fit": {"branches", "reason", "nearest"}}

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// The spec with what was found in the place of the readings.
+// The spec with the computed data instead of the readings.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   Json tree = spec.tree->tables;
   Json& gear = tree[gear_field(which)];

@@ -1,4 +1,4 @@
-// The verb identify: readings of an unknown gear in, the gears that have them out.
+// The verb identify: computes from the readings of an unknown gear the gears that have them.
 // Internal to job/ and the program.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace gearwright {
 struct IdentifyAnswer {
   int gear;  ///< 1 or 2: whose readings
   Identification found;
-  std::vector<Json> specs;  ///< of the candidates: the spec as read, with that gear in it
+  std::vector<Json> specs;  ///< of the candidates: the spec as read, with that gear
 };
 
 /// Errors    `gear1.measured` missing; as identify, with keys of the spec

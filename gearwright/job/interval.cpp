@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// Two solutions of one spec differ by rounding where nothing depends on the tolerance.
+// True if two solutions differ. Solutions of one spec differ by rounding if nothing depends on the
+// tolerance.
 bool differ(double a, double b) {
   constexpr double kRounding = 1e-13;
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));
@@ -40,7 +41,7 @@ auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record
   return it == record.end() ? nullptr : &*it;
 }
 
-// Hides what does not differ; whether anything is left.
+// Hides equal values. Returns true if any remain.
 bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
   bool any = false;
   for (Member& m : lower) {

@@ -1,5 +1,5 @@
-// What tolerances make of a record: the numbers that differ at their two ends, in JSON and for people.
-// Internal to job/.
+// The range of a record within tolerances: the numbers that differ at the two ends, in JSON and for
+// users. Internal to job/.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace gearwright {
 
-/// {key: [at lower, at upper]} of the numbers that differ, of every door (the allowance is the
-/// page's), records inside as records, numbers of lists in their places (null: does not differ);
-/// lists of records are left out.
+/// {key: [at lower, at upper]} of the numbers that differ, for all interfaces (the allowance is for
+/// the page only). Inner records are records, and numbers of lists keep their places (null: does
+/// not differ). Lists of records are omitted.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
-/// Both ends as records for a listing, which shows the rows that differ alone.
+/// Both ends as records for a listing, which shows only the rows that differ.
 std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The errors and modifications of a spec as contact takes them, with the names of their influences.
+// The errors and modifications of a spec for contact analysis, with the names of their influences.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The errors of the spec; of one gear alone none.
+/// The errors of the spec; none for a single gear.
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)

@@ -1,6 +1,6 @@
-// The verdict over a job: its gears, its pair, and what else was computed of it.
+// The verdict over a job: its gears, its pair, and other results.
 //
-// As judge() of its gears (arrange/judge.hpp), with the keys as the file has them. Load is that of the
+// As judge() of its gears (arrange/judge.hpp), with the keys of the file. The load is that of the
 // job itself, at the mean of its tolerances.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace gearwright {
 
-/// What was computed beside the pair; null and false: it was not.
+/// Results in addition to the pair; null and false if not computed.
 struct JudgedParts {
   const ContactResult* contact = nullptr;  ///< under the spec's errors
-  const RatingAnswer* rating = nullptr;    ///< against the safeties that the spec wants
-  bool load = false;                       ///< its findings are warnings of the job
+  const RatingAnswer* rating = nullptr;    ///< against the required safeties of the spec
+  bool load = false;  ///< true if computed; its findings are warnings of the job
 };
 
-/// The verdict; keys as a file has them.
+/// The verdict, with the keys of a file.
 Verdict judge(const SolvedJob& job, const JudgedParts& parts = {});
 
 /// The last lines of a listing, of at most 100 bytes.

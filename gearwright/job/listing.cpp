@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
+#include "gearwright/base/system.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -17,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// Display width of UTF-8 text: bytes that do not continue a character.
+// Display width of UTF-8 text: the number of bytes that do not continue a character.
 std::size_t width(const std::string& s) {
   std::size_t n = 0;
   for (unsigned char c : s) n += (c & 0xC0) != 0x80;
@@ -32,7 +34,7 @@ std::string pad_left(const std::string& s, std::size_t n) {
   return std::string(width(s) < n ? n - width(s) : 0, ' ') + s;
 }
 
-constexpr std::size_t kWordsWidth = 38;  // a table of shorter words is no narrower
+constexpr std::size_t kWordsWidth = 38;  // minimum width, also if all words are shorter
 constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
 constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; two gears make a line of 80
 constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks, before a note
@@ -115,17 +117,20 @@ std::string gear_listing(const SolvedJob& job) {
 }
 
 std::string pair_listing(const Pair& pair) {
-  const char* kind = pair.arcs()      ? "Circular-arc pair, parallel axes"
-                     : pair.crossed() ? "Pair on crossed axes"
-                     : pair.kind() == PairKind::parallel_external ? "External pair, parallel axes"
-                                                                  : "Internal pair, parallel axes";
+  const char* kind =
+      pair.visit(Overloaded{[](const ArcPair&) { return "Circular-arc pair, parallel axes"; },
+                            [](const CrossedPair&) { return "Pair on crossed axes"; },
+                            [](const ParallelPair& p) {
+                              return p.margins ? "Internal pair, parallel axes"
+                                               : "External pair, parallel axes";
+                            }});
   return fmt::format("\n{}\n", kind) +
          quantity_listing(pair_quantities().table(), {pair_quantities().of(pair)}, {});
 }
 
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
-  // Two gears' values need two columns each: an end after the other.
+  // The values of two gears need two columns each, one for each end.
   const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
                               pair_quantities().of(*job.ends->upper.pair));
   return "\nWith the thinnest teeth and the most backlash\n" +
@@ -149,7 +154,7 @@ std::string file_listing(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) {
     std::string note = f.note;
     if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
-    out += "  " + pad(printable(f.path.string()), 44) + "  " + pad(f.what, 14) + note + "\n";
+    out += "  " + pad(printable(native_text(f.path)), 44) + "  " + pad(f.what, 14) + note + "\n";
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// The result as listings for people: what a terminal shows without --json.
+// The result as listings for users, which a terminal shows without --json.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,18 @@ namespace gearwright {
 
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair);
-/// What its tolerances leave open; empty: nothing.
+/// The values that vary within tolerances; empty if there are none.
 std::string pair_interval_listing(const SolvedJob& job);
-/// Both; empty without a pair.
+/// The pair and its range; empty without a pair.
 std::string pair_listing(const SolvedJob& job);
-/// Records side by side under their headings; without `columns` one record, whose values may be
-/// two. `note` says what stands at the end of a quantity's line.
+/// Records side by side under their headings; without `columns`, one record, which may have two
+/// values per quantity. `note` gives the text at the end of a quantity's line.
 std::string quantity_listing(const QuantityTable& table, const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
                              const std::function<std::string(const QuantityInfo&)>& note = nullptr);
-/// The rows of a gear's record that differ at the two ends of its tolerances.   Domain  it has ends
+/// The rows of a gear's record that differ at the two ends of its tolerances.
+///
+/// Domain    it has tolerances
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper);
 /// "gear 1", "gear 2"

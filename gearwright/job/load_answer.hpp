@@ -1,4 +1,4 @@
-// The spec's pair under torque, and probes of its teeth: the verb `load`.
+// The pair of a spec under torque, and probes of its teeth: the verb `load`.
 #pragma once
 
 #include "gearwright/arrange/loaded_pair.hpp"

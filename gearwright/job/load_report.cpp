@@ -9,11 +9,11 @@ namespace gearwright {
 
 namespace {
 
-// The answer's positions, or a pitch of its own where the spec has other rotations.
+// The positions of the result, or a separate pitch if the spec has other rotations.
 Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                    Progress* progress) {
   if (job.spec.load.rotations.empty()) return *answer.contact;
-  SolvedJob again = job;  // its warnings have been said
+  SolvedJob again = job;  // its warnings have been reported
   auto made = load_task(again);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
@@ -47,9 +47,8 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   if (part.answer.contact) {
     auto contact = over_a_pitch(job, part.answer, progress);
     if (!contact) return contact.error();
-    const bool lines = contact->regime == LoadRegime::line;
     part.report = LoadScene{{&job.gears[0], &job.gears[1]},
-                            lines ? job.pair->involute() : nullptr,
+                            job.pair->parallel(),
                             input.driver == 2,
                             std::move(contact).take(),
                             load_standard(job, part.answer)};

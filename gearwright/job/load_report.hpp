@@ -1,4 +1,4 @@
-// What `run` has of teeth under load: the answer of `load`, and the report's part about it.
+// The load part of `run`: the result of `load`, and its part of the report.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,15 @@
 
 namespace gearwright {
 
-/// The report points into the job; it has a pitch of positions, whatever rotations the answer has.
+/// The report points into the job. It always has a pitch of positions, also if the result has other
+/// rotations.
 struct LoadPart {
   LoadAnalysis answer;
-  std::optional<LoadScene> report;  ///< none: only probes were asked
+  std::optional<LoadScene> report;  ///< none if only probes were requested
 };
 
-/// None where [load] asks for neither torques nor probes, and for gears that loaded contact is not
-/// made for: then a warning in the job says why.
+/// None if [load] requests neither torques nor probes, and for gears that loaded contact does not
+/// support, with a warning in the job.
 ///
 /// Errors    as answer_load, where a number of the spec is wrong
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);

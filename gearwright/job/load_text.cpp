@@ -7,6 +7,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
@@ -17,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-// Every torque in a line: what changes with the load.
+// One line per torque, with the values that depend on the load.
 std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) {
   const bool lines = contact.regime == LoadRegime::line;
   std::string out =
@@ -28,7 +29,7 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
                      "N/mm²", "N/mm²");
   for (const LoadedTorque& t : contact.torques)
     out += fmt::format(
-        "  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", format_number(t.torque / kMmPerM),
+        "  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", format_number(newton_metres(t.torque)),
         fixed_decimals(t.peak_to_peak.arcsec(), 4), fixed_decimals(t.stiffness.mean, 3),
         fixed_decimals(t.max_pressure, 1), fixed_decimals(t.max_root_stress[0], 1),
         fixed_decimals(t.max_root_stress[1], 1),
@@ -67,7 +68,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
                        "approach", "pressure", "root 1", "root 2", "shares");
     out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",
                        "N/mm²", "N/mm²");
-    // A page of them; --json has all.
+    // Rows for one page; --json has all.
     const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
     for (std::size_t i = 0; i < t.positions.size(); i += step) {
       const LoadedPosition& p = t.positions[i];

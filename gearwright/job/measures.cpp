@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The gears as mounted, where they can be; measuring asks for no pair.
+// The gears as mounted, if possible. Measuring does not need a pair.
 std::optional<Pair> mounted(const SolvedJob& job) {
   if (job.pair || job.gears.size() < 2) return job.pair;
   const auto arranged = arrange(job.completed, Scope::pair);
@@ -32,7 +32,7 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   auto measures = measure(arranged, request, warnings);
   if (measures) return measures;
   Error error = measures.error();
-  // A grade has two keys.
+  // A grade can be given by two keys.
   if (error.field == gear_field(which, "tolerance.quality") &&
       job.spec.given.contains(gear_field(which, "quality")))
     error.field = gear_field(which, "quality");
@@ -59,7 +59,7 @@ Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job) {
 
 std::vector<ValueRecord> measure_records(const SolvedJob& job) {
   std::vector<ValueRecord> records;
-  std::vector<Warning> ignored;  // warnings are those of the verb
+  std::vector<Warning> ignored;  // the warnings are those of the verb
   for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
     const auto measures = measured(job, which, job.pair, ignored);
     records.push_back(measures ? measure_quantities().of(*measures) : ValueRecord());
@@ -82,7 +82,7 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   auto found = measured(job, end, static_cast<int>(i) + 1, tools, end.pair, ignored);
   if (!found) return {};
   GearMeasures measures = std::move(found).take();
-  measures.sizes = nominal.sizes;  // balls are bought once
+  measures.sizes = nominal.sizes;  // the sizes of balls do not change within tolerances
   return measure_quantities().of(measures);
 }
 

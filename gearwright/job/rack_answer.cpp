@@ -27,7 +27,8 @@ std::string listing(const RackJob& of) {
          quantity_listing(rack_pair_quantities().table(), {rack_pair_quantities().of(of.pair)}, {});
 }
 
-// Of the pinion and of the mesh. Changes of the spec are not tried: remedies have no numbers.
+// The verdict on the pinion and on the mesh. Changes of the spec are not tried, so remedies have no
+// numbers.
 Verdict verdict(const SolvedJob& job) {
   Judged judged;
   judged.gears = {&job.gears[0]};

@@ -1,4 +1,4 @@
-// gear --as-rack: the same teeth under another rack's name.
+// gear --as-rack: the same teeth in terms of another rack.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,9 +16,9 @@ namespace gearwright {
 
 namespace {
 
-// Two names of one rack may differ by what people write down: a part in a million.
+// Two descriptions of one rack may differ by the rounding of input: one part in a million.
 constexpr double kSameRack = 1e-6;
-// Normal pressure angles of the racks that can be asked for, deg: as a gear's own.
+// Permitted normal pressure angles of the rack, deg: the same as for a gear.
 constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;
 
 double deg(double rad) { return Angle::radians(rad).deg(); }

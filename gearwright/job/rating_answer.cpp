@@ -52,13 +52,9 @@ RatingView RatingAnswer::view() const {
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   if (auto missing = missing_error(SpecUse::rate, job.spec)) return *missing;
   const RatingTable& table = job.spec.rating;
-  const InvolutePair* pair = job.pair->involute();
-  if (!pair) {
-    return Error{"gear1.rack", "", "cuts circular arcs; ISO 6336 rates involute gears only"};
-  }
   RatingAnswer answer;
   answer.input = table.input;
-  auto rated = rated_pair(*pair);
+  auto rated = rated_pair(*job.pair);
   if (!rated) return rated.error();
   answer.pair = *rated;
   for (const int which : {1, 2}) {

@@ -1,4 +1,5 @@
-// The verb `rate`: from a spec with [rating] and materials to a rating, and what to make of it.
+// The verb `rate`: computes a rating from a spec with [rating] and materials, and values to improve
+// it.
 #pragma once
 
 #include <optional>
@@ -16,19 +17,19 @@ struct RatingAnswer {
   RatedPair pair;
   RatingInput input;
   Rating rating;
-  WantedSafety wanted;  ///< as the spec has it, else 1
+  WantedSafety wanted;  ///< as in the spec, otherwise 1
   std::optional<SpectrumRating> spectrum;
-  std::optional<double> torque_holding;  ///< N m, the greatest with the wanted safeties
+  std::optional<double> torque_holding;  ///< N m, the greatest with the required safeties
   std::optional<double> face_holding;    ///< mm, the least common face width with them
-  std::optional<ToothContact> contact;   ///< where the spec asks for it
+  std::optional<ToothContact> contact;   ///< if the spec requests it
 
   RatingView view() const;
 };
 
-/// Rates the pair; limits of the standard that it passes become warnings of the job.
+/// Rates the pair; exceeded limits of the standard become warnings of the job.
 ///
-/// Errors    `rating` where the spec has none, `gearN.material…` where a limit is not known; as
-///           rated_pair and rate, and where `rating.tooth_contact` is asked as answer_load
+/// Errors    `rating` if the spec has none, `gearN.material…` if a limit is unknown; as rated_pair
+///           and rate, and as answer_load if `rating.tooth_contact` is set
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// A rating for people and as JSON; as CSV: job/csv_answer.hpp. Internal to job/ and the program.
+// A rating for users and as JSON; as CSV: job/csv_answer.hpp. Internal to job/ and the program.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace gearwright {
 
 /// {"rating"}, under its title.
 Json rating_json(const SolvedJob& job, const RatingAnswer& answer);
-/// Inputs, factors, safeties: symbol, value, unit, place in the standard, branch.
+/// Inputs, factors, safeties: symbol, value, unit, clause of the standard, branch.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer);
 
 }  // namespace gearwright

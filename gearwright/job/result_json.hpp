@@ -8,11 +8,11 @@
 
 namespace gearwright {
 
-/// The record of gear i, from 0; of a double-helical gear that of one half, with the whole face.
+/// The record of gear i, from 0; for a double-helical gear that of one half, with the whole face.
 ValueRecord gear_record(const SolvedJob& job, std::size_t i);
 
 Json warnings_json(const std::vector<Warning>& warnings);
-/// `title` if the spec has one; a record begins with it.
+/// A record that begins with `title`, if the spec has one.
 Json titled_record(const JobSpec& spec);
 /// `drawing` (if given), `gears`, `pair` (if there is one).
 Json job_record(const SolvedJob& job);

@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -38,7 +39,7 @@ class Schema {
   Json reference(const QuantityTable& table) {
     const std::string name = definition_name(table);
     if (!definitions_.contains(name)) {
-      definitions_[name] = nullptr;  // a record inside itself would stop here
+      definitions_[name] = nullptr;  // prevents endless recursion for a record inside itself
       definitions_[name] = record(table);
     }
     return {{"$ref", "#/$defs/" + name}};
@@ -70,7 +71,7 @@ class Schema {
     if (!text.empty()) j["description"] = text;
     return j;
   }
-  // The value itself inside as many lists as there are.
+  // The schema of the value inside as many lists as there are.
   Json listed(const QuantityInfo& info, std::size_t depth) {
     if (depth == info.list.size()) return single(info, info.list.empty() && info.always);
     Json j{{"type", info.always || depth > 0 ? Json("array") : Json{"array", "null"}},
@@ -102,7 +103,7 @@ class Schema {
         if (always || !info.list.empty()) return inner;
         return {{"anyOf", Json{inner, Json{{"type", "null"}}}}};
       }
-      case Type::map: break;  // its names are a job's own
+      case Type::map: break;  // its names depend on the job
     }
     return Json::object();
   }
@@ -110,7 +111,7 @@ class Schema {
   Json definitions_ = Json::object();
 };
 
-// A finished search, or where one was stopped.
+// A finished search, or the state of a stopped one.
 Json search_schema(Schema& schema) {
   const Json stopped{{"type", "object"},
                      {"properties",
@@ -120,7 +121,8 @@ Json search_schema(Schema& schema) {
                        {"chunks", {{"type", "integer"}}}}},
                      {"required", {"finished", "chunks_done", "chunks"}},
                      {"additionalProperties", false}};
-  return {{"anyOf", Json{schema.reference(search_quantities().table()), stopped}}};
+  return {{"anyOf", Json{schema.reference(search_quantities().table()),
+                         schema.reference(drive_search_quantities().table()), stopped}}};
 }
 
 Json error_schema() {
@@ -140,18 +142,19 @@ Json error_schema() {
 }  // namespace
 
 std::vector<const QuantityTable*> result_tables() {
-  return with_inner_tables({&gear_quantities().table(),       &measure_quantities().table(),
-                            &as_rack_quantities().table(),    &double_helical_quantities().table(),
-                            &outline_quantities().table(),    &pair_quantities().table(),
-                            &rack_quantities().table(),       &rack_pair_quantities().table(),
-                            &drive_quantities().table(),      &drive_body_quantities().table(),
-                            &drive_mesh_quantities().table(), &contact_quantities().table(),
-                            &compensate_quantities().table(), &scatter_quantities().table(),
-                            &load_quantities().table(),       &rating_quantities().table(),
-                            &fit_quantities().table(),        &identify_quantities().table(),
-                            &drawing_quantities().table(),    &search_quantities().table(),
-                            &file_quantities().table(),       &warning_quantities().table(),
-                            &verdict_quantities().table()});
+  return with_inner_tables(
+      {&gear_quantities().table(),         &measure_quantities().table(),
+       &as_rack_quantities().table(),      &double_helical_quantities().table(),
+       &outline_quantities().table(),      &pair_quantities().table(),
+       &rack_quantities().table(),         &rack_pair_quantities().table(),
+       &drive_quantities().table(),        &drive_body_quantities().table(),
+       &drive_mesh_quantities().table(),   &contact_quantities().table(),
+       &compensate_quantities().table(),   &scatter_quantities().table(),
+       &load_quantities().table(),         &rating_quantities().table(),
+       &fit_quantities().table(),          &identify_quantities().table(),
+       &drawing_quantities().table(),      &search_quantities().table(),
+       &drive_search_quantities().table(), &file_quantities().table(),
+       &warning_quantities().table(),      &verdict_quantities().table()});
 }
 
 Json result_schema() {
@@ -162,10 +165,10 @@ Json result_schema() {
                          {"items",
                           {{"anyOf", Json{schema.reference(gear_quantities().table()),
                                           schema.reference(rack_quantities().table())}}}}};
-  // What only the verb measure and --as-rack add to a gear.
+  // Additional data of a gear from the verb measure and --as-rack.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
-  // What a double-helical gear has besides stands beside the rest.
+  // Additional data of a double-helical gear are at the same level.
   const Json halves = schema.properties_of(double_helical_quantities().table());
   Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   gear["as_rack"] = rack;
@@ -173,11 +176,11 @@ Json result_schema() {
   gear.update(halves);
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
-  // What tolerances add: the same keys, with two numbers each.
-  const Json interval{{"type", "object"},
-                      {"description",
-                       "of tolerances: the numbers that differ, at the lower and at "
-                       "the upper end"}};
+  // Additional data within tolerances: the same keys, with two numbers each.
+  const Json interval{
+      {"type", "object"},
+      {"description",
+       "with tolerances: the numbers that differ, at the lower and at the upper end"}};
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;
@@ -198,7 +201,7 @@ Json result_schema() {
   properties["error"] = error_schema();
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
           {"title", "Gearwright result"},
-          {"description", "What gearwright VERB SPEC --json prints"},
+          {"description", "The output of gearwright VERB SPEC --json"},
           {"type", "object"},
           {"properties", std::move(properties)},
           {"additionalProperties", false},

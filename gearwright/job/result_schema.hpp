@@ -9,10 +9,10 @@
 
 namespace gearwright {
 
-/// Every table of a result, each followed by those of the records in it.
+/// Every table of a result, each followed by the tables of its records.
 std::vector<const QuantityTable*> result_tables();
 
-/// Of every answer of every verb with --json, and of what a refused spec prints.
+/// The schema of the results of all verbs with --json, and of the error of a rejected spec.
 Json result_schema();
 
 }  // namespace gearwright

@@ -34,7 +34,7 @@ std::vector<Listed> read_list(const fs::path& folder) {
     Listed l;
     words >> std::hex >> l.checksum >> std::dec >> l.bytes;
     if (!words || !std::getline(words >> std::ws, l.name)) continue;
-    // Nothing outside the folder, whatever the list says.
+    // Never touches a file outside the folder, even if the list names one.
     if (fs::path(l.name).filename() == l.name && l.name != "." && l.name != "..") list.push_back(l);
   }
   return list;
@@ -61,7 +61,8 @@ void write_run(const fs::path& folder, const std::vector<JobFile>& files) {
                         f.path.filename().string());
   }
   write_files(files);
-  // Until the new list stands, the old one does: what it names is then removed by the next run.
+  // Until the new list is written, the old one is valid, and the next run removes the files that it
+  // names.
   for (const Listed& was : former) {
     const bool again = std::any_of(files.begin(), files.end(),
                                    [&](const JobFile& f) { return f.path.filename() == was.name; });

@@ -1,7 +1,8 @@
-// The folder of `run`: what a former run wrote there and this one does not goes, nothing else.
+// The folder of `run`: files of an earlier run that this run does not write are removed, and no
+// other files.
 //
-// The list of a run's files lies in the folder, with the size and the checksum that each had, so
-// that a file which somebody has changed or put in its place since is somebody's own.
+// The list of a run's files is in the folder, with the size and the checksum of each, so that files
+// which the user has since changed or replaced are kept.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +14,8 @@ namespace gearwright {
 
 inline constexpr const char* kRunList = ".gearwright_files";
 
-/// Writes the files and their list; then removes those of the former list that are none of them and
-/// are as they were written.   Throws  IoError
+/// Writes the files and their list; then removes the files of the former list that are not among
+/// them and are unchanged.   Throws  IoError
 void write_run(const std::filesystem::path& folder, const std::vector<JobFile>& files);
 
 }  // namespace gearwright

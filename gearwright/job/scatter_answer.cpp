@@ -4,26 +4,30 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/base/missing.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/corrected_spec.hpp"
+#include "gearwright/job/scatter_grades.hpp"
+#include "gearwright/math/minimise.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr int kPositions =
-    32;  // per pitch, where [contact] has none: the peak to peak needs no more
+constexpr int kPositions = 32;  // per pitch, if [contact] has none; the peak to peak needs no more
 
 Distribution distribution_of(const DistributionSpec& spec) {
-  auto made = Distribution::of(spec);  // the spec's reader has checked it
+  auto made = Distribution::of(spec);  // the reader of the spec has checked it
   GW_EXPECTS(made);
   return std::move(made).take();
 }
 
-// The bores are told apart by the end of the shaft that they are at.
+// The bores are distinguished by the end of the shaft.
 void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
   for (const bool far_end : {false, true}) {
     all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
@@ -50,8 +54,8 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
     const auto& flanks = job.completed.gear(which).modifications;
     if (!m.placed(flanks[0]) || !m.placed(flanks[1])) {
       return Error{"scatter." + name, "",
-                   fmt::format("needs {}modifications.{}{} beside it, which says where the relief "
-                               "lies; its amount may be 0",
+                   fmt::format("needs {}modifications.{}{} with it, which determines the place of "
+                               "the relief; its amount may be 0",
                                table, m.name, m.reach)};
     }
     all.push_back({name, kMmPerUm, distribution_of(*gear.modifications[i]),
@@ -81,10 +85,11 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
     const ScatterGear& gear = input.gears[static_cast<std::size_t>(which - 1)];
     if (auto error = add_gear(job, which, gear, all)) return *error;
   }
+  if (auto error = add_graded(job, all)) return *error;
   return all;
 }
 
-// The groups of the spec, and one for each input that is in none, in the order of their first inputs.
+// The groups of the spec, and one for each input in no group, in the order of their first inputs.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {
   std::vector<std::string> names;
@@ -99,7 +104,7 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
       if (at == names.end())
         return Error{
             field, name,
-            fmt::format("is no input of this spec; its inputs are {}", fmt::join(names, ", "))};
+            fmt::format("is not an input of this spec; its inputs are {}", fmt::join(names, ", "))};
       const auto index = static_cast<std::size_t>(at - names.begin());
       if (taken[index])
         return Error{field, name, "belongs to one group only; leave it out of the others"};
@@ -117,11 +122,41 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
   return groups;
 }
 
-// Where the racks of circular arcs have their contact as drawn: what contact_along_profile is measured from.
+// The contact of the racks of circular arcs as drawn, which is the reference of
+// contact_along_profile.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
   if (!pair.arcs() || pair.arcs()->contacts.empty()) return {};
   return {pair.arcs()->first_contact().at.theta, kProfileEnd};
+}
+
+// An error of the scatter with fields named after inputs.
+Error of_scatter(const ScatterTask& task, Error error) {
+  const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
+  if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
+    error.field = "scatter." + error.field;
+  if (error.field == "tolerances") error.field = "scatter";
+  if (error.field == "percentile") error.field = "scatter.robust";
+  return error;
+}
+
+Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
+  if (!can_minimise()) {
+    return Error{"scatter.robust", "",
+                 "this build has no minimiser (NLopt) and cannot search corrections; use the "
+                 "installed program",
+                 FailureKind::not_in_build};
+  }
+  auto corrections = corrections_of(setup, input.corrections, "scatter.robust.corrections");
+  if (!corrections) return corrections.error();
+  RobustTask task{std::move(corrections).take(), {}, input.percentile};
+  for (const WorkshopCorrection& c : task.corrections) {
+    Correction bounds = bounds_of(setup, c);
+    if (input.range) bounds.lo = (*input.range)[0];
+    if (input.range) bounds.hi = (*input.range)[1];
+    task.bounds.push_back(bounds);
+  }
+  return task;
 }
 
 }  // namespace
@@ -135,7 +170,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   if (!tolerances) return tolerances.error();
   auto groups = groups_of(input, *tolerances);
   if (!groups) return groups.error();
-  ScatterAnswer answer{std::move(made).take(), {}, {}};
+  ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
   task.tolerances = std::move(tolerances).take();
   task.groups = std::move(groups).take();
@@ -150,18 +185,23 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   task.confidence = input.confidence;
   task.indices = input.indices;
   task.worst_case = input.worst_case;
+  task.loosening = input.loosening;
   task.progress = progress;
   auto scatter = scatter_of(answer.setup, task);
-  task.progress = nullptr;
-  if (!scatter) {
-    Error error = scatter.error();
-    const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
-    if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
-      error.field = "scatter." + error.field;
-    if (error.field == "tolerances") error.field = "scatter";
-    return error;
-  }
+  if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
+  if (input.robust) {
+    auto robust = robust_task(answer.setup, *input.robust);
+    if (!robust) return robust.error();
+    auto found = robust_corrections(answer.setup, task, *robust);
+    if (!found) return of_scatter(task, found.error());
+    Json corrected = corrected_spec(job, answer.setup, robust->corrections, found->value,
+                                    task.member.gear2_drives);
+    corrected["scatter"].erase("robust");
+    answer.robust = {std::move(robust).take(), std::move(found).take(),
+                     std::make_shared<const SpecTree>(SpecTree{std::move(corrected)})};
+  }
+  task.progress = nullptr;
   return answer;
 }
 

@@ -1,27 +1,40 @@
-// What tolerances do to the pair of a spec: the verb `scatter`. Internal to job/ and the program.
+// The effect of tolerances on the pair of a spec: the verb `scatter`. Internal to job/ and the
+// program.
 #pragma once
 
 #include <string>
 
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/job/job_contact.hpp"
-#include "gearwright/scatter/scatter.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {
+
+/// Answer to [scatter.robust].
+struct RobustAnswer {
+  RobustTask task;
+  RobustCorrections found;
+  std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections in it
+};
 
 struct ScatterAnswer {
   ContactSetup setup;
   ScatterTask task;
   Scatter scatter;
+  std::optional<RobustAnswer> robust;
 };
 
-/// Errors    `scatter.…` of a range that the teeth cannot take, of a group with an unknown input; as
-///           scatter_of() and ContactSetup::of
+/// Errors    `scatter.…` of a range or a correction that the teeth cannot take, of a group with an
+///           unknown input; as scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
 
+/// The view refers to `answer`.
+ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
 /// A row for each sample: its inputs, then its numbers.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);
+/// Names of the coordinates of x in a table: "errors.crossing_deg", "bearings.bore_a.x_mm".
+std::vector<std::string> scatter_columns(const ScatterTask& task);
 
 }  // namespace gearwright

@@ -9,6 +9,7 @@
 
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -79,11 +80,53 @@ TEST(ScatterAnswer, RefusesATaskThatIsNone) {
 }
 
 TEST(ScatterAnswer, NamesWhatItDoesNotCompute) {
-  for (const char* key : {"quality", "loaded", "robust", "correlations"}) {
+  for (const char* key : {"loaded", "correlations"}) {
     expect_refused(
         std::string("{\"") + key + R"(": true, "errors": {"crossing_deg": [-0.02, 0.02]}})",
         std::string("scatter.") + key, "are not");
   }
+}
+
+TEST(ScatterAnswer, RefusesCorrectionsThatAreNone) {
+  const auto robust = [](const std::string& table) {
+    return R"({"errors": {"crossing_deg": [-0.02, 0.02]}, "robust": )" + table + "}";
+  };
+  expect_refused(robust(R"({"corrections": ["gear1.crowning"]})"), "scatter.robust.corrections",
+                 "gear1.lead_crowning_um");
+  expect_refused(robust(R"({"range": [1, 20]})"), "scatter.robust.range", "must hold 0");
+  expect_refused(robust(R"({"percentile": 100})"), "scatter.robust.percentile", "100");
+  if (!can_minimise()) return;
+  expect_refused(robust(R"({"corrections": ["gear1.tip_relief_um"]})"),
+                 "scatter.robust.corrections", "tip_relief_start_mm");
+  expect_refused(robust(R"({"corrections": ["cutter_lead1_deg"]})"), "scatter.robust.corrections",
+                 "helical");
+}
+
+TEST(ScatterAnswer, TheCorrectedSpecHasTheCorrections) {
+  if (!can_minimise()) GTEST_SKIP() << "this build has no minimiser";
+  Json tree = spec_with(R"({"samples": 32, "replicates": 2, "loosening": true,
+    "errors": {"crossing_deg": [-0.06, 0.06]},
+    "robust": {"corrections": ["gear1.lead_crowning_um", "gear1.profile_crowning_um"],
+               "percentile": 90, "range": [-8, 12]}})");
+  const Json answer = scatter_answered(tree)["scatter"];
+  const Json& robust = answer["robust"];
+  EXPECT_EQ(robust["percentile"], 90);
+  const double before = robust["before"]["percentile_arcsec"];
+  const double after = robust["after"]["percentile_arcsec"];
+  EXPECT_LT(after, 0.9 * before) << robust.dump();
+  // The spec that was printed, with the seed that judged.
+  Json corrected = answer["spec"];
+  EXPECT_FALSE(corrected["scatter"].contains("robust"));
+  EXPECT_NEAR(corrected["gear1"]["modifications"]["lead_crowning_um"].get<double>(),
+              8 + robust["corrections"][0]["value"].get<double>(), 1e-9);
+  corrected["scatter"]["seed"] = 2;
+  corrected["scatter"]["percentiles"] = {90};
+  const Json again = scatter_answered(corrected)["scatter"]["peak_to_peak_arcsec"];
+  EXPECT_NEAR(again["percentiles"][0].get<double>(), after, 1e-9);
+  // The only tolerance is the one to tighten.
+  const Json& loosening = answer["loosening"];
+  EXPECT_EQ(loosening["tolerances"][0]["input"], "errors.crossing_deg");
+  EXPECT_EQ(answer["inputs"].size(), loosening["tolerances"].size());
 }
 
 TEST(ScatterAnswer, RefusesWhatTheTeethCannotHave) {
@@ -129,6 +172,30 @@ TEST(ScatterAnswer, IndicesAreByGroup) {
   EXPECT_NEAR(play["total"][0].get<double>() + play["total"][1].get<double>(), 1.0, 0.1);
   EXPECT_EQ(answer["probability"]["jam"]["of"], 128);
   EXPECT_TRUE(answer["contact_along_profile"].is_null());
+}
+
+TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
+  Json tree = spec_with(R"({"samples": 2, "replicates": 2, "quality": 6,
+    "errors": {"helix_slope1_um": [-1, 1]}, "gear2": {"profile_waves": [2, 3]}})");
+  tree["pair"]["center_distance_tolerance"] = "JS7";
+  const Json all =
+      Json::array({"errors.helix_slope1_um", "gear1.modifications.profile_slope_um",
+                   "gear1.profile_waves", "gear1.helix_waves", "gear1.pitch",
+                   "errors.helix_slope2_um", "gear2.modifications.profile_slope_um",
+                   "gear2.profile_waves", "gear2.helix_waves", "gear2.pitch",
+                   "errors.center_distance_mm", "errors.crossing_deg", "errors.intersecting_deg"});
+  const Json scatter = scatter_answered(tree)["scatter"];
+  EXPECT_EQ(scatter["inputs"], all) << scatter.dump();
+  EXPECT_GT(scatter["long_period_arcsec"]["mean"], scatter["peak_to_peak_arcsec"]["mean"]);
+  // The grade of the gears is the default.
+  Json by_gear = tree;
+  by_gear["scatter"].erase("quality");
+  by_gear["gear1"]["tolerance"]["quality"] = by_gear["gear2"]["tolerance"]["quality"] = 6;
+  EXPECT_EQ(scatter_answered(by_gear)["scatter"], scatter);
+  expect_refused(R"({"gear1": {"pitch": "F_p"}})", "scatter.gear1.pitch", "needs a grade");
+  expect_refused(R"({"quality": 12})", "scatter.quality", "1 to 11");
+  expect_refused(R"({"quality": 6, "gear1": {"helix_waves": [4, 1]}})", "scatter.gear1.helix_waves",
+                 "lower one first");
 }
 
 TEST(ScatterAnswer, TablesHaveARowForEachSample) {

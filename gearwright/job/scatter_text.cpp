@@ -8,31 +8,44 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
 namespace {
 
-// Every input with its value, of a bore its two coordinates.
+Value coordinates_at(const ScatterTolerance& t, const std::vector<double>& x, std::size_t at) {
+  if (t.coordinates() == 1) return Value(x[at]);
+  ValueList list;
+  for (int k = 0; k < t.coordinates(); ++k) list.emplace_back(x[at + static_cast<std::size_t>(k)]);
+  return Value(std::move(list));
+}
+
+// Names of the coordinates of an input in a table, after the name of the input.
+std::vector<const char*> parts_of(const ScatterTolerance& t) {
+  if (t.bore()) return {".x_mm", ".y_mm"};
+  if (std::holds_alternative<VaryingPitch>(t.of)) return {".share", ".phase_deg", ".eccentric"};
+  if (std::holds_alternative<VaryingWave>(t.of)) return {".waves", ".phase_deg"};
+  return {""};
+}
+
+// The value of every input; for a bore, a pitch or a wave the list of its coordinates.
 ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   ValueMap map;
   std::size_t at = 0;
   for (const ScatterTolerance& t : task.tolerances) {
-    if (t.coordinates() == 2) {
-      map.emplace_back(t.name, Value(ValueList{Value(x[at]), Value(x[at + 1])}));
-    } else {
-      map.emplace_back(t.name, Value(x[at]));
-    }
+    map.emplace_back(t.name, coordinates_at(t, x, at));
     at += static_cast<std::size_t>(t.coordinates());
   }
   return map;
 }
 
-// What the spec of this sample has in [errors], and beside it what other inputs add.
+// The errors of the spec for this sample, and the additional changes of other inputs.
 ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
   std::array<double, kErrorCount> errors = job.spec.errors.value;
   ValueMap others;
@@ -44,7 +57,7 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
     } else if (std::holds_alternative<VaryingBore>(t.of)) {
       bores = true;
     } else {
-      others.emplace_back(t.name, Value(x[at]));
+      others.emplace_back(t.name, coordinates_at(t, x, at));
     }
     at += static_cast<std::size_t>(t.coordinates());
   }
@@ -62,25 +75,32 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
-ScatterView view_of(const SolvedJob& job, const ScatterAnswer& a) {
-  ScatterView view{&a.scatter, &a.task, {}, {}, {}, {}};
-  for (const ScatterTolerance& t : a.task.tolerances) view.inputs.push_back(t.name);
-  for (const ScatterEntry& entry : scatter_entries()) {
-    const auto at = static_cast<std::size_t>(entry.quantity);
-    if (!a.scatter.spread[at]) continue;
-    const Spread& spread = *a.scatter.spread[at];
-    ValueList samples;
-    for (const Percentile& p : spread.percentiles)
-      samples.emplace_back(as_spec(job, a, a.scatter.samples[p.sample].x));
-    view.spread[at] = SpreadView{&entry, &spread, std::move(samples)};
-  }
-  const auto worst = [&](const std::optional<WorstMember>& w,
-                         ScatterQuantity q) -> std::optional<WorstView> {
-    if (!w) return std::nullopt;
-    return WorstView{&scatter_entries()[static_cast<std::size_t>(q)], &*w, by_input(a.task, w->x)};
+SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const Scatter& scatter,
+                       const ScatterEntry& entry) {
+  const Spread& spread = *scatter.spread[static_cast<std::size_t>(entry.quantity)];
+  ValueList samples;
+  for (const Percentile& p : spread.percentiles)
+    samples.emplace_back(as_spec(job, a, scatter.samples[p.sample].x));
+  return {&entry, &spread, std::move(samples)};
+}
+
+RobustView robust_view(const SolvedJob& job, const ScatterAnswer& a) {
+  const RobustAnswer& r = *a.robust;
+  const auto judged = [&](const Scatter& s) {
+    return JudgedView{&s, spread_view(job, a, s, scatter_entries()[0])};
   };
-  view.worst_peak_to_peak = worst(a.scatter.worst_peak_to_peak, ScatterQuantity::peak_to_peak);
-  view.worst_least_play = worst(a.scatter.worst_least_play, ScatterQuantity::least_play);
+  RobustView view{{},
+                  r.task.percent,
+                  judged(r.found.before),
+                  judged(r.found.after),
+                  to_value(r.corrected->tables)};
+  for (std::size_t i = 0; i < r.task.corrections.size(); ++i) {
+    const WorkshopCorrection& c = r.task.corrections[i];
+    const double value = r.found.value[i];
+    view.corrections.push_back(found_correction(c, value,
+                                                spec_key(a.setup, c, a.task.member.gear2_drives),
+                                                at_bound(r.task.bounds[i], value)));
+  }
   return view;
 }
 
@@ -161,20 +181,86 @@ std::string worst_listing(const ScatterView& view) {
                        fixed_decimals(entry.shown(worst->worst->value), entry.digits),
                        unit_text(entry.unit), worst->worst->corner ? ", at a corner" : "");
     for (const auto& [name, value] : worst->at) {
-      const ValueList* two = value.list();
+      const ValueList* list = value.list();
       const auto number = [](const Value& v) { return format_number(v.number().value_or(0.0)); };
-      out += fmt::format("    {:<40}{}\n", name,
-                         two ? number((*two)[0]) + ", " + number((*two)[1]) : number(value));
+      std::string shown = list ? "" : number(value);
+      for (std::size_t i = 0; list && i < list->size(); ++i)
+        shown += (i == 0 ? "" : ", ") + number((*list)[i]);
+      out += fmt::format("    {:<40}{}\n", name, shown);
     }
+  }
+  return out;
+}
+
+std::string loosening_listing(const ScatterAnswer& a) {
+  const Loosening& l = *a.scatter.loosening;
+  const auto arcsec = [](double rad) {
+    return fixed_decimals(Angle::radians(rad).arcsec(), scatter_entries()[0].digits);
+  };
+  const std::string percent = format_number(l.percent);
+  std::string out =
+      head(fmt::format("How far each tolerance may grow until the {} % point of the peak to peak, "
+                       "{} ″, grows by {:g} %",
+                       percent, arcsec(l.percentile), 100 * kLooser));
+  out += fmt::format("  {:<44}{:>12}{:>22}\n", "", "factor", "if it is halved  ″");
+  for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
+    const Loosening::Change& c = l.by_tolerance[i];
+    out += fmt::format(
+        "  {:<44}{:>12}{:>21}\n", a.task.tolerances[i].name,
+        c.factor ? fmt::format("{:.2f}", *c.factor) : fmt::format("over {:g}", kMostFactor),
+        arcsec(c.halved));
+  }
+  if (l.tighten_first) {
+    const std::size_t i = *l.tighten_first;
+    out += fmt::format("  Tighten {} first: half of it gives {} ″.\n", a.task.tolerances[i].name,
+                       arcsec(l.by_tolerance[i].halved));
+  } else {
+    out += "  No tolerance lowers the percentile if it is halved.\n";
+  }
+  return out;
+}
+
+std::string robust_listing(const RobustView& r) {
+  std::string out = head(
+      fmt::format("Corrections for the {} % point of the peak to peak", format_number(r.percent)));
+  for (const FoundCorrection& c : r.corrections)
+    out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, fixed_decimals(c.value, 4), c.shown_unit,
+                       c.at_bound ? "  (the bound)" : "");
+  for (const auto& [words, j] : {std::pair{"without them", &r.before}, {"with them", &r.after}}) {
+    const Estimate& e = RobustCorrections::percentile(*j->scatter).estimate;
+    const auto shown = [](double rad) {
+      return fixed_decimals(scatter_entries()[0].shown(rad), scatter_entries()[0].digits);
+    };
+    out += fmt::format("  {:<44}{:>11} ″{}\n",
+                       fmt::format("{} % point {}", format_number(r.percent), words),
+                       shown(e.value), e.standard_error ? " ± " + shown(*e.standard_error) : "");
   }
   return out;
 }
 
 }  // namespace
 
+ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& a) {
+  ScatterView view{&a.scatter, &a.task, {}, {}, {}, {}, {}};
+  for (const ScatterTolerance& t : a.task.tolerances) view.inputs.push_back(t.name);
+  for (const ScatterEntry& entry : scatter_entries()) {
+    const auto at = static_cast<std::size_t>(entry.quantity);
+    if (a.scatter.spread[at]) view.spread[at] = spread_view(job, a, a.scatter, entry);
+  }
+  if (a.robust) view.robust = robust_view(job, a);
+  const auto worst = [&](const std::optional<WorstMember>& w,
+                         ScatterQuantity q) -> std::optional<WorstView> {
+    if (!w) return std::nullopt;
+    return WorstView{&scatter_entries()[static_cast<std::size_t>(q)], &*w, by_input(a.task, w->x)};
+  };
+  view.worst_peak_to_peak = worst(a.scatter.worst_peak_to_peak, ScatterQuantity::peak_to_peak);
+  view.worst_least_play = worst(a.scatter.worst_least_play, ScatterQuantity::least_play);
+  return view;
+}
+
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
   Json record = titled_record(job.spec);
-  record["scatter"] = to_json(scatter_quantities().of(view_of(job, a)));
+  record["scatter"] = to_json(scatter_quantities().of(scatter_view(job, a)));
   return record;
 }
 
@@ -183,14 +269,22 @@ std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
   out += spread_listing(a) + probability_listing(a);
   if (a.task.indices) out += index_listing(a);
-  if (a.task.worst_case) out += worst_listing(view_of(job, a));
+  if (a.task.worst_case) out += worst_listing(scatter_view(job, a));
+  if (a.scatter.loosening) out += loosening_listing(a);
+  if (a.robust) out += robust_listing(robust_view(job, a));
   return out;
+}
+
+std::vector<std::string> scatter_columns(const ScatterTask& task) {
+  std::vector<std::string> names;
+  for (const ScatterTolerance& t : task.tolerances)
+    for (const char* part : parts_of(t)) names.push_back(t.name + part);
+  return names;
 }
 
 std::string scatter_csv(const SolvedJob&, const ScatterAnswer& a) {
   std::string out = "replicate,sample";
-  for (const ScatterTolerance& t : a.task.tolerances)
-    out += t.coordinates() == 2 ? fmt::format(",{0}.x_mm,{0}.y_mm", t.name) : "," + t.name;
+  for (const std::string& name : scatter_columns(a.task)) out += "," + name;
   for (const ScatterEntry& entry : scatter_entries()) out += fmt::format(",{}", entry.key);
   out += ",contact_lost\r\n";
   const auto n = static_cast<std::size_t>(a.task.samples);

@@ -18,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-// Regions of more designs than this are given without their boundary, whose curves have 25 points.
+// The boundaries of regions, whose curves have 25 points, are omitted for more designs than this.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
 Value edges_of(const Search& search, const DesignRow& row) {
@@ -35,7 +35,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// What a gear's table says: gear 2 without it has what gear 1 has.
+// A value of a gear's table; gear 2 takes an absent one from gear 1.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
@@ -56,10 +56,11 @@ std::string safest_line(const DesignRow& row) {
                      row.trial.z1, row.trial.z2);
 }
 
-// What the page says beside the counts.
+// Additional reasons on the page next to the counts.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
   std::vector<std::string> lines;
   if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
+  if (problem.draw) lines.push_back("Designs are " + drawing_line(problem) + ".");
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
   for (const std::string& line : change_lines(run))
@@ -72,16 +73,46 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// The lesser safety of both gears, and the mass, where a search knows them.
-std::string strength_cells(const SearchProblem& problem, const DesignRow& row) {
+// Columns of a search for drawings: face width and overlap, backlash at both ends, the lesser
+// safety of both gears, the mass.
+std::string drawing_heads(const SearchProblem& p) {
+  return (p.sizes_faces() ? fmt::format(" {:>6} {:>6}", "b mm", "ε_β") : "") +
+         (p.allowances.thin_teeth() ? fmt::format(" {:>13}", "j_n mm") : "") +
+         (p.rating ? fmt::format(" {:>6} {:>6}", "S_H", "S_F") : "") +
+         (p.weighs() ? fmt::format(" {:>9}", "mass kg") : "");
+}
+std::string drawing_cells(const SearchProblem& problem, const DesignRow& row) {
   const auto lesser = [](const std::array<std::optional<double>, 2>& s) {
     return s[0] && s[1] ? fmt::format(" {:>6.3f}", std::min(*s[0], *s[1])) : "      -";
   };
-  return (problem.rating ? lesser(row.flank_safety) + lesser(row.root_safety) : "") +
+  std::string cells;
+  if (problem.sizes_faces())
+    cells += fmt::format(" {:>6g} {:>6.3f}", row.face_width, row.overlap_ratio);
+  if (problem.allowances.thin_teeth()) {
+    const auto& [least, most] = row.backlash_ends;
+    cells += least && most ? fmt::format(" {:.3f} … {:.3f}", *least, *most) : "             -";
+  }
+  return cells + (problem.rating ? lesser(row.flank_safety) + lesser(row.root_safety) : "") +
          (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
 }
 
-// [rating] with the safeties that the search asked for.
+// "10 … 120 mm", "10 modules".
+std::string face_words(const SearchProblem& p) {
+  std::string words;
+  const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
+    if (!band) return;
+    if (!words.empty()) words += " and ";
+    words += (*band)[0] == (*band)[1] ? fmt::format("{:g}{}", (*band)[0], unit)
+                                      : fmt::format("the least that holds of {:g} … {:g}{}",
+                                                    (*band)[0], (*band)[1], unit);
+  };
+  add(p.face_width, " mm");
+  add(p.face_modules, " modules");
+  add(p.face_diameters, " d_1");
+  return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
+}
+
+// [rating] with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
   if (limits.safety_flank) rating["safety_flank_min"] = *limits.safety_flank;
@@ -101,13 +132,15 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   const SearchAnswer& a = run.answer;
   Json head = to_json(search_quantities().of(
       {&search.problem(), &a, &run.changes, run.safest ? &*run.safest : nullptr}));
-  head.erase("designs");  // they come one by one
+  head.erase("designs");  // they are written one by one
 
   std::string text = "{\n  \"search\": " + json_text(head);
-  text.pop_back();  // the head's closing brace: the designs go in before it
+  text.pop_back();  // the closing brace of the head: the designs are inserted before it
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMaxBoundaries;
-  if (!edges) text.reserve(a.designs.size() * 1000);  // not twice the whole while it grows
+  if (!edges)
+    text.reserve(a.designs.size() * 1000);  // avoids two copies of the whole while it
+                                            // grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
     text += json_text(design_row_json(search, a.designs[i], edges));
@@ -163,7 +196,8 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "tip clearance",
       "interference",
       "safety against pitting, at the shifts of the design",
-      "safety against root breakage, at the shifts of the design"};
+      "safety against root breakage, at the shifts of the design",
+      "the verdict over the drawing, at all ends of its tolerances"};
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < counts.rejected.size(); ++i)
     if (counts.rejected[i] > 0)
@@ -186,12 +220,27 @@ std::string rating_line(const SearchProblem& problem) {
   if (!problem.rating) return {};
   const RatingInput& in = problem.rating->input;
   const SearchLimits& limits = problem.limits;
-  std::string text =
-      fmt::format("rated by {}, {:g} N m on gear 1, face width {}", name(in.edition), in.torque,
-                  problem.face_width ? fmt::format("{:g} mm", *problem.face_width)
-                                     : fmt::format("{:g} modules", problem.face_modules));
+  std::string text = fmt::format("rated by {}, {:g} N m on gear 1, face width {}", name(in.edition),
+                                 in.torque, face_words(problem));
   if (limits.safety_flank) text += fmt::format(", S_H >= {:g}", *limits.safety_flank);
   if (limits.safety_root) text += fmt::format(", S_F >= {:g}", *limits.safety_root);
+  return text;
+}
+
+std::string drawing_line(const SearchProblem& problem) {
+  if (!problem.draw) return {};
+  const SearchAllowances& a = problem.allowances;
+  std::string text = fmt::format(
+      "drawn and judged as by run: mounting {}, {}",
+      problem.mounting == Mounting::tight ? "tight" : "extended",
+      a.backlash ? fmt::format("backlash {:g} … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
+      : a.series.empty() ? std::string("nominal teeth")
+                         : "thickness series " + a.series);
+  if (a.distance_tolerance) text += ", centre distance " + *a.distance_tolerance;
+  const SearchLimits& l = problem.limits;
+  if (l.min_shift && l.max_shift)
+    text += fmt::format(", {:g} <= x <= {:g}", *l.min_shift, *l.max_shift);
+  if (l.sliding) text += fmt::format(", |ζ| <= {:g}", *l.sliding);
   return text;
 }
 
@@ -212,6 +261,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
   if (p.rating) text += rating_line(p) + "\n";
+  if (p.draw) text += drawing_line(p) + "\n";
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
@@ -231,8 +281,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   }
   const bool helical =
       std::any_of(p.helix.begin(), p.helix.end(), [](Angle b) { return b != Angle(); });
-  const std::string strength = (p.rating ? fmt::format(" {:>6} {:>6}", "S_H", "S_F") : "") +
-                               (p.weighs() ? fmt::format(" {:>9}", "mass kg") : "");
+  const std::string strength = drawing_heads(p);
   text += fmt::format(
       "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7}{} {:>7}  {}\n",
       "rank", "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α",
@@ -246,7 +295,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
         i + 1, r.trial.module, r.trial.z1, r.trial.z2,
         helical ? fmt::format(" {:>7.3f}", tidy_degrees(r.trial.helix[0])) : "", r.ratio,
         r.center_distance, r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
-        zeta ? fmt::format("{:.3f}", *zeta) : "-", strength_cells(p, r), r.area,
+        zeta ? fmt::format("{:.3f}", *zeta) : "-", drawing_cells(p, r), r.area,
         r.balanced ? "balanced" : "middle",
         std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
         r.interference ? ", interference" : "");
@@ -274,7 +323,8 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);
     g["helix_angle_deg"] = tidy_degrees(row.trial.helix[i]);
     g["profile_shift"] = row.shift[i];
-    g["face_width_mm"] = p.face_width_of(row.trial.module);
+    g["face_width_mm"] = row.face_width;
+    if (!p.allowances.series.empty()) g["tolerance"]["thickness_series"] = p.allowances.series;
     if (const Json rack = rack_of(tree, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
     if (const Json material = of_gear(tree, i, "material"); p.rating && !material.is_null())
       g["material"] = material;
@@ -285,6 +335,15 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   if (p.crossed()) pair["shaft_angle_deg"] = tidy_degrees(*p.shaft_angle);
   pair["mounting"] = p.mounting == Mounting::tight ? "tight" : "extended";
   if (p.shorten_tips) pair["shorten_tips"] = true;
+  if (const auto& ends = p.allowances.backlash) {
+    if ((*ends)[0] == (*ends)[1]) {
+      pair["backlash_mm"] = (*ends)[0];
+    } else {
+      pair["backlash_mm"] = *ends;
+    }
+  }
+  if (p.allowances.distance_tolerance)
+    pair["center_distance_tolerance"] = *p.allowances.distance_tolerance;
   j["pair"] = std::move(pair);
   if (p.rating) j["rating"] = rating_of(tree, p.limits);
   return j;

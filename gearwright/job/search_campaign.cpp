@@ -44,7 +44,7 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
   const auto was = parquet_note(folder / kDesignsFile, kSpecNote);
   if (!was) return std::nullopt;
   const auto old = read_spec(*was, SpecFormat::json);
-  constexpr std::int64_t kAnyChunk = 0;  // the size of chunks is no part of the result
+  constexpr std::int64_t kAnyChunk = 0;  // the size of chunks does not affect the result
   std::string changed = "its spec belongs to another version";
   if (old) {
     const std::string before = search_fingerprint(*old, kAnyChunk);
@@ -63,7 +63,7 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
                                const SearchOptions& options) {
   SearchRun run = begun(spec, search);
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
-  // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
+  // Ranks restarted by a scheduler always use --resume, and continue with any existing chunks.
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
   const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join

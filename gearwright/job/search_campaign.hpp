@@ -1,6 +1,6 @@
 // A search whose finished chunks stay in a folder: it can be stopped, resumed and shared.
 //
-// Internal to job/. What it needs, the store, is not in every build: search_campaign_without.cpp.
+// Internal to job/. It needs the store, which is not in every build: search_campaign_without.cpp.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace gearwright {
 
-/// Why this build keeps no folder of a search; none: it does.
+/// The reason why this build cannot keep a folder of a search; none if it can.
 std::optional<Error> refuse_folder();
 
-/// Why no files of this search may be written into the folder: a finished search of another spec has its
-/// own there. None: there is none, or its spec says the same.
+/// The reason why this search must not write files into the folder: it contains those of a finished
+/// search of another spec. None if there is no such search.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs what is missing of the search in options.out, and makes its files when nothing is.
+/// Runs the missing chunks of the search in options.out, and makes its files when none is missing.
 ///
 /// Throws    IoError
-/// Errors    a campaign, or a finished search of another spec, that is there already; --resume of none
-///           or of another spec
+/// Errors    an existing campaign, or a finished search of another spec; --resume without a
+///           campaign or for another spec
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options);
 

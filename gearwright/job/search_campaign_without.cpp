@@ -1,4 +1,4 @@
-// Without the store a search leaves no folder.
+// The version without the store keeps no folder of a search.
 #include "gearwright/job/search_campaign.hpp"
 #include "gearwright/job/search_files.hpp"
 

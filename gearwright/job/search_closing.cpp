@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The program's names of some members, `a`, `b`.
+// The keys of some members, `a`, `b`.
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields)
@@ -31,11 +31,17 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
     return true;
   }
   SearchProgress progress{.stage = SearchProgress::Stage::changes};
-  auto found = nearest_changes(search.problem(), [&](std::int64_t questions) {
-    progress.done += questions;
-    if (options.progress) options.progress(progress);
-    return !(options.stop && *options.stop);
-  });
+  // Checking a drawing takes milliseconds.
+  constexpr std::int64_t kMaxDrawn = 300;
+  const std::int64_t most = search.problem().draw ? kMaxDrawn : kMaxChangeQuestions;
+  auto found = nearest_changes(
+      search.problem(),
+      [&](std::int64_t questions) {
+        progress.done += questions;
+        if (options.progress) options.progress(progress);
+        return !(options.stop && *options.stop);
+      },
+      most);
   run.stopped = found.stopped;
   run.changes = std::move(found.changes);
   if (found.safest) run.safest = search.whole(*found.safest);
@@ -43,7 +49,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
     run.changes_left_out = fmt::format(
         "the search for the smallest change of {} ended after {} trials each; a smaller change may "
         "exist",
-        spelled_list(found.bounded), kMaxChangeQuestions);
+        spelled_list(found.bounded), most);
   }
   return !run.stopped;
 }

@@ -1,17 +1,17 @@
-// What is left when all trials of a search are done: what would help where nothing is feasible, and
-// the regions of the designs that are listed.
+// The work after all trials of a search: changes that would help if nothing is feasible, and the
+// regions of the listed designs.
 //
-// Internal to job/ and apps. Both say whether to go on: they stop where the options say so.
+// Internal to job/ and apps. Both return true to continue. They stop if the options request it.
 #pragma once
 
 #include "gearwright/job/search_job.hpp"
 
 namespace gearwright {
 
-/// Nothing is feasible: what would help.
+/// Nothing is feasible: computes changes that would help.
 bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
 
-/// The regions of the designs that are listed.
+/// Computes the regions of the listed designs.
 bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run);
 
 }  // namespace gearwright

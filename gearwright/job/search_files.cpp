@@ -13,14 +13,16 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kCsvDesigns = 1000;  // unless --top asks for more: people read this one
+constexpr std::size_t kCsvDesigns = 1000;  // unless --top requests more, because users read this
+                                           // file
 
-// Both tables in one pass over the finds; without a grid of shifts there is no second one.
+// Writes both tables in one pass over the designs. Without a grid of shifts there is no second
+// table.
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
                   const JobSpec& spec, const Search& search, const FindSource& source) {
   std::string limits;
-  for (int i = 0; i < search.problem().limit_count(); ++i)
-    limits += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Limit>(i)));
+  for (const Limit limit : search.problem().rejecting_limits())
+    limits += fmt::format("{}{}", limits.empty() ? "" : ", ", name(limit));
   const std::vector<std::pair<std::string, std::string>> notes{
       {"program", fmt::format("gearwright {}", kVersion)},
       {kSpecNote, json_text(spec.tree->tables)},

@@ -1,4 +1,4 @@
-// The files of a search, each whole or not there at all.
+// The files of a search, each written completely or not at all.
 //
 //   search.parquet   every feasible design, in the order of the trials
 //   points.parquet   with shift_step: every feasible point of its grid, by trial
@@ -18,7 +18,7 @@ namespace gearwright {
 inline constexpr const char* kDesignsFile = "search.parquet";
 inline constexpr const char* kSpecNote = "spec";  ///< in its footer: the spec as JSON
 
-/// Gives what was found, chunk by chunk, in the order of the trials; false: no more.
+/// Returns the designs, chunk by chunk, in the order of the trials; false if there are no more.
 using FindSource = std::function<bool(ChunkFinds& finds)>;
 
 /// Writes them all and returns their names; `top`: designs in the CSV, absent: a thousand.

@@ -23,8 +23,8 @@ namespace gearwright {
 namespace {
 
 constexpr std::int64_t kMinChunk = 1 << 18;
-constexpr std::int64_t kShare = 1 << 16;     // of a thread at a time, where no file is made of it
-constexpr std::int64_t kMaxChunk = 1 << 22;  // a thread holds the designs of one
+constexpr std::int64_t kShare = 1 << 16;     // trials of a thread at a time, if no file is made
+constexpr std::int64_t kMaxChunk = 1 << 22;  // a thread holds the designs of one chunk
 
 void flatten(const Json& node, const std::string& path, std::string& lines) {
   if (node.is_object()) {
@@ -35,7 +35,7 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
   lines += path + " = " + json_text(node) + "\n";
 }
 
-// All in memory: small searches, and those that leave no files.
+// Keeps all in memory, for small searches and searches without files.
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
   SearchRun run = begun(spec, search);
@@ -78,7 +78,7 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
-  // A region has about one square module: so many points of the grid fit into memory.
+  // A region has about one square module, so this number of grid points fits into memory.
   constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// One text for both ways: calls f on every number of the row.
+// One function for both directions: calls f on every number of the row.
 template <class Row, class F>
 void each_number(Row& row, const F& f) {
   f(row.trial.index);
@@ -33,6 +33,7 @@ void each_number(Row& row, const F& f) {
   f(row.overlap_ratio);
   f(row.backlash_normal);
   f(row.tip_alteration);
+  f(row.face_width);
   for (const int i : {0, 1}) {
     f(row.tip_thickness[i]);
     f(row.tip_clearance[i]);
@@ -44,6 +45,8 @@ void each_number(Row& row, const F& f) {
     f(row.sums[i]);
     f(row.lo[i]);
     f(row.hi[i]);
+    f(row.allowance[i]);
+    f(row.backlash_ends[i]);
   }
   f(row.interference);
   f(row.area);
@@ -68,10 +71,10 @@ void each_number_of_point(Point& p, const F& f) {
   f(p.interference);
 }
 
-constexpr std::size_t kNumbers = 18 + 2 * 10 + 3;
+constexpr std::size_t kNumbers = 19 + 2 * 12 + 3;
 constexpr std::size_t kPointNumbers = 14;
 
-// Numbers on their way through the compressor: the plain bytes of a million points never stand in
+// Passes numbers to the compressor, so that the uncompressed bytes of a million points are never in
 // memory at once.
 class Packer {
  public:
@@ -83,7 +86,7 @@ class Packer {
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
   ~Packer() { ZSTD_freeCCtx(context_); }
-  /// Written into the frame, for who unpacks it.
+  /// Written into the frame for the reader.
   void announce(std::size_t size) { ZSTD_CCtx_setPledgedSrcSize(context_, size); }
 
   void word(std::uint64_t w) {
@@ -171,7 +174,7 @@ std::string pack(const ChunkFinds& finds) {
     each_number(row, write);
   }
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
-  return packer.take();  // which would not end had `size` been another
+  return packer.take();  // which would not end if `size` had been different
 }
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {

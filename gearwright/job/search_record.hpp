@@ -1,7 +1,7 @@
-// Feasible designs as bytes: what a chunk of a large search keeps on disk.
+// Feasible designs as bytes, for the chunks of a large search on disk.
 //
-// Every number of a row stands in 64 bits, low byte first, row after row; the whole is compressed
-// by zstd. Reading gives the same rows, bit for bit.
+// Every number of a row has 64 bits, low byte first, row after row; the whole is compressed by
+// zstd. Reading gives the same rows, bit for bit.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ namespace gearwright {
 
 struct ChunkFinds {
   std::vector<DesignRow> designs;
-  std::vector<ShiftPoint> points;  ///< of the grid of shifts, if one was wanted
+  std::vector<ShiftPoint> points;  ///< of the grid of shifts, if requested
 };
 
 std::string pack(const ChunkFinds& finds);
 
-/// Throws    IoError where the bytes are not what pack made; `where` names them
+/// Throws    IoError if pack() did not make the bytes; `where` names them
 ChunkFinds unpack(std::string_view bytes, const std::string& where);
 
 }  // namespace gearwright

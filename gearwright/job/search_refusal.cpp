@@ -30,8 +30,8 @@ RegionDetail detail_of(const SearchProblem& problem, bool files) {
 namespace {
 
 // Trials per second of one thread, measured for half a second at places spread over the search.
-// Tables of a helix are made before the clock runs: the search pays for them once, not at every
-// place. However slow the trials are, the watch ends the measurement.
+// Tables of a helix are made before the measurement, because the search makes them once. The watch
+// ends the measurement even if trials are slow.
 double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kSeconds = 0.5;
@@ -65,9 +65,9 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} years", seconds / 31557600);
 }
 
-// A grid of shifts: how many points the regions hold is the sum of their areas. It is estimated
-// from a thousand of the trials that the sieve lets pass, all of them where there are no more: to a
-// few percent, which the limit, a size of files, is not exact to either.
+// The number of points of a grid of shifts follows from the sum of the areas of the regions. It is
+// estimated from a thousand trials that pass the filter, or from all if there are fewer. The error
+// of a few percent is sufficient for this limit, which is a size of files.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;

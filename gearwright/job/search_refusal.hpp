@@ -1,5 +1,5 @@
-// Searches that are too large, told apart before they begin: candidates are counted in closed form,
-// what they would take is measured for half a second, points of a grid are estimated.
+// Rejects searches that are too large before they begin: candidates are counted in closed form,
+// their speed is measured for half a second, and points of a grid are estimated.
 //
 // Internal to job/.
 #pragma once
@@ -10,16 +10,16 @@
 
 namespace gearwright {
 
-/// Why the search is not begun; none: it is.
+/// The reason why the search does not begin; none if it does.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
 
-/// That a spec describes no search.
+/// The error that a spec describes no search.
 Error no_search();
-/// Why a search of no candidates is not begun.
+/// The error of a search without candidates.
 Error no_tooth_numbers();
 
-/// Regions are computed for what is ranked by them or goes into a table of all designs; else for
-/// what is listed, at the end.
+/// Regions are computed immediately if the ranking or a table of all designs needs them, otherwise
+/// at the end for the listed designs.
 RegionDetail detail_of(const SearchProblem& problem, bool files);
 
 }  // namespace gearwright

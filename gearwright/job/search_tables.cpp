@@ -1,5 +1,9 @@
 #include "gearwright/job/search_tables.hpp"
 
+#include <map>
+#include <mutex>
+#include <set>
+
 namespace gearwright {
 
 void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
@@ -22,11 +26,17 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
 }
 
 const TableColumns<DesignView>& design_columns(const SearchProblem& problem) {
-  static const TableColumns<DesignView> kPlain(design_quantities(),
-                                               {"face_width_mm", "S_H", "S_F", "mass_kg"});
-  static const TableColumns<DesignView> kWeighed(design_quantities(), {"S_H", "S_F"});
-  static const TableColumns<DesignView> kRated(design_quantities());
-  return problem.rating ? kRated : problem.weighs() ? kWeighed : kPlain;
+  // Columns that only some searches have; the problem determines which.
+  const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H", "S_F",
+                                            "mass_kg"};
+  const DesignRow any;
+  std::vector<std::string_view> without;
+  for (const Quantity<DesignView>& q : design_quantities().list())
+    if (optional.contains(q.info.key) && !q.exists({&problem, &any})) without.push_back(q.info.key);
+  static std::mutex mutex;
+  static std::map<std::vector<std::string_view>, TableColumns<DesignView>> tables;
+  const std::lock_guard lock(mutex);
+  return tables.try_emplace(without, design_quantities(), without).first->second;
 }
 
 const TableColumns<ShiftPoint>& point_columns() {

@@ -1,11 +1,9 @@
-// The columns of a search's tables, CSV and Parquet, as the catalogue says them: one column for each
-// quantity with a column's name, two for one of both gears.
-// Internal to job/.
+// The columns of a search's tables, CSV and Parquet, from the catalogue: one column for each
+// quantity with a column name, two for a quantity of both gears. Internal to job/.
 #pragma once
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,15 +15,15 @@
 
 namespace gearwright {
 
-/// Adds the heads of a column: one, or one for each gear or end.
+/// Adds the headings of a column: one, or one for each gear or end.
 void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads);
 
 template <class S>
 class TableColumns {
  public:
-  /// Without the quantities of these keys.
+  /// Omits the quantities with these keys.
   explicit TableColumns(const Quantities<S>& quantities,
-                        std::initializer_list<std::string_view> without = {}) {
+                        const std::vector<std::string_view>& without = {}) {
     const std::vector<RecordColumn> all = columns_of(quantities.table());
     for (const Quantity<S>& q : quantities.list()) {
       if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;
@@ -61,7 +59,7 @@ class TableColumns {
   std::vector<ParquetColumn> heads_;
 };
 
-/// One table on its way to disk.
+/// One table to be written.
 template <class S>
 class ParquetTable {
  public:
@@ -86,7 +84,7 @@ class ParquetTable {
   ParquetWriter writer_;
 };
 
-/// Safeties, masses and face widths have columns where the search asks for them.
+/// Safeties, masses and face widths have columns if the search computes them.
 const TableColumns<DesignView>& design_columns(const SearchProblem& problem);
 const TableColumns<ShiftPoint>& point_columns();
 

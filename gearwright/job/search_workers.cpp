@@ -27,20 +27,21 @@ void SearchWorkers::work(const Done& done) {
   const SearchWatch watch = [&](std::int64_t trials) {
     trials_done_ += trials;
     if (stopped()) return false;
-    constexpr unsigned kSeldom = 16;  // graphs: a look at the clock is no part of their cost
+    constexpr unsigned kSeldom = 16;  // number of graphs between checks of the clock, so that
+                                      // checks take no time
     if (trials > 0 || asked++ % kSeldom == 0) tell();
     return true;
   };
   while (const auto c = next()) {
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
-    // Points are wanted for the files alone; their counts are in the answer of every search.
+    // Points are needed only for files. Their counts are in the result of every search.
     const SearchCounts counts =
         search_.range(from, from + trials_of(*c), finds.designs,
                       {.detail = detail_of(search_.problem(), !options_.out.empty()),
                        .points = &finds.points,
                        .watch = watch});
-    if (stopped()) return;  // a chunk is whole or not there
+    if (stopped()) return;  // a chunk is saved completely or not at all
     done(*c, std::move(finds), counts);
     ++chunks_done_;
     tell();
@@ -66,7 +67,7 @@ std::optional<std::int64_t> SearchWorkers::next() {
   if (stopped()) return std::nullopt;
   const std::lock_guard lock(queue_mutex_);
   if (options_.next_chunk) {
-    // What was missing when the folder was opened, whoever opened it when.
+    // The missing chunks when this process opened the folder.
     std::int64_t c = options_.next_chunk();
     while (c < progress_.of_chunks && !std::binary_search(todo_.begin(), todo_.end(), c))
       c = options_.next_chunk();

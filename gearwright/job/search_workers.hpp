@@ -1,4 +1,5 @@
-// Chunks of a search done by all threads of this process; each is handed on as soon as it is done.
+// Computes chunks of a search with all threads of this process; each is passed on as soon as it is
+// finished.
 //
 // Internal to job/.
 #pragma once
@@ -16,11 +17,12 @@ namespace gearwright {
 
 class SearchWorkers {
  public:
-  /// Takes a chunk's number, what was found in it and how many trials each limit killed; called
-  /// from several threads at once.
+  /// Receives a chunk's number, its designs, and the number of trials that each limit rejected.
+  /// Called from several threads at once.
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
-  /// `todo`: numbers of chunks of so many trials, growing. Search and options outlive it.
+  /// `todo`: ascending numbers of chunks with this number of trials. Search and options must
+  /// outlive it.
   SearchWorkers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
                 const SearchOptions& options);
 
@@ -39,7 +41,7 @@ class SearchWorkers {
   const SearchOptions& options_;
   std::size_t place_ = 0;
   std::mutex queue_mutex_, mutex_;
-  SearchProgress progress_;  // as it was at the start
+  SearchProgress progress_;  // state at the start
   std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
 };
 

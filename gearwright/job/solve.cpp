@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// What gear 2 has from gear 1 and none of its numbers shows.
+// Values that gear 2 takes from gear 1 and that no number of gear 2 shows.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -24,7 +24,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
 }
 
-// What is known of double-helical gears, of which `job` has a half each.
+// Adds the data of double-helical gears, of which `job` contains a half each.
 std::optional<Error> find_halves(SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const auto& given = job.spec.double_helical[i];
@@ -41,7 +41,7 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "crosses the axes; double-helical gears run on parallel axes, with opposite hands"};
 }
 
-// The gears and the pair; of double-helical gears those of one half.
+// The gears and the pair; for double-helical gears those of one half.
 Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
@@ -49,7 +49,7 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
                         "whose --take 1 writes a spec for this verb");
   }
   if (spec.drive) {
-    return Error{"", "", "the spec describes a drive, which the verb drive computes"};
+    return Error{"", "", "the spec describes a drive, which the verbs drive, run and export take"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
@@ -75,7 +75,7 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
   }
   SolvedJob job{std::move(arranged).take(), spec};
   if (auto error = find_halves(job)) return *error;
-  // Warnings are for the person with the file: the members in them become its keys.
+  // Warnings are for the author of the file, so the members in them become its keys.
   for (Warning& w : job.warnings)
     w.message = spelled(w.message, spec.given, w.gear == 0 ? "" : gear_field(w.gear));
   return job;
@@ -87,7 +87,7 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   if (spec.drive) return "";
   if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
   if (!spec.has(2)) return "";
-  // A fit finds the place, helices and shifts.
+  // A fit computes position, helices and shifts.
   const bool found_by_fit =
       error.kind == FailureKind::placement || error.kind == FailureKind::missing;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;

@@ -1,4 +1,4 @@
-// A value of the catalogue as JSON: the keys, and what JSON's door shows. Internal to job/ and the
+// A value of the catalogue as JSON, with the keys for JSON. Internal to job/ and the
 // program.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace gearwright {
 
-/// Numbers read back to the same double; nothing, NaN and infinity are null.
+/// Numbers read back to the same double; null, NaN and infinity become null.
 Json to_json(const Value& value);
 
 /// A tree of JSON, a spec inside a result, as a value.

@@ -29,8 +29,8 @@ namespace gearwright {
 
 namespace {
 
-// How a verb that solves a spec goes on with the gears and the pair: what it finds of them, how that is
-// judged, and its forms.
+// Continuation of a verb after the gears and the pair are solved: its result, the verdict, and the
+// output.
 template <class Found>
 struct Solving {
   Scope scope;
@@ -40,7 +40,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
-  bool halves = false;  // a pair of double-helical gears is one of its pairs
+  bool halves = false;  // true if it accepts a pair of double-helical gears
 };
 
 template <class Found>
@@ -66,7 +66,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   return answer;
 }
 
-// Of the gears and the pair themselves, nothing more is looked for.
+// For verbs that need only the gears and the pair.
 struct AsSolved {};
 
 Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
@@ -139,14 +139,23 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
-  return solved_answer<ScatterAnswer>(
+  auto answer = solved_answer<ScatterAnswer>(
       {.scope = Scope::pair,
        .find = answer_scatter,
        .judge = [](const SolvedJob& job, const ScatterAnswer&) { return judge(job); },
        .record = scatter_json,
        .listing = scatter_listing,
-       .csv = scatter_csv},
+       .csv = scatter_csv,
+       .specs =
+           [](const ScatterAnswer& a) {
+             return a.robust ? std::vector{a.robust->corrected->tables} : std::vector<Json>{};
+           }},
       spec, progress);
+  if (!answer) return answer.error();
+  Answer found = std::move(answer).take();
+  if (found.specs.empty())
+    found.why_none = "[scatter.robust] is missing, which says what corrections are searched";
+  return found;
 }
 
 Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
@@ -162,6 +171,7 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
+  if (spec.drive) return answer_drive_rating(spec);
   return solved_answer<RatingAnswer>(
       {.scope = Scope::pair,
        .find = answer_rating,
@@ -173,7 +183,7 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// A verb that looks for gears answers without any: its specs are the gears.
+// A verb that computes gears needs none as input. Its specs are the gears.
 template <class Found>
 Answer proposals(Found&& found, Json (*record)(const Found&),
                  std::string (*listing)(const Found&)) {
@@ -219,30 +229,32 @@ constexpr Verb kVerbs[] = {
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
     {"scatter",
-     "What tolerances do to the pair: percentiles, probabilities, which tolerance matters, the worst "
-     "case",
+     "Effect of tolerances on the pair: percentiles, probabilities, influence of each tolerance, "
+     "worst case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
-     Take::none, "", run_scatter},
+     Take::flag, "Print the spec with the corrections of [scatter.robust] and nothing else",
+     run_scatter},
     {"load",
      "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
      "stress",
      "gearwright load examples/loaded_pair.toml", SpecUse::load, true, true, true, Take::none, "",
      run_load},
     {"rate",
-     "Strength by ISO 6336: every factor with its place in the standard, stresses, safeties",
+     "Strength by ISO 6336: every factor with its clause of the standard, stresses, safeties",
      "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, false, Take::none, "",
      run_rate},
     {"drive",
-     "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash",
+     "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash, "
+     "error",
      "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
      Take::none, "", run_drive},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
      Take::none, "", run_measure},
-    {"identify", "The gears that the readings of an unknown one allow, likeliest first",
+    {"identify", "The gears that agree with readings of an unknown gear, likeliest first",
      "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, false,
      Take::number, "Print the spec of this candidate and nothing else", run_identify},
-    {"fit", "Gears for a place, or places for gears: what the spec leaves out is found",
+    {"fit", "Absent numbers of a spec: gears for given shafts, or shaft positions for given gears",
      "gearwright fit examples/crossed_fit.toml", SpecUse::geometry, false, false, true,
      Take::number, "Print the spec of this branch and nothing else", run_fit},
 };
@@ -291,8 +303,7 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
   const auto failed = [](const Error& error) { return BatchLine{json_text(error_json(error))}; };
   if (text.size() > kMaxSpec) {
     return failed({"", "",
-                   fmt::format("this line has {} bytes; a spec has at most {}, more than any gear "
-                               "needs",
+                   fmt::format("this line has {} bytes; at most {} are allowed for a spec",
                                text.size(), kMaxSpec)});
   }
   try {
@@ -301,7 +312,7 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
     const auto answered = answer(*spec);
     return answered ? BatchLine{json_text(*answered)}
                     : failed(spelled(answered.error(), spec->given));
-  } catch (const IoError& e) {  // a file that the spec names
+  } catch (const IoError& e) {  // a file named in the spec
     return failed({"", "", e.what()});
   } catch (const ContractViolation& e) {
     return {failed({"", "", e.what()}).text, true};

@@ -1,9 +1,9 @@
-// The verbs that answer a spec: one table, which all doors walk.
+// The table of the verbs, which all interfaces use.
 //
-// A verb is a row of the table: its name, what it computes, an example, what its answer has, and the
-// function that makes the answer. The command line with its help, completion and manual page, batch, case
-// files, Python and the page read this table. A new verb is one row and one function.
-// Internal to job/ and the programs.
+// A verb is a row of the table: its name, its meaning, an example, the properties of its result,
+// and its function. The command line with its help, completion and manual page, batch, case files,
+// Python and the page read this table. A new verb is one row and one function. Internal to job/ and
+// the programs.
 #pragma once
 
 #include <functional>
@@ -21,15 +21,15 @@
 
 namespace gearwright {
 
-/// What a verb found. The forms for people are made when they are called.
+/// The result of a verb. Output for users is made on request.
 struct Answer {
-  Json record;                           ///< every quantity, by the catalogue
-  std::vector<Warning> warnings;         ///< of the gears and of what was computed
-  std::optional<Verdict> verdict;        ///< none: the verb judges no gears
-  std::vector<Json> specs;               ///< that it proposes: branches, candidates, corrections
-  std::string why_none;                  ///< why `specs` is empty, if it can be
+  Json record;                     ///< every quantity, by the catalogue
+  std::vector<Warning> warnings;   ///< of the gears and of the results
+  std::optional<Verdict> verdict;  ///< none if the verb judges no gears
+  std::vector<Json> specs;         ///< proposals: branches, candidates, corrections
+  std::string why_none;            ///< reason if `specs` is empty, for verbs that propose specs
   std::function<std::string()> listing;  ///< the record for a terminal
-  std::function<std::string()> csv;      ///< empty: the verb has no table
+  std::function<std::string()> csv;      ///< empty if the verb has no table
 };
 
 /// The record, then `warnings` and `verdict` if gears are judged.
@@ -41,37 +41,39 @@ struct Verb {
   const char* name;
   const char* meaning;  ///< one sentence without its full stop
   const char* example;
-  SpecUse use;       ///< for which a spec must be complete
-  bool csv, strict;  ///< the answer has a table; it has a verdict
-  bool lasts;        ///< it may take seconds: its progress is shown
-  /// The option --take: none; a flag, of the one spec that is proposed; the number of one of them.
+  SpecUse use;       ///< use for which the spec must be complete
+  bool csv, strict;  ///< the result has a table; it has a verdict
+  bool lasts;        ///< may take seconds, so its progress is shown
+  /// The option --take: none; a flag, for a single proposed spec; the number of one of several.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
-  /// Throws  IoError when a file that the spec names cannot be read
+  /// Throws  IoError if a file named in the spec cannot be read
   Result<Answer> (*run)(const JobSpec& spec, Progress* progress);
 };
 
-/// In the order in which a user meets them.
+/// In the order for users.
 std::span<const Verb> verbs();
-/// Null: there is no such verb.
+/// Null if there is no such verb.
 const Verb* find_verb(std::string_view name);
 /// "gear, pair, …"
 std::string verb_names();
 
-/// The JSON of a verb's answer; of an empty name that of `pair` where there are two gears, else of
-/// `gear`.   Domain  such a verb (contract)
+/// The JSON of a verb's result. For an empty name it is that of `pair` if there are two gears,
+/// otherwise of `gear`.
+///
+/// Domain    such a verb (contract)
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);
 
-/// What a batch writes for one spec.
+/// The output of a batch for one spec.
 struct BatchLine {
-  std::string text;       ///< JSON on one line: the answer, or {"error": …}
-  bool violated = false;  ///< the error is a mistake of ours (base/contract.hpp)
+  std::string text;       ///< JSON on one line: the result, or {"error": …}
+  bool violated = false;  ///< true if the error is a defect of Gearwright (base/contract.hpp)
 };
-/// The line of a spec in JSON by `answer`. Whatever goes wrong with it is its error: what a batch
-/// does with the other lines never depends on it. What the spec lacks for `use` is an error, too.
+/// The line for a spec in JSON, computed by `answer`. Every failure is its error, so other lines of
+/// a batch are not affected. An input that is missing for `use` is an error, too.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& spec, SpecUse use = SpecUse::geometry);
-/// The same by a verb, as answer_json has it.
+/// The same for a verb, as in answer_json.
 BatchLine batch_line(std::string_view verb, const std::string& spec);
 
 }  // namespace gearwright

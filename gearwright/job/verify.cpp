@@ -22,7 +22,7 @@ struct Tolerance {
   double absolute = 0.0;
 };
 
-// The case's tolerance, or the value's own in "tolerance": {"values": {path: absolute}}.
+// The tolerance of the case, or that of the value in "tolerance": {"values": {path: absolute}}.
 Tolerance tolerance_of(const Json& c, const std::string& path) {
   Tolerance tolerance;
   if (!c.contains("tolerance")) return tolerance;
@@ -110,7 +110,7 @@ Result<CaseOutcome> run_case(const Json& c) {
 }  // namespace
 
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
-  constexpr int kDeepest = 64;  // a case nests ten
+  constexpr int kDeepest = 64;  // limit; a case has ten levels
   const auto unreadable = [](const std::string& why) {
     return Error{"", "", "the case file cannot be read: " + why};
   };

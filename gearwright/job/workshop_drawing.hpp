@@ -14,7 +14,7 @@ namespace gearwright {
 
 enum class SheetFormat { pdf, svg, dxf };
 
-/// By the ending of a file's name, whatever the case of its letters; none: another one.
+/// By the extension of a file's name, in any case; none for other extensions.
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {
@@ -25,7 +25,7 @@ struct WorkshopSheets {
 
 /// A sheet for each of these gears, 1 or 2. `tolerance_mm`: of the outlines, in the gears' mm.
 ///
-/// Errors    as make_body and make_file refuse a gear
+/// Errors    as make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 

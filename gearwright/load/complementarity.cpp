@@ -17,9 +17,9 @@ using Eigen::VectorXd;
 
 constexpr int kMost = 200;
 constexpr int kOneByOne = 30;        // steps before positions change singly, to stop cycles
-constexpr double kStill = 1e-11;     // of the greatest load: the last step
+constexpr double kStill = 1e-11;     // relative to the greatest load: a step below this is the last
 constexpr double kRounding = 1e-14;  // relative to cancelling terms: rounding of a step
-constexpr double kRough = 1e-3;      // relative to the greatest load: most accepted rounding
+constexpr double kRough = 1e-3;  // relative to the greatest load: largest accepted rounding error
 constexpr double kOverlap = 1e-12;   // relative to the greatest displacement: least overlap
 constexpr double kLeastLoad = 1e-9;  // relative to the mean, the least argument of the logarithm
 

@@ -21,8 +21,8 @@ struct SummaryBasis {
   double face;         ///< b  mm, common
   double base_radius;  ///< r_b1  mm
   double body_twist;   ///< of both bodies, mm per N/mm
-  bool whole_pitch;    ///< the positions are even over one pitch
-  LoadRegime regime;   ///< of points only `whole_pitch` counts
+  bool whole_pitch;    ///< true if the positions are evenly spaced over one pitch
+  LoadRegime regime;   ///< for point contact, only `whole_pitch` is used
 };
 
 /// Computes all members that follow from `torque` and `positions`.
@@ -31,8 +31,8 @@ void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 /// The load share of a tooth pair, summed over its contact positions.
 double share_of(const LoadedPosition& position, int pair);
 
-/// The torque at which the loaded transmission error is least, peak to peak, of those of two or more
-/// that have harmonics; nullptr if there are fewer than two.
+/// The torque with the least peak-to-peak loaded transmission error among those with harmonics;
+/// nullptr if fewer than two have them.
 const LoadedTorque* quietest(const LoadedContact& contact);
 
 }  // namespace gearwright

@@ -2,7 +2,7 @@
 //
 //   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
-//   loaded TE = TE − Θ (gear 2 hangs back)        theory: docs/theory/12-loaded-contact.md
+//   loaded TE = TE − Θ (gear 2 lags)        theory: docs/theory/12-loaded-contact.md
 //
 // Room contact computes the gap of every position, and the section modes of both gears give the
 // compliance. Each rotation is then a linear complementarity problem with the logarithm of Hertz.
@@ -33,11 +33,11 @@ struct LoadedPoint {
   bool beyond = false;  ///< true if the ellipse extends beyond an end of the flank or the face
 };
 
-/// One tooth pair in contact at one position; of points one of its places.
+/// One tooth pair in contact at one position; for point contact, one of its places.
 struct LoadedPair {
   int pair = 0;                ///< k in N
   double share = 0.0;          ///< of the whole load
-  LoadedPoint point{};         ///< of points; the rest of lines
+  LoadedPoint point{};         ///< for point contact; the members below are for line contact
   Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slices from −z on
   Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 without contact
   Eigen::VectorXd half_width;  ///< mm
@@ -54,7 +54,7 @@ struct LoadedPosition {
   double approach = kNone;                    ///< Θ r_b2  mm; of points Θ M2/ΣF
   double force = kNone;                       ///< ΣF  N, normal; of points
   double tangent = kNone;                     ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
-  /// Line load over approach, N/(mm µm); of points force over approach, N/µm.
+  /// Line load over approach, N/(mm µm); for point contact, force over approach, N/µm.
   double stiffness = kNone;
   std::vector<LoadedPair> pairs{};  ///< loaded pairs or points; the nearest to its exit last
   double max_pressure = kNone;      ///< MPa
@@ -106,7 +106,7 @@ struct LoadedContact {
   LoadedContact() = default;  ///< empty, and not an aggregate; loaded_contact() makes it
   std::vector<LoadedTorque> torques;
   LoadRegime regime = LoadRegime::line;
-  std::array<FaceSlices, 2> slices;    ///< mm, on each gear; of lines the same on both
+  std::array<FaceSlices, 2> slices;    ///< mm, on each gear; the same on both for line contact
   std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
   /// Positions of each gear along the fillet in tension, starting at the root: mm in the section,
   /// with the
@@ -116,16 +116,16 @@ struct LoadedContact {
   bool slices_too_fine = false;
 };
 
-/// `perfect`: the same pair without errors of mounting, whose shares K_Hα compares with, deflections
-/// left out; null: `pair` has no errors and there are no deflections.
+/// `perfect`: the same pair without mounting errors and deflections, to whose shares K_Hα refers;
+/// null if `pair` has no errors and there are no deflections.
 ///
 /// Domain    the pair of these gears; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// The same in parts: ranges of positions in any order, also from several threads with one object
-/// each, and then the result. The inputs must outlive the object.
+/// The same computation in parts: ranges of positions, in any order and from several threads with
+/// one object each, and then the result. The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
@@ -149,7 +149,7 @@ class LoadedTurn {
   std::vector<std::vector<double>> perfect_share_;  // the greatest, [torque][position]
   LoadedContact found_;
   std::atomic<bool> too_fine_{false};
-  std::mutex root_;  // of the greatest root stress, for any order of the positions
+  std::mutex root_;  // guards the greatest root stress
 };
 
 }  // namespace gearwright

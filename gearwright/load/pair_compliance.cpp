@@ -54,10 +54,11 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
       face_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request.regime);
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
-  // The loaded flank of the section lies at y > 0. In N it is the right one of both gears of an
-  // external pair: mirrored. Of an internal pair N is mirrored already; its pinion touches with the
-  // left flank, as the section has it, its ring with the right one, and is mirrored back.
-  const double twist = gear.internal() ? gear.twist() : -gear.twist();
+  // The loaded flank of the section lies at y > 0. In N, the right flanks of an external pair
+  // touch, so the section is mirrored. N is already mirrored for an internal pair. Its pinion
+  // touches with the left flank, as in the section, and its internal gear touches with the right
+  // flank, so that section is mirrored back.
+  const double twist = -gear.side() * gear.twist();
   const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
                                           std::nullopt, request.progress);
   if (!section) return of_gear(which, section.error());

@@ -24,32 +24,32 @@ std::string_view to_string(LoadRegime regime);
 struct LoadRequest {
   std::vector<double> torques;     ///< M1  N mm, on gear 1, > 0
   int positions = 64;              ///< over one pitch of gear 1
-  std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
-  int slices = 32;  ///< over the common face, of points over each gear's; fair_slices
+  std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of `positions`
+  int slices = 32;  ///< over the common face, for point contact over the face of each gear; see
+                    ///< fair_slices
   LoadRegime regime = LoadRegime::line;
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   std::array<ElasticBody, 2> bodies{};
   // Of lines only:
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
-  bool root_stress = true;        ///< false: tables and positions go without
+  bool root_stress = true;        ///< false: root stress is omitted from tables and positions
   Progress* progress = nullptr;
 };
 
-/// Slices of the common face that are fine enough and never too fine: 32, or as many as are a
-/// quarter of a module wide, of helical teeth 0.4 modules; 4 at least. Narrower ones may leave the
-/// matrix of [T12.14] indefinite: spur teeth from 0.17 modules on, of 24 random helical pairs none
-/// at 0.36 and a quarter at 0.32. Teeth of an internal pair touch more widely: there a slice is four
-/// half widths of contact under 125 N/mm per mm of module at the pinion's tip, which six pairs from
-/// 14:30 to 40:52 bore up to 400 MPa at the roots.
-/// Of teeth that touch at points over the wider face.
+/// A number of slices of the common face that is fine enough and never too fine. It is 32, or as
+/// many as make a slice a quarter of a module wide (0.4 modules for helical teeth), but at least 4.
+/// Narrower slices may make the matrix of [T12.14] indefinite: for spur teeth from 0.17 modules on,
+/// and of 24 random helical pairs for none at 0.36 and a quarter at 0.32. Internal pairs have a
+/// wider contact. Their slices are four half widths of contact under 125 N/mm per mm of module at
+/// the pinion's tip, which six pairs from 14:30 to 40:52 bore up to 400 MPa at the roots. For point
+/// contact, the wider face is divided.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
 /// True if the slices are too narrow for the resolution of modes and elements, which is known
-/// without a table: below 0.15 modules, of helical teeth 0.18. The matrix of [T12.14] is then
-/// indefinite whatever the torque: of a dozen pairs, external and internal, draft and full, none
-/// had an answer at 0.16 and 0.2. Of teeth that touch at points places would yield less than
-/// nothing.
+/// without a table: below 0.15 modules, or 0.18 for helical teeth. The matrix of [T12.14] is then
+/// indefinite for every torque. Of a dozen pairs (external and internal, draft and full) none had a
+/// solution at 0.16 and 0.2. For point contact, the compliance of a place would be negative.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The tables of both gears: what the outlines, faces and materials give. Torques, errors and

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kThinnest = 1e-9;  // b/a: k1/k2 of 1e-17 and less are one line
+constexpr double kThinnest = 1e-9;  // b/a: for k1/k2 of 1e-17 and less the contact is a line
 
 // K and D = (K − E)/e² at the ratio of axes, by Carlson's forms: exact for thin and round ellipses.
 double elliptic_k(double axes) { return boost::math::ellint_rf(0.0, axes * axes, 1.0); }

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostTurns = 120;   // of footprints that follow the forces
+constexpr int kMostTurns = 120;   // iterations of footprints and forces
 constexpr double kStill = 1e-11;  // relative to force and approach: converged footprints
 constexpr int kWhole = 10;        // iterations after which the ellipses move by a part of the step
 constexpr double kLeastPart = 0.1, kMostPart = 5.0;
@@ -30,8 +30,8 @@ constexpr double kStraightest = 0.25;  // relative to k1: limit of bending towar
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// Places in [−1, 1] and their weights, from the middle outwards. The load of half an ellipsoid of pressure, projected onto its
-// major axis, is ¾ (1 − x²) there.
+// Places in [−1, 1] and their weights, from the middle outwards. The load of half an ellipsoid of
+// pressure, projected onto its major axis, is ¾ (1 − x²) there.
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();
@@ -192,8 +192,8 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
   return yield.selfadjointView<Eigen::Lower>();
 }
 
-// w ≈ c0 + c1 x + ½ c2 x² over the footprint, by its shares: the gap is then least at
-// x0 = −c1/(k1 + c2), or at the end of the flank on the way there.
+// w ≈ c0 + c1 x + ½ c2 x² over the footprint, weighted by its shares. The gap is then least at x0 =
+// −c1/(k1 + c2), or at the end of the flank if that is nearer.
 Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid,
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
@@ -202,8 +202,9 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double mean = 0.0;
-  // From the footprint's middle, which is the first node, in units of what reaches to the last one, an
-  // end: a short footprint far from the touch is fitted as well as any.
+  // x is measured from the footprint's middle, which is the first node, in units of the distance to
+  // its end, which is the last node. A short footprint far from the touch is therefore fitted as
+  // well as any.
   const double center = here.x.front();
   const double length = std::abs(here.x.back() - center);
   for (std::size_t m = 0; m < here.x.size(); ++m) {

@@ -15,7 +15,8 @@
 
 namespace gearwright::detail {
 
-// A place at which a tooth pair is nearest round about, and how its gap opens there.
+// A place at which the gap of a tooth pair has a local minimum, and the growth of the gap around
+// it.
 struct PointPlace {
   int pair;    // k in N
   double te;   // T  rad
@@ -28,18 +29,18 @@ struct PointPlace {
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
-// The ellipse of a place at the forces of a turn: its bodies bend under it, so that the flanks hug each
-// other more closely than unloaded, about a place that is not quite the same. [T12.25]
+// The ellipse of a place under the current forces. The bodies bend under it, so the flanks conform
+// more closely than without load, and their nearest point moves slightly. [T12.25]
 struct Ellipse {
   double middle = 0.0;     // mm along the major axis from the touch
-  double curvature = 0.0;  // k1 less what the bodies bend  1/mm
+  double curvature = 0.0;  // k1 minus the bending of the bodies  1/mm
   double relief = 0.0;     // mm, deflection of the bodies relative to the mean over the footprint
 };
 
 // A place on the major axis of an ellipse, on both gears.
 struct AxisPlace {
   std::array<double, 2> radius, z;  // mm
-  bool inside;                      // on both flanks; else the end of the flank next to it
+  bool inside;  // true if on both flanks; otherwise the place is the nearest end of the flank
 };
 
 // An ellipse on both gears: nodes along its major axis, as far as it lies on the flanks.
@@ -47,12 +48,12 @@ struct Laid {
   LoadedPoint point;
   double softness = 0.0;                             // c of [T12.24]  mm/N^(2/3)
   std::vector<double> x, share;                      // mm from the touch, sum 1
-  std::array<std::vector<Eigen::MatrixXd>, 2> node;  // a force of 1 there, on the grids
-  std::array<Eigen::MatrixXd, 2> grid;               // of all of them by their shares
+  std::array<std::vector<Eigen::MatrixXd>, 2> node;  // a force of 1 at each node, on the grids
+  std::array<Eigen::MatrixXd, 2> grid;               // all of them, weighted by their shares
 };
 
 struct PointPosition {
-  std::vector<PointPlace> places;  // of those that may touch, nearest to its exit last
+  std::vector<PointPlace> places;  // places that may touch, the nearest to its exit last
   double te = 0.0;                 // of the first touch
 };
 
@@ -78,7 +79,7 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // x, or as far towards it from a place on the flanks as these reach.
+  // x, or the farthest position towards it that is still on the flanks, which contain `from`.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
   // The bending of the bodies along the major axis of position i.

@@ -51,7 +51,7 @@ class Sharing {
     j.bottomLeftCorner(1, n_) = q_.arm.cwiseProduct(d).transpose() / q_.moment;
     return j;
   }
-  // The nearest point bears all.
+  // At the start, the nearest point carries the whole load.
   VectorXd start() const {
     Index first = 0;
     q_.gap.cwiseQuotient(q_.arm).minCoeff(&first);
@@ -79,7 +79,7 @@ PointSharing share_points(const PointProblem& q) {
   PointSharing out;
   VectorXd x = all.start();
   const double length = x[n] * q.arm.maxCoeff();
-  // A wide gap has more rounding in it than the approach is long.
+  // The rounding error of a wide gap may exceed the approach.
   const VectorXd scale = (q.gap.cwiseAbs().array() + length).matrix();
   const auto size = [&](const VectorXd& r) {
     return std::max(r.head(n).cwiseAbs().cwiseQuotient(scale).maxCoeff(), std::abs(r[n]));
@@ -103,7 +103,7 @@ PointSharing share_points(const PointProblem& q) {
   constexpr double kEnough = 1e-10;  // at which rounding prevents a further decrease
   out.found = size(r) <= kEnough;
   out.force = all.force(x);
-  // To the moment itself: the residual of the last step is rounding.
+  // Scales the forces to the exact moment, because the residual of the last step is rounding.
   out.force *= q.moment / q.arm.dot(out.force);
   out.approach = x[n];
   VectorXd unit = VectorXd::Zero(n + 1);

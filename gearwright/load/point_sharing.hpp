@@ -2,8 +2,9 @@
 //
 //   δ_i + Σ_j G_ij F_j + g_i − Θ arm_i = 0,   F_i = (max(δ_i, 0)/c_i)^(3/2),   Σ F_i arm_i = M2   [T12.24]
 //
-// δ_i is Hertz' approach where point i carries and −(the gap that is left) where it does not, so that
-// there are no two cases. F is the minimiser of a strictly convex energy: there is one answer.
+// δ_i is the approach of Hertz where point i carries load, and minus the remaining gap where it
+// does not, so one formula covers both. F minimises a strictly convex energy, so the solution is
+// unique.
 #pragma once
 
 #include <Eigen/Core>

@@ -25,7 +25,7 @@ struct MinimiserTask {
   std::function<double(const std::vector<double>&)> f{};  ///< finite everywhere in the box
 };
 
-/// Whether this build has the minimisers.
+/// True if this build has the minimisers.
 bool can_minimise();
 
 /// The best point found from `start`.

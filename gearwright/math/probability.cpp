@@ -35,7 +35,8 @@ double beta_cdf(double x, double p, double q) {
 double beta_quantile(double u, double p, double q) {
   GW_EXPECTS(p > 0.0 && q > 0.0 && u >= 0.0 && u <= 1.0);
   if (u == 0.0 || u == 1.0) return u;
-  // Boost's own inverse gives up for some p and q far apart; within a bracket Newton's step cannot.
+  // Boost's own inverse fails for some p and q that are far apart. Newton's step within a bracket
+  // cannot fail.
   const auto f = [&](double x) {
     return Slope<double>{beta_cdf(x, p, q) - u,
                          boost::math::ibeta_derivative(p, q, x, kPlainDoubles)};
@@ -45,7 +46,7 @@ double beta_quantile(double u, double p, double q) {
 
 double student_quantile(double u, double nu) {
   GW_EXPECTS(nu > 0.0 && u > 0.0 && u < 1.0);
-  // t²/(ν + t²), or its complement where that is the smaller one and has the digits.
+  // t²/(ν + t²), or its complement if that is smaller and therefore has more digits.
   const double middle = std::abs(2.0 * u - 1.0);
   double t = 0.0;
   if (middle < 0.5) {

@@ -16,7 +16,7 @@ namespace gearwright {
 std::uint64_t hash64(std::uint64_t x);
 
 /// The point's coordinates as 32 bits each, by the direction numbers of Joe and Kuo (2008, file
-/// new-joe-kuo-6), whose table Boost.Random carries.
+/// new-joe-kuo-6), whose table Boost.Random contains.
 ///
 /// Formula   [T14.3], [T14.4]
 class SobolPoints {
@@ -34,7 +34,7 @@ class SobolPoints {
   std::vector<std::array<std::uint32_t, 32>> directions_;
 };
 
-/// Which of the scramblings of a coordinate: hashed from the seed, the replicate and the coordinate.
+/// The key of a scrambling of a coordinate, hashed from the seed, the replicate and the coordinate.
 std::uint64_t scramble_key(std::uint64_t seed, int replicate, int j);
 
 /// Owen's nested uniform scrambling of the bits of one coordinate.   Formula [T14.5]

@@ -1,10 +1,10 @@
-// What samples say of a distribution, and how certain that is.
+// Estimates of a distribution from samples, with their confidence.
 //
 //   n   samples          R   replicates, independent of each other      α   1 − confidence
 //   V   variance         S_g, S_Tg   first and total Sobol index of a group g of inputs
 //                                    theory: docs/theory/14-scatter.md
 //
-// Sums run in the order of the samples, so that a result depends on nothing else.
+// Sums are computed in the order of the samples, so a result depends on the samples only.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ struct ConfidenceInterval {
   double lower, upper;
 };
 
-/// Clopper and Pearson's interval of a probability that came true `count` times in `of`.
+/// Clopper and Pearson's interval of the probability of an event that occurred `count` times in
+/// `of`.
 ///
 /// Formula   [T14.7]
 /// Domain    0 ≤ count ≤ of, of ≥ 1, 0 < confidence < 1 (contract)
@@ -51,7 +52,8 @@ ConfidenceInterval probability_interval(std::int64_t count, std::int64_t of, dou
 /// A statistic as the mean of its values in R replicates.
 struct Estimate {
   double value;
-  std::optional<double> standard_error;  ///< none: one replicate says nothing of its error
+  std::optional<double> standard_error;  ///< none for one replicate, which does not determine its
+                                         ///< error
 };
 
 /// Formula   [T14.9]

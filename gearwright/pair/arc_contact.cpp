@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// w: what the two racks' points of one normal angle stand apart along the centre line. [T7.15]
+// w: distance along the centre line between the points of the two racks with one normal angle.
+// [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
@@ -19,15 +20,16 @@ double height_gap(const ArcMeshInput& in, double theta) {
 // Height of an arc's point over the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
-// Axial place of the point cut at the angle φ of its gear, less r φ tan λ. [T7.13]
+// Axial position of the point cut at the angle φ of its gear, minus r φ tan λ. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
 }
 
-// Curvature radius of the transverse profile, > 0 when its centre lies against n.
+// Curvature radius of the transverse profile, > 0 if its centre lies opposite to n.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
-  // The tangent in the transverse section: u_z t − t_z u, of the length of n's part there.
+  // The tangent in the transverse section, u_z t − t_z u, whose length is that of the component of
+  // n there.
   const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
   const double n_t = d.norm();
   return -n_t * n_t * n_t / d.dot(k * d);
@@ -58,13 +60,14 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
   const double sin_lambda = std::sin(in.lead_angle.rad());
-  // [T7.16] times the sum of its roots' bases, without the cancellation of two squares.
+  // [T7.16] times the sum of the bases of its roots, which avoids the cancellation of two squares.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
     const double across = w / std::tan(theta) * sin_lambda;
     return (w - change) * (c0 + w + in.center_distance) + across * across;
   };
-  // The first-order angle leaves only the square; the exact one is greater, if by little.
+  // If the first-order angle leaves only the square, it is the result. The exact angle is slightly
+  // greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
   // The bracket grows fourfold from a step that is short for the least change of distance.
   constexpr double kFirstStep = 1e-9;  // rad
@@ -101,7 +104,7 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   const double mu = std::atan2(w * cot * s, c0 + w);
   at.mu = Angle::radians(mu);
 
-  // The point and the normal where they are cut, then turned by μ.
+  // The point and the normal at the position of cutting, turned by μ.
   const double x = height(in.convex, theta);
   const double A = r_v + x, B = x * cot * s;
   const double cos_mu = std::cos(mu), sin_mu = std::sin(mu);

@@ -1,16 +1,16 @@
-// Where a convex and a concave circular-arc flank touch on parallel axes, in closed form.
+// Contact of a convex and a concave circular-arc flank on parallel axes, in closed form.
 //
 //   F, P   the racks that cut the convex (v) and the concave (c) flank; ρ, a, b as in
 //          tool/arc_rack.hpp, mm
 //   λ      lead angle, 90° − |β|       r   pitch radius, mm
 //   θ      normal angle of both racks at the contact
-//   μ      by how much the convex gear has turned from where that point was cut
+//   μ      rotation of the convex gear since that point was cut
 //   t, u   tangent plane: along the rack's profile, along its tooth
 //                                              theory: docs/theory/07-circular-arc.md, 7.5, 7.6
 //
 // Frame: z along the axis of the convex gear, x towards the other axis; the convex gear is right
-// handed, drives clockwise and at rotation 0 has its tooth 0 on the x axis, as the mating gear a
-// space.
+// handed and drives clockwise. At rotation 0, its tooth 0 and a space of the mating gear lie on the
+// x axis.
 // The surfaces' normal n points out of the convex flank; curvature  dn = −K dr.
 #pragma once
 
@@ -43,7 +43,7 @@ struct ArcContact {
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
-  Angle rotation_offset;      ///< of the concave gear: how far it is ahead; < 0: play
+  Angle rotation_offset;      ///< of the concave gear: its lead; < 0: play
   double radius_convex;       ///< of the point from each axis, mm
   double radius_concave;      ///<
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
@@ -52,7 +52,8 @@ struct ArcContact {
   Angle angle;                ///< of the direction of k1 to the projection of the axis
   double transverse_radius_convex;   ///< of the transverse profiles, mm; > 0: centre on the convex
   double transverse_radius_concave;  ///< gear's side
-  double line_contact_difference;    ///< what the second less the first would be in line contact
+  double line_contact_difference;    ///< required difference of the second and the first radius for
+                                     ///< line contact
 };
 
 /// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the

@@ -68,16 +68,17 @@ bool of_one_lead(const std::array<Gear, 2>& gears) {
          std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kSameAsWritten;
 }
 
-// The contact of the frame of arc_contact.hpp, put into the housing.
+// Transforms the contact from the frame of arc_contact.hpp to the housing.
 void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   if (by_gear_2) {
-    // That frame stands on axis 2 and looks back; there a space of the convex gear is on the centre
-    // line at rotation 0, half a pitch from its tooth. Of the contacts that repeat with the axial
-    // pitch the one nearest the middle of the face is meant.
+    // That frame lies on axis 2 and looks back. A space of the convex gear is then on the centre
+    // line at rotation 0, half a pitch from its tooth. Contacts repeat with the axial pitch, and
+    // the one nearest to the middle of the face is chosen.
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
-    at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};  // out of gear 1: turned and −
+    // out of gear 1: rotated and with the opposite sign
+    at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};
   }
   const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;
   at.point.z() *= hand;
@@ -96,7 +97,7 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
           a};
 }
 
-// Whether an arc of the gear that was cut with these numbers has the normal angle θ at all.
+// True if an arc of the gear that was cut with these numbers contains the normal angle θ.
 bool has_angle(const Gear& gear, double side, Angle theta) {
   for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
@@ -106,7 +107,7 @@ bool has_angle(const Gear& gear, double side, Angle theta) {
   return false;
 }
 
-// The member that has the radius of the gear's concave flank.
+// The member that contains the radius of the gear's concave flank.
 const char* radius_field(const Gear& concave) {
   const Rack& rack = concave.spec.rack;
   return std::holds_alternative<ArcRack>(rack)         ? "rack.arc_radius"
@@ -114,7 +115,7 @@ const char* radius_field(const Gear& concave) {
                                                        : "rack.arcs";
 }
 
-// All contacts; if there is none, why.
+// Finds all contacts; if there is none, returns the reason.
 std::optional<Error> find_contacts(ArcPair& pair) {
   std::optional<Error> reason;
   for (const bool by_gear_2 : {false, true}) {
@@ -157,7 +158,7 @@ std::optional<Error> find_contacts(ArcPair& pair) {
                "and P, or use the same double-arc rack for both"};
 }
 
-// The longest way along z without a contact point, with those of both flanks' points repeated by
+// The longest distance along z without a contact point, if the points of both flanks repeat with
 // the axial pitch.
 double longest_gap(const ArcPair& pair) {
   const CylindricalSpec& s = pair.gears[0].spec;
@@ -175,7 +176,7 @@ double longest_gap(const ArcPair& pair) {
 void find_backlash(ArcPair& pair) {
   if (pair.contacts.empty()) return;
   const ArcPairContact& first = pair.first_contact();
-  const Angle play = -2 * first.at.rotation_offset;  // of the concave gear; both flanks are alike
+  const Angle play = -2 * first.at.rotation_offset;  // of the concave gear; both flanks are equal
   const double z_1 = pair.gears[0].spec.teeth, z_2 = pair.gears[1].spec.teeth;
   const Angle of_gear_2 = first.convex_gear == 1 ? play : z_1 * play / z_2;
   pair.backlash_rotation = std::array{z_2 * of_gear_2 / z_1, of_gear_2};
@@ -252,7 +253,7 @@ void warn_about_pair(ArcPair& pair) {
                      "spacing of the contact points, {:.4f} mm.",
                      face, pair.face_for_contact));
   }
-  constexpr double kRounding = 1e-9;  // modules: of a backlash-free distance as people write it
+  constexpr double kRounding = 1e-9;  // modules: rounding of a given backlash-free distance
   if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {
     warn(pair, WarningCode::negative_backlash,
          fmt::format("The teeth are too thick for this centre distance: normal backlash {:.4f} mm.",
@@ -273,6 +274,10 @@ void warn_about_pair(ArcPair& pair) {
 
 std::vector<WorkingArc> convex_arcs(const Gear& gear) { return working(gear, 1.0); }
 std::vector<WorkingArc> concave_arcs(const Gear& gear) { return working(gear, -1.0); }
+
+double ArcPair::contact_ratio() const {
+  return overlap_ratio * static_cast<double>(std::max<std::size_t>(1, contacts.size()));
+}
 
 std::array<double, 2> ArcPair::working_pitch_diameter() const {
   const double z_1 = gears[0].spec.teeth, z_2 = gears[1].spec.teeth;
@@ -302,18 +307,16 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
   // [T7.11]
   pair.overlap_ratio = std::min(s_1.face_width, s_2.face_width) *
                        std::sin(std::abs(s_1.helix_angle.rad())) / (kPi * s_1.normal_module);
-  pair.contact_ratio =
-      pair.overlap_ratio * static_cast<double>(std::max<std::size_t>(1, pair.contacts.size()));
   pair.face_for_contact = longest_gap(pair);
   for (const std::size_t i : {0, 1}) {
     pair.tip_clearance[i] = pair.center_distance - pair.gears[i].actual_tip_radius() -
                             pair.gears[1 - i].root_diameter / 2;
   }
   find_backlash(pair);
-  // Sections of gears of one lead are one outline that turns: the whole body is looked at.
+  // The sections of gears of one lead are one outline that turns, so the whole body is examined.
   if (pair.backlash_rotation) {
     detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
-    // Flanks too thick and tips in roots have warnings of their own.
+    // Flanks that are too thick and tips in roots have their own warnings.
     for (const Collision& s : *pair.overlap) {
       if (s.cause != CollisionCause::negative_backlash && s.cause != CollisionCause::root)
         pair.warnings.push_back({WarningCode::overlap, s.message, s.gear});

@@ -1,7 +1,7 @@
 // A pair of gears with circular-arc teeth, mounted on parallel axes.
 //
-// A convex flank touches a concave one in a point that runs along the teeth, parallel to the axes:
-// there is no transverse path of contact, and the overlap alone keeps the contact going. Racks F
+// A convex flank touches a concave one in a point that moves along the teeth, parallel to the axes.
+// There is no transverse path of contact, and contact is continuous by the overlap alone. Racks F
 // and P make one such point on each side of a tooth, double arcs two.
 //                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
 #pragma once
@@ -24,17 +24,19 @@ struct ArcPairContact {
 };
 
 struct ArcPair : MountedGears {
-  ArcPair() = default;   ///< empty, and no aggregate: mount_arcs() makes it
-  double overlap_ratio;  ///< ε_β  of the common face; for unequal racks of gear 1's
-  std::vector<ArcPairContact> contacts;  ///< empty where the gears are not of one lead
-  double contact_ratio;                  ///< ε_β times the number of contacts
+  ArcPair() = default;                   ///< empty, and not an aggregate; mount_arcs() makes it
+  double overlap_ratio;                  ///< ε_β  of the common face; of gear 1 for unequal racks
+  std::vector<ArcPairContact> contacts;  ///< empty if the gears do not have one lead
   double face_for_contact;  ///< the least face width over which one point always touches, mm
   std::optional<std::array<Angle, 2>>
       backlash_rotation;         ///< of each gear with the mating gear held; none without contacts
   double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
 
+  double contact_ratio() const;  ///< ε_β times the number of contacts
+  double contact_ratio_true() const { return contact_ratio(); }
+  double normal_backlash() const { return backlash_normal; }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
-  /// The contact that touches first: the one with the minimum angular backlash.   Domain: there are
+  /// The contact that touches first, which has the minimum angular backlash.   Domain: there are
   /// contacts
   const ArcPairContact& first_contact() const;
 };
@@ -43,11 +45,11 @@ struct ArcPair : MountedGears {
 std::vector<WorkingArc> convex_arcs(const Gear& gear);
 std::vector<WorkingArc> concave_arcs(const Gear& gear);
 
-/// Modules and helix angles may differ by this much, as gears do that were cut with another lead to
-/// mend errors of the housing.
+/// Permitted differences of modules and helix angles, as of gears that were cut with another lead
+/// to compensate errors of the housing.
 constexpr double kNearModule = 0.005;                       ///< of the module
 constexpr Angle kNearHelix = Angle::degrees(0.5);           ///< of β_1 + β_2
-constexpr double kSameAsWritten = 1e-9;                     ///< below it they are equal
+constexpr double kSameAsWritten = 1e-9;                     ///< smaller differences count as equal
 constexpr Angle kSamePressureAngle = Angle::degrees(0.05);  ///< ψ_c as written and as it is
 
 /// Mounts two gears. `distance` absent: the reference centre distance.
@@ -55,8 +57,9 @@ constexpr Angle kSamePressureAngle = Angle::degrees(0.05);  ///< ψ_c as written
 /// Errors    `gearN.rack` when one of them is an involute gear or no convex arc meets a concave
 /// one;
 ///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
-///           `gear2.rack.arc_radius`, `pair.center_distance` where no two arcs can touch, with
-///           the numbers that would. Contacts off the usable flanks, and the like, are warnings
+///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch, with the
+///           numbers at which they can. Contacts off the usable flanks and similar facts are
+///           warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 
 }  // namespace gearwright

@@ -115,7 +115,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_DOUBLE_EQ(pair.gear_ratio(), 40.0 / 15);
   const double p_x = kPi * 4.0 / std::sin(18 * kPi / 180);
   EXPECT_DOUBLE_EQ(pair.overlap_ratio, 60.0 / p_x);
-  EXPECT_EQ(pair.contact_ratio, pair.overlap_ratio);
+  EXPECT_EQ(pair.contact_ratio(), pair.overlap_ratio);
   EXPECT_NEAR(pair.face_for_contact, p_x, 1e-12);
   EXPECT_NEAR(pair.tip_clearance[0], 0.15 * 4, 1e-12);
   EXPECT_NEAR(pair.tip_clearance[1], 0.30 * 4, 1e-12);
@@ -137,7 +137,7 @@ TEST(ArcPair, double_arcs_need_less_face) {
   const ArcPair pair = mounted(s_1, s_2);
   EXPECT_LT(pair.face_for_contact, p_x);
   EXPECT_GT(pair.face_for_contact, p_x / 2);
-  EXPECT_DOUBLE_EQ(pair.contact_ratio, 2 * pair.overlap_ratio);
+  EXPECT_DOUBLE_EQ(pair.contact_ratio(), 2 * pair.overlap_ratio);
   // The standard's backlash: e_f less S_a along the datum line, 0.06 m_n.
   EXPECT_NEAR(pair.backlash_normal, (1.1773 - 1.1174) * 4 * std::cos(24 * kPi / 180), 2e-3);
   s_1.face_width = s_2.face_width = pair.face_for_contact * 0.99;

@@ -16,7 +16,7 @@ constexpr double kHalfTurn = std::numbers::pi;
 
 using namespace leaf;
 
-// As the lanes of closed_forms_simd.cpp, which have shifts but no division of whole numbers.
+// As in the vector code of closed_forms_simd.cpp, which has shifts but no integer division.
 double third_of_bits(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);

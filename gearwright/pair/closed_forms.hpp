@@ -1,10 +1,12 @@
-// Closed forms over columns of numbers, in as many lanes as the processor has: what arrays of Python ask for.
+// Closed forms over columns of numbers with the processor's vector instructions, for arrays of
+// Python.
 //
-//   y    inv α of the α asked for     s_β  sin β of gear 1     e    thickness allowance, mm
+//   y    inv α of the wanted α     s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// One text of formulas (pair/closed_forms.inc) is compiled for double and for every instruction set; at run time the
-// best that the processor has is taken, as in design/candidate.hpp. Rows outside a domain are NaN.
+// One text of formulas (pair/closed_forms.inc) is compiled for double and for every instruction
+// set. At run time the best available instruction set is used, as in design/candidate.hpp. Rows
+// outside a domain are NaN.
 //
 //   Laws  (1) inverse involutes in lanes are the scalar instance's to the bit, on any machine
 //         (2) backlashes in lanes agree with the scalar instance to 1e-12 modules
@@ -15,7 +17,7 @@
 
 namespace gearwright {
 
-/// The α with inv α = y, without a step of iteration.
+/// The α with inv α = y, without iteration.
 ///
 /// Formula   α = c + c³ P(c²), c = ∛(3y), for y < 1.1; α = π/2 − s − s³ Q(s²), s = 1/(y + π/2), above; section 2.1
 /// Units     rad; odd in y
@@ -24,13 +26,13 @@ namespace gearwright {
 void inverse_involutes(const double* y, double* alpha, std::size_t n);
 void inverse_involutes_scalar(const double* y, double* alpha, std::size_t n);
 
-/// What all rows share: parallel axes.
+/// Values common to all rows; the axes are parallel.
 struct BacklashConstants {
   double normal_module = 1.0;  ///< m_n  mm, > 0
   double tan_alpha = 0.0;      ///< tan α_n, > 0
 };
 
-/// Columns of a backlash; internal gear: z2 < 0.
+/// Columns for a backlash; z2 < 0 for an internal gear.
 struct BacklashColumns {
   enum In { z1, z2, x1, x2, sin_beta, allowance_1, allowance_2, center_distance, kIn };
   std::array<const double*, kIn> in{};

@@ -1,4 +1,5 @@
-// Without Google Highway the lanes are plain doubles, the oracle that the kernels are tested against.
+// Without Google Highway the formulas use plain doubles, which are the reference for tests of the
+// vector code.
 #include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright {

@@ -1,8 +1,8 @@
-// Where two finished outlines strike each other besides flank on flank, and what that means: the
-// bodies overlap, or contact leaves the flanks while the gears still turn.
+// Collisions of two finished outlines other than flank on flank: the bodies overlap, or contact
+// leaves the flanks while the gears still turn.
 //
-// A fact about outlines first [T2.29]…[T2.33]; the findings of interference.hpp, which go by the
-// names of circles and corners, then only say why.
+// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp,
+// which refer to circles and corners, then only give the reason.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// Which parts strike each other.
+/// The parts that collide.
 enum class CollisionCause {
   negative_backlash,  ///< the flanks themselves
   root,               ///< a tip below the mating gear's root circle
@@ -21,18 +21,19 @@ enum class CollisionCause {
   trochoid,
   tip_bulge,
   outline,      ///< parts without a name
-  form_circle,  ///< of beyond_flank only, and the next
+  form_circle,  ///< only in beyond_flank, like the next one
   base_tangent,
 };
 const char* to_string(CollisionCause cause);
 
-/// Two parts of the pair's outlines that strike each other.
+/// Two parts of the pair's outlines that collide.
 struct Collision {
   CollisionCause cause;
-  int gear;      ///< whose root, or whose tip that stands out; 0: both alike
-  double depth;  ///< mm along the common normal: of an overlap in the middle of the play, of
-                 ///< a strike beyond the flank how much earlier than the flanks
-  std::optional<OutlineTouch> touch;  ///< where; none: a named circle says it, not the outlines
+  int gear;      ///< the gear whose root, or projecting tip, collides; 0: both
+  double depth;  ///< mm along the common normal: depth of an overlap in the middle of the play; for
+                 ///< contact beyond the flank, how much earlier it is than that of the flanks
+  std::optional<OutlineTouch> touch;  ///< place of contact; none if a named circle, and not the
+                                      ///< outlines, determines the collision
   std::string message;                ///< one sentence
 };
 

@@ -8,7 +8,7 @@
 //   X    distance of the two pitch planes, mm, X = σ (a − r_2 − σ r_1)
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Spur, helical and crossed pairs differ only in which α_n they take: see pair/working_angles.hpp.
+// Spur, helical and crossed pairs differ only in their α_n: see pair/working_angles.hpp.
 #pragma once
 
 #include <array>
@@ -34,7 +34,8 @@ T base_radius_sum(const BasePair<T>& gears) {
   return gears[1].radius + side_of(gears) * gears[0].radius;
 }
 
-/// α_n with what each gear makes of it; u carries the digits that cos β would lose near 90°.
+/// α_n with the resulting values of each gear. u contains the digits that cos β would lose near
+/// 90°.
 template <class T>
 struct RackAngles {
   T sin_alpha;         ///< sin α_n
@@ -86,7 +87,7 @@ struct CommonRack {
   T tight_plane_distance() const { return excess / (T(2) * angles.sin_alpha); }
 };
 
-/// K = Q(0) = Σ s_bt cos β_b − p_bn, mm: what the base thicknesses exceed the pitch by. [T4.7]
+/// K = Q(0) = Σ s_bt cos β_b − p_bn, mm: the excess of the base thicknesses over the pitch. [T4.7]
 template <class T>
 T base_excess(const BasePair<T>& gears) {
   using std::cos;
@@ -133,7 +134,7 @@ CommonRack<T> common_rack(const BasePair<T>& gears, const RackAngles<T>& angles)
 }
 
 /// The centre distance at which the rack's two sides meet without backlash: a = r_2 + σ (r_1 + X),
-/// with what cancels in that taken out.
+/// without the terms that cancel.
 ///
 /// Formula   a = r_b2 α_t2/sin α_t2 + σ (r_b1 α_t1/sin α_t1 + K/(2 sin α_n)); [T4.9], [T4.11]
 /// Accuracy  ledger row `crossed.center_distance`
@@ -148,7 +149,7 @@ T conjugate_center_distance(const BasePair<T>& gears, const CommonRack<T>& rack)
          side_of(gears) * (share(0) + base_excess(gears) / (T(2) * rack.angles.sin_alpha));
 }
 
-/// da/dα_n of that distance, mm/rad: −σ X/tan α_n, nothing at its minimum. [T4.10]
+/// da/dα_n of that distance, mm/rad: −σ X/tan α_n, which is 0 at its minimum. [T4.10]
 template <class T>
 T conjugate_center_distance_slope(const BasePair<T>& gears, const CommonRack<T>& rack) {
   return -side_of(gears) * rack.tight_plane_distance() * rack.angles.cos_alpha /

@@ -9,7 +9,7 @@ namespace gearwright {
 
 std::vector<ContactZone> contact_zones(double begin, double end, double step) {
   GW_EXPECTS(begin <= end && step > 0.0);
-  // A pair leaves at end − k step on the scale of its follower, and comes in at begin + k step.
+  // A pair leaves at end − k step of its follower's position, and enters at begin + k step.
   const double ratio = (end - begin) / step;
   const int whole = static_cast<int>(std::floor(ratio));
   std::vector<double> cuts{begin, end};
@@ -19,7 +19,7 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
   }
   std::sort(cuts.begin(), cuts.end());
   constexpr double kSameCut =
-      1e-9;  // of the pitch: a whole contact ratio makes pairs of equal cuts
+      1e-9;  // relative to the pitch: an integral contact ratio gives pairs of equal cuts
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;
   double from = begin;

@@ -7,10 +7,11 @@ namespace gearwright {
 
 struct ContactZone {
   double begin, end;  ///< mm of ρ_1
-  int pairs;          ///< in contact meanwhile; 0: a gap behind the path's end, ratio below 1
+  int pairs;          ///< number of pairs in contact; 0: a gap behind the end of the path, with a
+                      ///< ratio below 1
 };
 
-/// The path begin…end, cut where a neighbour comes in or leaves; neighbours are `step` apart.
+/// The path begin…end, cut where a neighbour enters or leaves; neighbours are `step` apart.
 ///
 /// Domain    begin ≤ end, step > 0 (contract)
 std::vector<ContactZone> contact_zones(double begin, double end, double step);

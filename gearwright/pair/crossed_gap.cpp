@@ -19,7 +19,7 @@ struct Body {
   Eigen::Isometry3d place;  ///< gear to housing, at rest
   double twist;             ///< 2π/p_z
   double half_face;
-  double form_radius;  ///< of the mating gear's reach: where its fillet ends
+  double form_radius;  ///< where the fillet ends, in the reach of the mating gear
   int teeth;
 };
 
@@ -34,7 +34,7 @@ Body body_of(const MountedGears& pair, int which) {
           gear.spec.teeth};
 }
 
-/// A point of half a tooth that moves: a corner, or one of a rounded tip.
+/// A moving point of half a tooth: a corner, or a point of a rounded tip.
 struct TipPoint {
   double rho, theta;
   OutlinePlace place;
@@ -100,8 +100,8 @@ class TipMotion {
   double start_, along_, across_, distance_, reach_;
 };
 
-// The least over the places: the best of a grid, then steps to the top of the quadratic through
-// nine places around, ever closer.
+// The least gap over the places: the best of a grid, then steps to the extreme of the quadratic
+// through nine places around it, with decreasing distances.
 TipMotion::Gap least_of(const TipMotion& motion) {
   constexpr int kGrid = 9;
   constexpr int kSteps = 14;
@@ -141,7 +141,7 @@ TipMotion::Gap least_of(const TipMotion& motion) {
     const double f_xx = f[2][1] - 2 * f[1][1] + f[0][1], f_yy = f[1][2] - 2 * f[1][1] + f[1][0];
     const double f_xy = (f[2][2] - f[2][0] - f[0][2] + f[0][0]) / 4;
     const double det = f_xx * f_yy - f_xy * f_xy;
-    if (!(det > 0.0) || !(f_xx > 0.0)) continue;  // no hollow there: closer in
+    if (!(det > 0.0) || !(f_xx > 0.0)) continue;  // no minimum there, so the next step is shorter
     const double dx = std::clamp((-f_yy * f_x + f_xy * f_y) / det, -2.0, 2.0);
     const double dy = std::clamp((-f_xx * f_y + f_xy * f_x) / det, -2.0, 2.0);
     ask(x_0 + dx * h, y_0 + dy * h);
@@ -186,7 +186,8 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.arm = i == 0 ? gap.arm : gap.arm / ratio;
       if (least && least->gap <= t.gap) continue;
       const double turn_b = gap.side * gap.value;
-      // Of gear 2's tip, gear 1 has turned: both roll on until gear 2 alone has.
+      // Gear 1 has turned for the tip of gear 2, so both are turned back until only gear 2 has
+      // turned.
       const double turn_1 =
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;
       t.rotation_1 = -std::remainder(turn_1, 2 * kPi / bodies[0].teeth);

@@ -1,9 +1,9 @@
-// How near the tips of two gears on crossed axes come to each other's root fillets, beside the play
-// of the flanks. Internal to pair/.
+// The least distance of the tips of two gears on crossed axes from the mating root fillets, in
+// relation to the play of the flanks. Internal to pair/.
 //
-// Teeth are screws here and no section is like the next: the edge that a tip corner makes sweeps the
-// tip cylinder, whatever the rotation. At a place of that cylinder that lies within the mating
-// gear's form cylinder, the rotation that brings the edge there is known, and with it the gap:
+// Teeth are screws here, and all sections differ. The edge of a tip corner sweeps the tip cylinder
+// at every rotation. At a place of that cylinder that lies within the mating gear's form cylinder,
+// the rotation at which the edge is there is known, and with it the gap:
 //
 //   ψ, z   place on the cylinder of the moving gear A     ω_A = ψ − θ_c − 2π z/p_zA
 //   g = |ψ_B − 2π z_B/p_zB − κ ω_A| − θ_B(ρ_B),  κ = −z_A/z_B, reduced to one pitch of B    [T4.33]
@@ -15,14 +15,14 @@
 
 namespace gearwright::detail {
 
-/// The least gap of each tip, corner or rounded, and the mating gear's fillet: 0 to 2 of them, as
-/// turns of gear 2.
+/// The least gaps between each tip (corner or rounded) and the mating gear's fillet, 0 to 2 of
+/// them, as turns of gear 2.
 ///
 /// Formula   [T4.33], least over the places of the cylinder, by a grid and quadratic steps
 /// Domain    crossed axes, both gears with a tooth, tips above the mating roots (contract: crossed)
-/// Accuracy  every gap is that of two points of the surfaces; the least of a hump is found to
-///           rounding, of two humps within a ninth of the places one may be missed. Where a tip is
-///           round it is asked at 17 places along its profile
+/// Accuracy  every gap is that of two points of the surfaces; a minimum is found to rounding, but
+///           of two minima within a ninth of the places one may be missed. A rounded tip is
+///           evaluated at 17 places along its profile
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
 
 }  // namespace gearwright::detail

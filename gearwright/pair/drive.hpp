@@ -1,5 +1,5 @@
-// What a drive on parallel axes asks of its housing: faces, axial force, what a change of the
-// centre distance does.
+// Requirements of a pair on parallel axes on its housing: face widths, axial force, and the effect
+// of a change of the centre distance.
 //
 //   ε_α, ε_β   of the clipped path; ε_β = b |tan β_b|/p_bt
 //                                              theory: docs/theory/06-few-teeth.md, 6.6
@@ -12,32 +12,31 @@
 
 namespace gearwright {
 
-/// The face width at which the total contact ratio reaches `total`, mm; 0 when ε_α does so alone,
-/// nothing for a spur pair that needs overlap, or without contact.
+/// The face width at which the total contact ratio reaches `total`, mm; 0 if ε_α alone suffices,
+/// none for a spur pair that needs overlap, and none without contact.
 ///
 /// Formula   b = (total − ε_α) p_bt/|tan β_b|, [T6.14]
-/// Domain    parallel axes (contract)
-std::optional<double> face_width_for_total(const InvolutePair& pair, double total);
+std::optional<double> face_width_for_total(const ParallelPair& pair, double total);
 
-/// The face width from which a helical pair's contact is continuous, although in one section it is
-/// not; mm, rounded up to 0.01. Nothing when the transverse contact is continuous, or there is
-/// none, no face width makes it so, or the axes cross.
-std::optional<double> face_width_needed(const InvolutePair& pair);
+/// The least face width with continuous contact of a helical pair whose contact is not continuous
+/// in a transverse section; mm, rounded up to 0.01. None if the transverse contact is continuous,
+/// if there is no contact, or if no face width is enough.
+std::optional<double> face_width_needed(const ParallelPair& pair);
 
-/// The face width of ε_β = 1, mm; nothing for a spur pair.   Domain: parallel axes (contract)
-std::optional<double> face_width_for_overlap(const InvolutePair& pair);
+/// The face width of ε_β = 1, mm; nothing for a spur pair.
+std::optional<double> face_width_for_overlap(const ParallelPair& pair);
 
 /// Contact ratios before and after the pitch point, gear 1 driving: approach and recess. The path
-/// as clipped.   Domain: parallel axes (contract)
-std::array<double, 2> approach_and_recess(const InvolutePair& pair);
+/// as clipped.
+std::array<double, 2> approach_and_recess(const ParallelPair& pair);
 
 /// Axial force on each gear along +z of the housing, per unit of tangential force on the working
 /// pitch cylinder, while gear 1 drives in its sense (clockwise seen from +z).
 ///
-/// Formula   F_z1/F_t = −tan β_w1, F_z2 = −F_z1, [T6.15]; parallel axes (contract)
-std::array<double, 2> axial_force(const InvolutePair& pair);
+/// Formula   F_z1/F_t = −tan β_w1, F_z2 = −F_z1, [T6.15]
+std::array<double, 2> axial_force(const ParallelPair& pair);
 
-/// Growth of the circumferential backlash per mm of centre distance. [T6.16]; parallel (contract)
-double backlash_per_distance(const InvolutePair& pair);
+/// Growth of the circumferential backlash per mm of centre distance. [T6.16]
+double backlash_per_distance(const ParallelPair& pair);
 
 }  // namespace gearwright

@@ -13,9 +13,9 @@
 namespace gearwright {
 namespace {
 
-InvolutePair mounted(const testing::SamplePair& p, double more = 0.0) {
-  return testing::taken(
-      mount_involutes(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more}));
+ParallelPair mounted(const testing::SamplePair& p, double more = 0.0) {
+  return testing::taken(mount_as<ParallelPair>(
+      p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more}));
 }
 
 // [T6.15]: gear 2 presses against the normal that points out of gear 1. The moment about axis 1
@@ -24,7 +24,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   for (const int z2 : {41, -61}) {
     for (const double beta : {12.0, -20.0}) {
       const auto sample = testing::involutes(20, z2, beta);
-      const InvolutePair pair = mounted(sample);
+      const ParallelPair pair = mounted(sample);
       ContactRequest request;
       request.rotations = {Angle::radians(0.03)};
       const ContactPoint at = analyse_contact(sample.pair(), request).positions[0];

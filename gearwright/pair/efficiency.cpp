@@ -16,14 +16,14 @@ struct Linear {
   Linear from(double s) const { return {at + s * slope, slope}; }
 };
 
-// ∫ (u·w)/|u| ds from lo to hi, where |u|² = A (s² + k²): its origin is u's least place.
+// ∫ (u·w)/|u| ds from lo to hi, where |u|² = A (s² + k²) with s measured from the minimum of |u|.
 double projected(const Linear& u, const Linear& w, double A, double k, double lo, double hi) {
   const double p2 = u.slope.dot(w.slope);
   const double p1 = u.at.dot(w.slope) + u.slope.dot(w.at);
   const double p0 = u.at.dot(w.at);
   const auto primitive = [&](double s) {
     const double root = std::hypot(s, k);
-    // With k = 0 u vanishes at the origin, and p0 with it.
+    // With k = 0, u and therefore p0 vanish at the origin.
     const double area = k > 0.0 ? (p0 - p2 * k * k / 2) * std::asinh(s / k) : 0.0;
     return area + p1 * root + p2 * s * root / 2;
   };
@@ -47,7 +47,7 @@ SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& me
   Linear u{w[0].at - w[1].at, w[0].slope - w[1].slope};
   const double A = u.slope.squaredNorm();
   GW_ENSURES(A > 0.0);
-  const double origin = -u.at.dot(u.slope) / A;  // where the sliding is least, from `begin`
+  const double origin = -u.at.dot(u.slope) / A;  // position of least sliding, from `begin`
   const double k = std::abs(u.at.x() * u.slope.y() - u.at.y() * u.slope.x()) / A;
   u = u.from(origin);
   for (Linear& wi : w) wi = wi.from(origin);

@@ -1,11 +1,11 @@
-// What sliding costs: the efficiency of a pair under Coulomb friction.
+// The efficiency of a pair under Coulomb friction.
 //
 //   μ    coefficient of friction, constant     w_1, w_2   speeds of the contact over the flanks
 //   v_n = r_b1 cos β_b1   speed along the common normal, per radian of gear 1
 //                                              theory: docs/theory/04-conjugate-action.md, 4.8
 //
-// Tooth pairs in contact at one time carry equal parts of a constant normal force. Bearings, oil
-// and seals are not in it.
+// Tooth pairs in contact at one time carry equal parts of a constant normal force. Losses of
+// bearings, oil and seals are not included.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct SlidingShares {
   double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed over v_n
 };
 
-/// The integrals in closed form over each zone of the path as the flanks have it. [T4.26]
+/// The integrals in closed form over each zone of the clipped path. [T4.26]
 ///
 /// Domain    the clipped path has a length (contract)
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);

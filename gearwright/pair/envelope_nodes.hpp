@@ -1,15 +1,15 @@
-// Where a rolling arc's envelope goes, seen from the other gear's axis: the places between which its
-// radius runs one way. Internal to pair/: the families of outline_gap. [T2.31]
+// Monotone pieces of the envelope of a rolling arc: the places between which its radius about the
+// other gear's axis grows or falls. Internal to pair/, for the families of outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
-//   |D|    radius of the touching point about the axis of the gear that is asked
-//   r_w − |s|   the arm of the normal, within the pitch circle: below zero the normal passes no
-//          pitch point and there is no envelope. At zero both its branches meet, and |D| runs there
-//          with the root of the way.
+//   |D|    radius of the touching point about the axis of the gear B
+//   r_w − |s|   the arm of the normal, within the pitch circle: below zero the normal does not pass
+//          through the pitch point and there is no envelope. At zero both its branches meet, and
+//          |D| varies with the square root of the distance.
 //
-//   Laws  (1) from a node to the next, unless that begins a piece, |D| grows or falls all the way
+//   Laws  (1) from a node to the next, unless that begins a piece, |D| grows or falls throughout
 //         (2) every piece ends where the arc does or where the envelope does
-//         as far as |s| and |D| turn once at most within an eighth of the arc
+//         provided that |s| and |D| have at most one extreme within an eighth of the arc
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace gearwright::detail {
 
-/// Where f, of one sign at lo and of the other at hi, has its zero, to `near`, and there a place at
-/// which f is not `against`: by false position, halved now and then; f need not be smooth.
+/// The zero of f, which has different signs at lo and hi, to within `near`, at a place where f does
+/// not have the sign `against`. By false position with occasional halving; f need not be smooth.
 template <class F>
 double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
                     double against) {
@@ -47,12 +47,12 @@ double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, 
 /// The envelope at a parameter; slopes along u need no scale.
 struct EnvelopePlace {
   double inside, inside_slope;  ///< r_w − |s|, mm; < 0: none
-  double radius, radius_slope;  ///< |D|, mm; where there is none, of r_w = |s|
+  double radius, radius_slope;  ///< |D|, mm; where there is no envelope, that of r_w = |s|
 };
 
 struct EnvelopeNode {
   double u, radius;
-  bool begins;  ///< a piece: nothing joins it to the node before
+  bool begins;  ///< begins a piece: nothing joins it to the node before
 };
 
 class EnvelopeNodes {
@@ -83,12 +83,13 @@ class EnvelopeNodes {
 
  private:
   static constexpr int kSteps = 8;
-  static constexpr double kTurning = 1e-6;  // of the arc: |D| is stationary there
-  static constexpr double kEnding = 1e-14;  // |D| runs with the root of what is left
+  static constexpr double kTurning = 1e-6;  // relative to the arc, for a stationary |D|
+  static constexpr double kEnding = 1e-14;  // |D| varies with the square root of the remaining
+                                            // length
 
   static bool turn(double one, double two) { return (one < 0.0) != (two < 0.0); }
 
-  // |s| runs one way.
+  // True if |s| is monotone.
   template <class At>
   void reach(const At& at, double u_1, const EnvelopePlace& one, double u_2,
              const EnvelopePlace& two) {
@@ -105,7 +106,7 @@ class EnvelopeNodes {
     joined_ = is_2;
   }
 
-  // There is an envelope all the way.
+  // True if there is an envelope throughout.
   template <class At>
   void run(const At& at, double u_1, const EnvelopePlace& one, double u_2,
            const EnvelopePlace& two) {

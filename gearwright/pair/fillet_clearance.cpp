@@ -4,7 +4,7 @@
 //   η          half the backlash as a rotation of the mating gear: the flanks of this side touch
 //   w          orbit parameter: 0 where the corner crosses the centre line, its deepest place
 //
-// Held still, the gear sees the mating gear's axis orbit. The corner stands at [T2.26]
+// In the frame of the gear, the mating gear's axis orbits. The corner is at [T2.26]
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
 //   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its internal gear
 //   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear about its pinion
@@ -30,7 +30,8 @@ struct Corner {
   double half_angle;
 };
 
-// The corners at which a tooth ends: the flank's end, and the land's where a fillet lies between.
+// The corners at which a tooth ends: the end of the flank, and the end of the land if a fillet lies
+// between them.
 std::vector<Corner> tip_corners(const Gear& mate) {
   if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;
@@ -45,7 +46,7 @@ std::vector<Corner> tip_corners(const Gear& mate) {
     if (arc.name == ArcName::root_land || arc.name == ArcName::tip_land) continue;
     const Corner end{arc.end_point.norm(), std::atan2(arc.end_point.y(), arc.end_point.x())};
     if (arc.name == ArcName::root_fillet) {
-      corners = {end};  // only if nothing follows
+      corners = {end};  // only if no fillet follows
     } else if (arc.name == ArcName::flank) {
       corners = {end};
     } else {
@@ -73,9 +74,9 @@ struct Orbit {
 
 constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
 
-constexpr double kFoot = 1e-6;  // of the arc: the foot of p is found that well
+constexpr double kFoot = 1e-6;  // relative to the arc: accuracy of the foot of p
 
-// Distance from p to an arc, > 0 on the space's side of it.
+// Distance from p to an arc, > 0 on the side of the space.
 double signed_distance(const Arc& arc, const Vec2& p) {
   const auto distance = [&](double u) { return (arc.point(u) - p).norm(); };
   constexpr int kSteps = 8;
@@ -96,8 +97,9 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const Vec2 along(std::cos(foot.tangent_angle), std::sin(foot.tangent_angle));
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
-  // At a foot the way to p is across the arc: its length is exact although u is known to half the
-  // digits only. The space lies to the left, on an internal gear's tooth to the right.
+  // At a foot the distance vector of p is perpendicular to the arc, so its length is exact although
+  // u has half the digits only. The space lies to the left, or to the right on a tooth of an
+  // internal gear.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   least = std::min(least, distance(u));
@@ -109,11 +111,12 @@ double signed_distance(const Arc& arc, const Vec2& p) {
       arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
                                      : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
   double angle = std::atan2(p.y(), p.x());
-  if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;  // one tooth: beyond π
+  // with one tooth, the angle may exceed π
+  if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;
   return angle >= theta ? least : -least;
 }
 
-constexpr double kFarAway = 1e9;  // mm: never gets as deep as the fillet
+constexpr double kFarAway = 1e9;  // mm: the corner never gets as deep as the fillet
 
 // The least of f on [0, 1].
 std::optional<double> min_on(const std::function<double(double)>& f) {
@@ -136,16 +139,15 @@ std::optional<double> min_on(const std::function<double(double)>& f) {
 
 }  // namespace
 
-std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
+std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
   GW_EXPECTS(which == 1 || which == 2);
   const Gear& gear = pair.gears[which - 1];
   const Gear& mate = pair.gears[2 - which];
-  if (!gear.tooth) return std::nullopt;  // an internal gear that nothing has cut
+  if (!gear.tooth) return std::nullopt;  // an internal gear without a cutter
   const double a = pair.center_distance;
-  GW_EXPECTS(!pair.crossed());
-  const Orbit::Kind kind = pair.kind == PairKind::parallel_external ? Orbit::external
-                           : gear.internal()                        ? Orbit::ring
-                                                                    : Orbit::in_ring;
+  const Orbit::Kind kind = gear.internal()   ? Orbit::ring
+                           : mate.internal() ? Orbit::in_ring
+                                             : Orbit::external;
   const double play =
       (which == 1 ? pair.mesh.backlash.rotation[1] : pair.mesh.backlash.rotation[0]) / 2;
   const double z = std::abs(gear.spec.teeth);
@@ -158,9 +160,9 @@ std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
       const double r = arc.end_point.norm();
       const double deep = a * a + corner.radius * corner.radius - r * r;
       const double c = (kind == Orbit::ring ? -deep : deep) / (2 * a * corner.radius);
-      if (c >= 1.0) continue;  // never gets that deep
+      if (c >= 1.0) continue;  // the corner never gets that deep
       const double w_end = std::acos(std::max(-1.0, c));
-      // The side of the path that lies towards this fillet; an internal gear's pinion takes both.
+      // The side of the path towards this fillet; for an internal gear, its pinion uses both sides.
       const double from = kind == Orbit::ring ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);
@@ -190,7 +192,7 @@ std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
   };
   for (const Corner& corner : tip_corners(mate)) take(clearance_of(corner));
   if (!mate.tooth) return least;
-  // A curved tip may touch with its middle.
+  // The middle of a curved tip may touch.
   for (const Arc& arc : mate.tooth->outline.arcs) {
     if (arc.name != ArcName::tip_fillet) continue;
     const auto at = [&](double u) {

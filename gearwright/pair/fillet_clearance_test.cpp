@@ -30,7 +30,7 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
 // The fillet of gear 1 as 2000 points of the space's upper side in gear 1's frame (tooth 0 on the x
 // axis: y < 0 is its lower side, the space below it), and the corner of gear 2's tooth as it passes
 // in 4000 rotations. Both flanks of the pair touch at zero backlash, so no play comes in.
-double scanned(const InvolutePair& p) {
+double scanned(const ParallelPair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
   std::vector<Vec2> fillet;
@@ -65,7 +65,7 @@ double scanned(const InvolutePair& p) {
 // of the corner: 2000 of 1.5 mm and 2000 of the 1.5 mm that it moves through a space.
 TEST(FilletClearance, agrees_with_a_scan) {
   for (const auto& [z1, z2, fillet] : {std::tuple{20, 40, 0.38}, {30, 30, 0.25}, {17, 90, 0.38}}) {
-    const InvolutePair p = mounted(filleted(z1, 0.0, fillet), filleted(z2, 0.0, fillet), z1 + z2);
+    const ParallelPair p = mounted(filleted(z1, 0.0, fillet), filleted(z2, 0.0, fillet), z1 + z2);
     const auto clearance = fillet_clearance(p, 1);
     ASSERT_TRUE(clearance);
     const double scan = scanned(p);
@@ -77,7 +77,7 @@ TEST(FilletClearance, agrees_with_a_scan) {
 TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
   double last = std::numeric_limits<double>::infinity();
   for (const double tip : {83.6, 84.0, 84.4, 84.8, 85.4}) {
-    const InvolutePair p = mounted(filleted(20), filleted(40, 0.0, 0.38, tip), 60.0);
+    const ParallelPair p = mounted(filleted(20), filleted(40, 0.0, 0.38, tip), 60.0);
     const auto c = fillet_clearance(p, 1);
     ASSERT_TRUE(c);
     EXPECT_LT(*c, last);
@@ -88,12 +88,12 @@ TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
 
 // Two equal gears: what one does to the other, the other does to the one.
 TEST(FilletClearance, equal_gears_have_equal_clearances) {
-  const InvolutePair p = mounted(filleted(30, 0.1), filleted(30, 0.1), 60.3);
+  const ParallelPair p = mounted(filleted(30, 0.1), filleted(30, 0.1), 60.3);
   EXPECT_EQ(*fillet_clearance(p, 1), *fillet_clearance(p, 2));
 }
 
 TEST(FilletClearance, a_ring_has_no_fillet_here) {
-  const InvolutePair p = mounted(filleted(20), filleted(-60), 40.0);
+  const ParallelPair p = mounted(filleted(20), filleted(-60), 40.0);
   EXPECT_FALSE(fillet_clearance(p, 2));
   EXPECT_TRUE(fillet_clearance(p, 1));
 }

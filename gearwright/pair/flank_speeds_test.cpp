@@ -23,7 +23,7 @@ InvolutePair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double 
   const auto tight = complete_place(base_pair(*one, *two), std::nullopt, std::nullopt);
   EXPECT_TRUE(tight);
   const PairSpec place{tight->center_distance + more, tight->shaft_angle};
-  return testing::taken(mount_involutes(*one, *two, place));
+  return testing::taken(mount_as<InvolutePair>(*one, *two, place));
 }
 
 // The contact moves along the common normal n with v_n, the material of gear i with ω_i × r: what

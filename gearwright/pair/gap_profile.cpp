@@ -26,8 +26,8 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// How far along the circle of curvature the radius ρ is; what it does not reach is taken straight
-// towards it.
+// Distance along the circle of curvature to the radius ρ. If the circle does not reach ρ, the
+// distance is measured straight towards it.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;
@@ -73,7 +73,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   const ProfilePlace& above = guesses[static_cast<std::size_t>(cell) + 1];
   double lo = static_cast<double>(cell) / kGuesses;
   double hi = static_cast<double>(cell + 1) / kGuesses;
-  // Near the root the squares of the radii grow with the square of the way: a first guess by both.
+  // Near the root, the squares of the radii grow with the square of the distance, so the first
+  // guess uses both.
   const double part = std::clamp((rho - below.rho) / (above.rho - below.rho), 0.0, 1.0);
   const double slow = std::abs(below.s) < 0.5 * std::abs(above.s) ? std::sqrt(part) : part;
   double u = lo + (hi - lo) * slow;
@@ -81,8 +82,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
       std::sqrt(std::max(0.0, below.rho * below.rho + above.rho * above.rho -
                                   2 * below.rho * above.rho * std::cos(below.theta - above.theta)));
   double pace = chord / (hi - lo);
-  constexpr double kShort = 2e-6;  // of radius of curvature and radius
-  constexpr int kMost = 60;        // bisection alone would end by then
+  constexpr double kShort = 2e-6;  // relative to radius of curvature and radius
+  constexpr int kMost = 60;        // bisection alone would have ended before
   for (int i = 0;; ++i) {
     const CurvePoint at_u = arc->at(u);
     const ProfilePlace p = place_of(at_u);
@@ -96,8 +97,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     }
     const double next = u + way / pace;
     const double kept = next > lo && next < hi ? next : 0.5 * (lo + hi);
-    // Where the arc runs along the circle about the axis, no way leads from a radius to one beside
-    // it that is as good to rounding: not even a number, between the last two digits.
+    // Where the arc runs along a circle about the axis, no distance leads from a radius to a
+    // neighbouring one with full accuracy, and between the last two digits none is a number.
     if (i == kMost || kept == u) return {u, moved(p, at_u.curvature, 0.0, rho)};
     const Vec2 there = arc->curve->point(arc->begin + kept * (arc->end - arc->begin));
     const double run = (there - at_u.point).norm() / std::abs(kept - u);
@@ -121,10 +122,10 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // Smaller turns are rounding, or so blunt that the arcs beside them touch as well as they do.
+  // Smaller angles are rounding errors, or so blunt that the adjacent arcs touch equally well.
   constexpr double kSmooth = 1e-7;  // rad
-  // A hollow corner is out of the mating gear's reach. A turn by nearly half a turn may be a cusp,
-  // where the direction has no sign: it is taken along, a corner too many does no harm.
+  // A concave corner is out of the mating gear's reach. An angle near half a turn may be a cusp,
+  // where the direction has no sign. It is included, because an additional corner does no harm.
   constexpr double kCusp = 2.5;  // rad
   const double inward = ring_ ? 1.0 : -1.0;
   for (std::size_t i = 0; i + 1 < outline.arcs.size(); ++i) {

@@ -1,5 +1,5 @@
-// Half a tooth as the other gear meets it: where its outline stands at a radius, where its corners
-// are. Internal to pair/: the outlines of outline_gap.
+// Half a tooth for contact with another gear: its outline as a function of the radius, and its
+// corners. Internal to pair/, for the outlines of outline_gap.
 //
 //   ρ, θ   radius and polar angle of a point W of the half tooth, θ from its centre line
 //   τ, k   direction and curvature of the walk from root to tip
@@ -20,26 +20,26 @@ struct ProfilePlace {
   double tau, curvature;
 };
 
-/// A point in which an arc ends, and the material with it: the mating gear's outline may strike it.
+/// A convex point in which an arc ends. The mating gear's outline may touch it.
 struct ProfileCorner {
   double rho, theta;
-  ArcName name;  ///< the arc that ends the tooth there; a land leaves its name to its neighbour
+  ArcName name;  ///< the arc that ends the tooth there; the neighbour of a land gives its name
 };
 
-/// An arc that is no land: its radius changes all along it.
+/// An arc that is not a land, so its radius changes along it.
 struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< of its two ends
-  bool closed_form;          ///< the parameter of a radius is
-  /// Radii at even steps of u, for a first guess; filled when first asked for.
+  bool closed_form;          ///< true if the parameter of a radius has a closed form
+  /// Radii at even steps of u, for a first guess; filled on first use.
   static constexpr int kGuesses = 16;
   mutable std::vector<ProfilePlace> guesses = {};
 
   ProfilePlace at(double u) const;
   /// The place at a radius between the two ends, moved there if it lies beyond them.
   ///
-  /// Accuracy  as the curve's own points: the last step is along the circle of curvature, shorter
-  ///           than 2e-6 of its radius
+  /// Accuracy  as the curve's own points: the last step is along the circle of curvature and
+  ///           shorter than 2e-6 of its radius
   ProfilePlace at_radius(double rho) const;
   double u_at_radius(double rho) const;
 
@@ -62,7 +62,7 @@ class GapProfile {
   double root_radius() const { return root_radius_; }
   const std::vector<ProfileArc>& arcs() const { return arcs_; }
   const std::vector<ProfileCorner>& corners() const { return corners_; }
-  /// The arc that has points at that radius; null: none, beyond root or tip.
+  /// The arc that has points at that radius; null beyond root or tip.
   const ProfileArc* arc_at(double rho) const;
 
  private:

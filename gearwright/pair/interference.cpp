@@ -11,14 +11,14 @@ namespace gearwright::detail {
 
 namespace {
 
-// A gear cut by its mating gear touches it with no clearance at all: rounding is no interference.
+// A gear touches the mating gear that cut it without clearance, and rounding errors are not
+// interference.
 constexpr double kNoise = 1e-11;  // of the base pitch
 double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 
-// Past the flank that an undercut took nothing strikes: contact is lost. Elsewhere it is
-// interference.
+// Beyond the flank that undercut removed, contact is lost. Elsewhere this is interference.
 void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
@@ -41,8 +41,8 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
 
 }  // namespace
 
-// Where the mating gear's tip touches each gear deepest, and how far that is from the usable
-// flank's start. [T2.25]
+// The diameter at which the mating gear's tip touches each gear deepest, and its distance from the
+// start of the usable flank. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
@@ -53,8 +53,7 @@ void find_form_clearance(InvolutePair& p) {
     p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), std::max(0.0, rho[i]));
     const auto form = p.gears[i].root_form_radius();
     if (!form) continue;
-    const double side = p.gears[i].internal() ? -1.0 : 1.0;  // an internal flank begins outside
-    p.form_clearance[i] = side * (*p.contact_root_diameter[i] / 2 - *form);
+    p.form_clearance[i] = p.gears[i].side() * (*p.contact_root_diameter[i] / 2 - *form);
     if (*p.form_clearance[i] < -noise(p)) {
       past_the_flank(
           p, WarningCode::form_circle, i + 1, *p.form_clearance[i],
@@ -68,7 +67,7 @@ void find_tip_clearance(InvolutePair& p) {
   const double a = p.center_distance;
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
-  if (p.kind != PairKind::parallel_internal) {
+  if (!g2.internal()) {
     p.tip_clearance = {a - g1.actual_tip_radius() - g2.root_diameter / 2,
                        a - g2.actual_tip_radius() - g1.root_diameter / 2};
   } else {
@@ -98,12 +97,13 @@ void find_tip_clearance(InvolutePair& p) {
   }
 }
 
-void find_internal_margins(InvolutePair& p) {
+void find_internal_margins(ParallelPair& p) {
+  InternalMargins& margins = p.margins.emplace();
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  // Where the internal gear's flank really ends: a rounded tip gives way.
+  // The actual end of the internal gear's flank, without a rounded tip.
   const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
@@ -114,15 +114,15 @@ void find_internal_margins(InvolutePair& p) {
   const double inv_a1 = involute_of_roll(roll(r_a1, g1.base_radius()));
   const double inv_a2 = involute_of_roll(roll(r_a2, g2.base_radius()));
   if (const auto form = g1.root_form_radius()) {
-    p.involute_margin = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
+    margins.involute = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
   }
   const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
-  // Where the tip circles do not meet no tip passes another.
+  // If the tip circles do not meet, no tip passes another.
   if (r_a2 < a + r_a1) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;
     const double theta_2 = std::acos(clamp((a * a + r_a2 * r_a2 - r_a1 * r_a1) / (2 * a * r_a2)));
-    p.trochoid_margin = Angle::radians(theta_1 * z1 / z2 + inv_w - inv_a2 - theta_2);
+    margins.trochoid = Angle::radians(theta_1 * z1 / z2 + inv_w - inv_a2 - theta_2);
   }
 
   const double cos_a1 = g1.base_radius() / r_a1;
@@ -133,16 +133,16 @@ void find_internal_margins(InvolutePair& p) {
         std::asin(std::sqrt(clamp((1 - ratio * ratio) / (1 - (z1 / z2) * (z1 / z2)))));
     const double phi_2 =
         std::asin(std::sqrt(clamp((1 / (ratio * ratio) - 1) / ((z2 / z1) * (z2 / z1) - 1))));
-    p.trimming_margin = Angle::radians(phi_1 + inv_a1 - inv_w - z2 / z1 * (phi_2 + inv_a2 - inv_w));
+    margins.trimming = Angle::radians(phi_1 + inv_a1 - inv_w - z2 / z1 * (phi_2 + inv_a2 - inv_w));
   }
-  if (p.trochoid_margin && p.trochoid_margin->rad() < 0.0) {
+  if (margins.trochoid && margins.trochoid->rad() < 0.0) {
     p.interference.push_back(
-        {WarningCode::trochoid, 2, *p.trochoid_margin,
+        {WarningCode::trochoid, 2, *margins.trochoid,
          "Trochoid interference: the tip of the pinion collides with the tip of the internal "
          "gear."});
   }
-  if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
-    // Of assembly only: once in place nothing strikes.
+  if (margins.trimming && margins.trimming->rad() < 0.0) {
+    // This concerns assembly only. Mounted gears do not collide.
     p.warnings.push_back(
         {WarningCode::trimming,
          "Trimming interference: the pinion cannot be mounted radially with a tooth space on the "
@@ -151,7 +151,7 @@ void find_internal_margins(InvolutePair& p) {
   }
 }
 
-void find_fillet_clearance(InvolutePair& p) {
+void find_fillet_clearance(ParallelPair& p) {
   for (int i : {0, 1}) {
     p.fillet_clearance[i] = fillet_clearance(p, i + 1);
     if (p.fillet_clearance[i] && *p.fillet_clearance[i] < -noise(p)) {

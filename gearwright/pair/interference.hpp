@@ -1,5 +1,5 @@
-// Where two mounted gears get in each other's way. Internal to pair/: fills in a pair whose gears,
-// mesh, distances and tip clearances are set.
+// Interference of two mounted gears. Internal to pair/: completes a pair whose gears, mesh,
+// distances and tip clearances are set.
 #pragma once
 
 #include "gearwright/pair/involute_pair.hpp"
@@ -8,19 +8,19 @@ namespace gearwright::detail {
 
 /// Contact root diameters and form clearances; base_tangent, form_circle, or contact_lost.
 void find_form_clearance(InvolutePair& pair);
-/// Tips to roots on the centre line; `root`.
+/// Clearances of tips and roots on the centre line; `root`.
 void find_tip_clearance(InvolutePair& pair);
 /// Internal pairs: involute, trochoid and trimming interference. [T2.27], [T2.28]
-void find_internal_margins(InvolutePair& pair);
-/// Tip corners to fillets, parallel axes; `tip_to_fillet`. [T2.26]
-void find_fillet_clearance(InvolutePair& pair);
+void find_internal_margins(ParallelPair& pair);
+/// Tip corners to fillets; `tip_to_fillet`. [T2.26]
+void find_fillet_clearance(ParallelPair& pair);
 /// Overlap of the outlines, strikes beyond the flanks and the free play of two gears whose flanks
 /// have this play: half of it as a turn of gear 2, all of it along the normal, mm. [T2.29]…[T2.33]
 ///
-/// Domain    both gears with a tooth. On crossed axes the tips against the roots [T4.33]
+/// Domain    both gears with a tooth. On crossed axes, tips are compared with roots [T4.33]
 void find_collisions(MountedGears& pair, double half_play, double normal_play);
-/// The same of an involute pair; leaves in `interference` what explains an overlap. After all
-/// others.
+/// The same for an involute pair. Leaves in `interference` the findings that explain an overlap,
+/// and must be called last.
 void find_overlap(InvolutePair& pair);
 
 }  // namespace gearwright::detail

@@ -21,8 +21,7 @@ void warn(InvolutePair& p, WarningCode code, std::string message, int gear = 0) 
 // Axes this close were most likely meant to be parallel.
 constexpr double kNearlyParallel = 1.0;  // degrees
 
-void warn_about_axes(InvolutePair& p) {
-  if (!p.crossed()) return;
+void warn_about_axes(CrossedPair& p) {
   if (std::abs(p.shaft_angle.deg()) < kNearlyParallel) {
     const double wanted = -p.gears[0].spec.helix_angle.deg();
     warn(
@@ -33,7 +32,7 @@ void warn_about_axes(InvolutePair& p) {
   }
   for (int i : {0, 1}) {
     const double b = p.gears[i].spec.face_width;
-    const double wanted = p.face_widths->both_flanks[i];
+    const double wanted = p.face_widths.both_flanks[i];
     if (p.flanks_meet() && wanted > b) {
       warn(
           p, WarningCode::face_width,
@@ -45,21 +44,24 @@ void warn_about_axes(InvolutePair& p) {
   }
 }
 
-void warn_about_contact(InvolutePair& p) {
+void warn_about_contact(InvolutePair& p, const char* limits, const char* ratio_of_all) {
   const double ratio = p.contact_ratio_true();
   if (ratio == 0.0) {
     warn(p, WarningCode::no_contact,
          p.flanks_meet()
-             ? (p.crossed() ? "No contact: the part of the line of action within the tips lies "
-                              "outside the usable flanks or the faces."
-                            : "No contact: the part of the line of action within the tips lies "
-                              "outside the usable flanks.")
+             ? fmt::format("No contact: the part of the line of action within the tips lies "
+                           "outside the usable flanks{}.",
+                           limits)
              : "No contact: at this centre distance the teeth do not reach each other.");
   } else if (ratio < 1.0) {
     warn(p, WarningCode::contact_ratio,
-         fmt::format("{} {:.3f}: contact is not continuous below 1.",
-                     p.crossed() ? "Contact ratio" : "Total contact ratio", ratio));
-  } else if (p.mesh.true_ratio < 1.0) {
+         fmt::format("{} {:.3f}: contact is not continuous below 1.", ratio_of_all, ratio));
+  }
+}
+
+void warn_about_line(ParallelPair& p) {
+  warn_about_contact(p, "", "Total contact ratio");
+  if (p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio < 1.0) {
     warn(p, WarningCode::transverse_contact_ratio,
          fmt::format(
              "Transverse contact ratio {:.3f}: contact is continuous only through the overlap of "
@@ -68,8 +70,13 @@ void warn_about_contact(InvolutePair& p) {
   }
 }
 
-void warn_about_mesh(InvolutePair& p) {
-  // Rounding of a backlash-free distance is not a backlash.
+void warn_about_line(CrossedPair& p) {
+  warn_about_contact(p, " or the faces", "Contact ratio");
+  warn_about_axes(p);
+}
+
+void warn_about_backlash(InvolutePair& p) {
+  // Rounding errors of a backlash-free distance are not backlash.
   constexpr double kOfPitch = 1e-12;
   constexpr double kOfDistance = 4e-15;
   const double noise =
@@ -84,30 +91,37 @@ void warn_about_mesh(InvolutePair& p) {
              "distance; the backlash-free one is {}.",
              -p.mesh.backlash.normal, distance));
   }
-  warn_about_contact(p);
-  warn_about_axes(p);
+}
+
+void warn_about_friction(InvolutePair& p) {
   if (p.efficiency && !(p.efficiency->gear1_drives && p.efficiency->gear2_drives)) {
     const int gear = p.efficiency->gear1_drives ? 2 : 1;
     warn(p, WarningCode::self_locking,
          fmt::format("Self-locking with this friction: gear {} cannot drive.", gear), gear);
   }
+}
+
+void warn_about_collisions(InvolutePair& p) {
   for (const Interference& i : p.interference) warn(p, i.code, i.message, i.gear);
   for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
-// Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
+// Backlash-free pairs have a centre distance above the sum of their base radii. Half of that sum is
+// implausible.
 constexpr double kMinCrossedDistance = 0.5;
 
-std::optional<Error> check_place(const InvolutePair& p) {
+std::optional<Error> check_place(const CrossedPair& p) {
   const double a = p.center_distance;
-  if (p.crossed()) {
-    const auto rack = common_rack(p.input.gears, working_angles(p.input));
-    const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
-    const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
-    if (a >= least && a <= most) return std::nullopt;
-    return refused("pair.center_distance", a, {least, most},
-                   "must be at least {} mm (half the sum of the base radii) and at most {} mm");
-  }
+  const auto rack = common_rack(p.input.gears, working_angles(p.input));
+  const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
+  const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
+  if (a >= least && a <= most) return std::nullopt;
+  return refused("pair.center_distance", a, {least, most},
+                 "must be at least {} mm (half the sum of the base radii) and at most {} mm");
+}
+
+std::optional<Error> check_place(const ParallelPair& p) {
+  const double a = p.center_distance;
   const double least = base_radius_sum(p.input.gears);
   if (a > least && a <= kMaxDistance * least) return std::nullopt;
   return refused("pair.center_distance", a, {least, kMaxDistance * least},
@@ -116,19 +130,67 @@ std::optional<Error> check_place(const InvolutePair& p) {
                              kMaxDistance));
 }
 
-void find_backlash_free_distance(InvolutePair& p) {
+std::optional<double> backlash_free_distance(const ParallelPair& p) {
   const BasePair<double>& gears = p.input.gears;
-  if (!p.crossed()) {
-    const auto alpha = transverse_angle_at_min_distance(gears);
-    if (alpha) p.backlash_free_center_distance = base_radius_sum(gears) / std::cos(*alpha);
-    return;
-  }
-  const double a = conjugate_center_distance(gears, p.mesh.rack);
-  if (a > 0.0) p.backlash_free_center_distance = a;
-  if (const auto alpha = transverse_angle_at_min_distance(gears))
-    p.min_distance = crossed_place(gears, *alpha);
+  const auto alpha = transverse_angle_at_min_distance(gears);
+  return alpha ? std::optional(base_radius_sum(gears) / std::cos(*alpha)) : std::nullopt;
+}
+
+std::optional<double> backlash_free_distance(const CrossedPair& p) {
+  const double a = conjugate_center_distance(p.input.gears, p.mesh.rack);
+  return a > 0.0 ? std::optional(a) : std::nullopt;
+}
+
+// Quantities of this kind of pair only.
+void find_own(ParallelPair& p) {
+  if (p.gears[1].internal()) detail::find_internal_margins(p);
+  detail::find_fillet_clearance(p);
+}
+
+void find_own(CrossedPair& p) {
+  if (const auto alpha = transverse_angle_at_min_distance(p.input.gears))
+    p.min_distance = crossed_place(p.input.gears, *alpha);
   p.contact_ratio_range = contact_ratio_range(p.input);
   p.face_widths = face_widths(p.mesh);
+}
+
+// Positions of the axes that follow from the gears as drawn.
+void find_distances(InvolutePair& p) {
+  const Gear& g1 = p.gears[0];
+  const Gear& g2 = p.gears[1];
+  const double sigma = p.side();
+  p.reference_center_distance = (g2.reference_diameter + sigma * g1.reference_diameter) / 2;
+  const double x_m_1 = g1.spec.profile_shift * g1.spec.normal_module;
+  const double x_m_2 = g2.spec.profile_shift * g2.spec.normal_module;
+  p.extended_center_distance = p.reference_center_distance + sigma * (x_m_1 + x_m_2);
+  p.tip_shortening = sigma * (p.center_distance - p.extended_center_distance);
+}
+
+template <class Kind>
+Result<Kind> mounted(Gear gear_1, Gear gear_2, const PairPlace& place,
+                     std::optional<double> friction) {
+  Kind p{};
+  p.center_distance = place.center_distance;
+  p.shaft_angle = place.shaft_angle.value_or(Angle());
+  p.input = mesh_input(gear_1, gear_2, place);
+  if (auto error = check_place(p)) return *error;
+  p.gears = {std::move(gear_1), std::move(gear_2)};
+  p.mesh = mesh_of(p.input);
+  find_distances(p);
+  p.backlash_free_center_distance = backlash_free_distance(p);
+  p.sliding_A = specific_sliding(p.input, p.mesh, p.mesh.rho1_A);
+  p.sliding_E = specific_sliding(p.input, p.mesh, p.mesh.rho1_E);
+  if (friction && p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio > 0.0)
+    p.efficiency = efficiency(sliding_shares(p.input, p.mesh), *friction);
+  detail::find_form_clearance(p);
+  detail::find_tip_clearance(p);
+  find_own(p);
+  detail::find_overlap(p);
+  warn_about_backlash(p);
+  warn_about_line(p);
+  warn_about_friction(p);
+  warn_about_collisions(p);
+  return p;
 }
 
 }  // namespace
@@ -171,13 +233,7 @@ bool InvolutePair::flanks_meet() const {
 }
 
 double InvolutePair::path_length() const {
-  if (!flanks_meet()) return 0.0;
-  return crossed() ? mesh.path_length / std::cos(input.gears[0].helix_angle) : mesh.path_length;
-}
-
-std::optional<double> InvolutePair::transverse_contact_ratio() const {
-  if (crossed()) return std::nullopt;
-  return flanks_meet() ? mesh.path_ratio : 0.0;
+  return flanks_meet() ? mesh.path_length / mesh.line_cosine : 0.0;
 }
 
 double InvolutePair::contact_ratio() const {
@@ -193,16 +249,15 @@ Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
   const auto& side = mesh.rack.sides[0];
   const double from_pitch_point = rho1 - mesh.rho1_C;
   if (crossed()) {
-    const double lambda = from_pitch_point / std::cos(input.gears[0].helix_angle);
+    const double lambda = from_pitch_point / mesh.line_cosine;
     return {Vec3(side.pitch_radius + lambda * mesh.rack.angles.sin_alpha,
                  -lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
   }
   // Pitch point at +r_w1 (external) or −r_w1 (internal); gear 1 turns clockwise, so the leading
   // flanks' normal there is (sin α, −cos α), turned half a turn for internal pairs.
-  const double turn = kind == PairKind::parallel_internal ? -1.0 : 1.0;
   const double alpha = side.transverse_angle;
-  return {turn * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
-                      -from_pitch_point * std::cos(alpha), 0.0)};
+  return {mesh.sigma * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
+                            -from_pitch_point * std::cos(alpha), 0.0)};
 }
 
 Point<Housing> InvolutePair::on_trailing_line(double rho1) const {
@@ -212,7 +267,7 @@ Point<Housing> InvolutePair::on_trailing_line(double rho1) const {
   return p;
 }
 
-Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec) {
+Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const PairSpec& spec) {
   GW_EXPECTS(gear_1.involute() && gear_2.involute());
   const std::optional<Angle> angle =
       spec.center_distance ? spec.shaft_angle.value_or(Angle()) : spec.shaft_angle;
@@ -228,43 +283,20 @@ Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& s
     if (!free) return free.error();
     place = *free;
   }
-  InvolutePair p{};
-  const bool crossed = place.shaft_angle && place.shaft_angle->rad() != 0.0;
-  p.kind = crossed             ? PairKind::crossed
-           : gear_2.internal() ? PairKind::parallel_internal
-                               : PairKind::parallel_external;
-  p.center_distance = place.center_distance;
-  p.input = mesh_input(gear_1, gear_2, place);
-  if (crossed) {
-    p.shaft_angle = *place.shaft_angle;
-  } else {
-    p.input.shaft_angle.reset();
-  }
-  if (auto error = check_place(p)) return *error;
-  p.gears = {std::move(gear_1), std::move(gear_2)};
-  const Gear& g1 = p.gears[0];
-  const Gear& g2 = p.gears[1];
-  p.mesh = mesh_of(p.input);
+  if (place.shaft_angle && place.shaft_angle->rad() == 0.0) place.shaft_angle.reset();
+  return place;
+}
 
-  const double sign = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
-  p.reference_center_distance = (g2.reference_diameter + sign * g1.reference_diameter) / 2;
-  const double x_m_1 = g1.spec.profile_shift * g1.spec.normal_module;
-  const double x_m_2 = g2.spec.profile_shift * g2.spec.normal_module;
-  p.extended_center_distance = p.reference_center_distance + sign * (x_m_1 + x_m_2);
-  p.tip_shortening = sign * (p.center_distance - p.extended_center_distance);
+Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
+                                    std::optional<double> friction) {
+  GW_EXPECTS(!place.shaft_angle);
+  return mounted<ParallelPair>(std::move(gear_1), std::move(gear_2), place, friction);
+}
 
-  find_backlash_free_distance(p);
-  p.sliding_A = specific_sliding(p.input, p.mesh, p.mesh.rho1_A);
-  p.sliding_E = specific_sliding(p.input, p.mesh, p.mesh.rho1_E);
-  if (spec.friction && p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio > 0.0)
-    p.efficiency = efficiency(sliding_shares(p.input, p.mesh), *spec.friction);
-  detail::find_form_clearance(p);
-  detail::find_tip_clearance(p);
-  if (p.kind == PairKind::parallel_internal) detail::find_internal_margins(p);
-  if (!crossed) detail::find_fillet_clearance(p);
-  detail::find_overlap(p);
-  warn_about_mesh(p);
-  return p;
+Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& place,
+                                  std::optional<double> friction) {
+  GW_EXPECTS(place.shaft_angle.has_value());
+  return mounted<CrossedPair>(std::move(gear_1), std::move(gear_2), place, friction);
 }
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// A pair of involute gears, mounted on parallel or crossed axes. Symbols: pair/mesh.hpp.
+// Two involute gears in their places: what pairs on any axes have, and the two kinds of them, on
+// parallel and on crossed axes. Symbols: pair/mesh.hpp.
 #pragma once
 
 #include <array>
@@ -15,31 +16,33 @@
 
 namespace gearwright {
 
-/// Why parts of the pair get in each other's way.
+/// The reason why parts of the pair collide.
 struct Interference {
-  WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` for
-                     ///< what has no name of its own (past an undercut nothing strikes: a warning
-                     ///< `contact_lost_to_undercut` instead)
-  int gear;          ///< the gear whose root or tip suffers
-  std::variant<double, Angle> amount;  ///< mm, or of trochoid an angle; < 0: by so much
+  WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
+                     ///< unnamed (beyond an undercut nothing collides, which is the warning
+                     ///< `contact_lost_to_undercut`)
+  int gear;          ///< the gear whose root or tip is affected
+  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; < 0: depth of the
+                                       ///< interference
   std::string message;                 ///< one sentence
 };
 
-/// A place that a crossed pair could take, free of backlash.
+/// A backlash-free position of a crossed pair.
 struct CrossedPlace {
   double center_distance;       ///< mm
   Angle shaft_angle;            ///< Σ
   Angle normal_pressure_angle;  ///< α_wn
 };
 
-/// The places from lo to hi, by growing α_wn.
+/// The positions from lo to hi, by growing α_wn.
 struct CrossedPlaces {
   CrossedPlace lo, hi;
-  bool limit;  ///< hi is where a helix angle reaches 90°, no longer a gear
+  bool limit;  ///< true if hi is a limit at which a helix angle reaches 90° and there is no gear
 };
 
+/// What involute pairs have on any axes.
 struct InvolutePair : MountedGears {
-  InvolutePair() = default;  ///< empty, and no aggregate: mount_involutes() makes it
+  InvolutePair() = default;  ///< empty, and no aggregate: mount() makes it
   MeshInput<double> input;
   Mesh<double> mesh;
   std::optional<double>
@@ -48,27 +51,22 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
-  std::array<std::optional<double>, 2>
-      fillet_clearance;                   ///< mm: mating tip corner to root fillet; parallel axes
-  std::optional<double> involute_margin;  ///< internal: ρ_1A − ρ_F1, mm
-  std::optional<Angle> trochoid_margin;   ///< internal
-  std::optional<Angle> trimming_margin;   ///< internal, of radial assembly
   SpecificSliding<double> sliding_A, sliding_E;
   double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
-  std::optional<FaceWidths<double>> face_widths;     ///< crossed axes
-  std::optional<CrossedPlace> min_distance;          ///< crossed axes, teeth as cut
-  std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
-  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
+  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact is
+                                         ///< continuous
   std::vector<Interference>
-      interference;  ///< what explains the overlap; all that has a name, where
-                     ///< none was looked for
+      interference;  ///< the findings that explain the overlap; all findings, if no overlap was
+                     ///< computed
 
-  bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
-  double path_length() const;  ///< g_α, crossed AE  mm; 0: no contact
-  /// ε_α, tip form circle to tip form circle; 0: no contact. None on crossed axes.
-  std::optional<double> transverse_contact_ratio() const;
+  bool flanks_meet() const;           ///< the path has a length, and both gears have a flank on it
+  double path_length() const;         ///< g_α, crossed AE  mm; 0: no contact
   double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
   double contact_ratio_true() const;  ///< the same with the clipped path
+  double normal_backlash() const { return mesh.backlash.normal; }  ///< j_n  mm
+  std::array<double, 2> working_pitch_diameter() const {           ///< d_w  mm
+    return {2 * mesh.rack.sides[0].pitch_radius, 2 * mesh.rack.sides[1].pitch_radius};
+  }
   /// The point of the leading line of action with curvature radius ρ_1; on parallel axes in the
   /// section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
@@ -76,29 +74,61 @@ struct InvolutePair : MountedGears {
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
-/// The two gears as mesh_of takes them, at the place.
+/// Margins of an internal pair to three kinds of interference; none: no such limit.
+struct InternalMargins {
+  std::optional<double> involute;  ///< ρ_1A − ρ_F1  mm
+  std::optional<Angle> trochoid;
+  std::optional<Angle> trimming;  ///< of radial assembly
+};
+
+struct ParallelPair : InvolutePair {
+  ParallelPair() = default;  ///< empty, and no aggregate, like InvolutePair and CrossedPair
+  std::array<std::optional<double>, 2> fillet_clearance;  ///< mm: mating tip corner to root fillet
+  std::optional<InternalMargins> margins;                 ///< of internal pairs
+
+  /// ε_α, tip form circle to tip form circle; 0: no contact.
+  double transverse_contact_ratio() const { return flanks_meet() ? mesh.path_ratio : 0.0; }
+};
+
+struct CrossedPair : InvolutePair {
+  CrossedPair() = default;
+  FaceWidths<double> face_widths{};
+  std::optional<CrossedPlace> min_distance;          ///< of the teeth as cut
+  std::optional<CrossedPlaces> contact_ratio_range;  ///< where AE ≥ p_bn
+};
+
+/// The input of mesh_of for the two gears at this position.
 MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairPlace& place);
 
-/// The place at the transverse angle α of the limiting gear, free of backlash. [T4.14]
+/// The backlash-free position at the transverse angle α of the limiting gear. [T4.14]
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
-/// The places at which a crossed pair's contact ratio is at least 1; none: nowhere. [T4.23]
+/// The positions at which a crossed pair's contact ratio is at least 1; none if there are none.
+/// [T4.23]
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
 
-/// Mounts two involute gears. Gears that do not exist (severed, through the axis) make no pair;
-/// everything else that is wrong with a mesh is data.
+/// The position of two involute gears that the caller requests.
 ///
 /// Domain    both are involute gears (contract)
-/// Errors    as check_partners and complete_place, and `pair.center_distance` where there is
-///           no working angle
-Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec);
+/// Errors    as check_partners and complete_place; gears that do not exist (severed, through the
+///           axis): `gearN.profile_shift`
+Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const PairSpec& spec);
+
+/// Mounts two involute gears at their place. Faults of a mesh are results, not errors.
+///
+/// Domain    a place of involute_place, without and with a shaft angle
+/// Errors    `pair.center_distance` where there is no working angle
+Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
+                                    std::optional<double> friction = {});
+Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& place,
+                                  std::optional<double> friction = {});
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm, < 0: so deep the corner cuts into the fillet. The flanks of that side touch
-/// meanwhile.
+/// `which` (1, 2), mm; < 0: the corner cuts into the fillet by this depth. The flanks of that side
+/// are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
-/// Domain    none for the fillet of an internal gear; parallel axes (contract)
-std::optional<double> fillet_clearance(const InvolutePair& pair, int which);
+/// Domain    none for the fillet of an internal gear
+std::optional<double> fillet_clearance(const ParallelPair& pair, int which);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
 // Pairs as mounted: partners that cannot mesh, poses, lines of action, clearances and warnings.
-#include "gearwright/pair/involute_pair.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
+#include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/testing/mounted.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,9 @@ Gear gear(int teeth, double x = 0.0, Angle beta = 0_deg, double tip = 0.0) {
 }
 
 TEST(MountParallel, standard_pair) {
-  const InvolutePair p = mounted(gear(20), gear(40), 60.0);
-  EXPECT_EQ(p.kind, PairKind::parallel_external);
+  const ParallelPair p = mounted(gear(20), gear(40), 60.0);
+  EXPECT_EQ(p.side(), 1.0);
+  EXPECT_FALSE(p.margins);
   EXPECT_EQ(p.gear_ratio(), 2.0);
   EXPECT_EQ(p.reference_center_distance, 60.0);
   EXPECT_EQ(p.extended_center_distance, 60.0);
@@ -47,18 +48,19 @@ TEST(MountParallel, standard_pair) {
 }
 
 TEST(MountParallel, internal_pair) {
-  const InvolutePair p = mounted(gear(20), gear(-60), 40.0);
-  EXPECT_EQ(p.kind, PairKind::parallel_internal);
+  const ParallelPair p = mounted(gear(20), gear(-60), 40.0);
+  EXPECT_EQ(p.side(), -1.0);
   EXPECT_EQ(p.gear_ratio(), -3.0);
   EXPECT_NEAR(p.tip_clearance[0], 0.5, 1e-13);
   EXPECT_NEAR(p.tip_clearance[1], 0.5, 1e-13);
-  EXPECT_TRUE(p.trochoid_margin && p.trochoid_margin->rad() > 0.0);
+  ASSERT_TRUE(p.margins && p.margins->trochoid);
+  EXPECT_GT(p.margins->trochoid->rad(), 0.0);
   EXPECT_FALSE(p.fillet_clearance[1]);
 }
 
 TEST(MountParallel, partners_that_cannot_mesh) {
   const auto key = [](const Gear& g1, const Gear& g2, double a) {
-    const auto p = mount_involutes(g1, g2, {a});
+    const auto p = mount_as<ParallelPair>(g1, g2, {a});
     return p ? std::string("mounted") : p.error().field;
   };
   EXPECT_EQ(key(gear(20, 0, 15_deg), gear(40, 0, 15_deg), 62.0), "pair.shaft_angle");
@@ -80,13 +82,13 @@ TEST(MountParallel, equal_base_pitches_are_enough) {
   other.normal_pressure_angle = 25_deg;
   other.normal_module = 2.0 * std::cos((20_deg).rad()) / std::cos((25_deg).rad());
   other.tip_diameter = 84.0;
-  const auto p = mount_involutes(gear(20), *make_gear(other), {60.5});
+  const auto p = mount_as<ParallelPair>(gear(20), *make_gear(other), {60.5});
   ASSERT_TRUE(p) << p.error().message();
   EXPECT_GT(p->contact_ratio(), 1.0);
 }
 
 TEST(Pair, poses_put_tooth_and_space_on_the_centre_line) {
-  const InvolutePair out = mounted(gear(20), gear(41), 61.0);
+  const ParallelPair out = mounted(gear(20), gear(41), 61.0);
   const Point<Housing> tooth_1 = out.pose_1() * Point<Gear1>{Vec3(22.0, 0.0, 3.0)};
   EXPECT_EQ(tooth_1.r, Vec3(22.0, 0.0, 3.0));
   // The middle of space 0 of gear 2, half a pitch from tooth 0, towards gear 1.
@@ -97,7 +99,7 @@ TEST(Pair, poses_put_tooth_and_space_on_the_centre_line) {
     const bool on_line = (r - Vec3(61.0 - 41.0, 0.0, 0.0)).norm() < 1e-12;
     EXPECT_EQ(on_line, side > 0.0);
   }
-  const InvolutePair in = mounted(gear(20), gear(-60), 40.0);
+  const ParallelPair in = mounted(gear(20), gear(-60), 40.0);
   EXPECT_EQ((in.pose_1() * Point<Gear1>{Vec3(22.0, 0.0, 0.0)}).r, Vec3(-22.0, 0.0, 0.0));
   const double half_ring = std::numbers::pi / 60;
   const Vec3 space(60.0 * std::cos(half_ring), 60.0 * std::sin(half_ring), 0.0);
@@ -124,34 +126,34 @@ TEST(Pair, line_of_action_touches_both_base_circles) {
 // Gear 1 turns clockwise seen from +z and pushes: its leading flank's normal force on gear 2 has a
 // component along its motion at the mesh, −y for external pairs (mesh at +x).
 TEST(Pair, leading_line_is_the_driving_one) {
-  const InvolutePair p = mounted(gear(20), gear(40), 60.0);
+  const ParallelPair p = mounted(gear(20), gear(40), 60.0);
   EXPECT_LT(p.on_line_of_action(p.mesh.rho1_E).r.y(), p.on_line_of_action(p.mesh.rho1_A).r.y());
 }
 
 TEST(Pair, what_is_wrong_with_a_mesh_is_data) {
-  const InvolutePair tight = mounted(gear(20), gear(40), 59.9);
+  const ParallelPair tight = mounted(gear(20), gear(40), 59.9);
   EXPECT_LT(tight.mesh.backlash.normal, 0.0);
   EXPECT_TRUE(warns(tight, WarningCode::negative_backlash));
   EXPECT_FALSE(warns(mounted(gear(20), gear(40), 60.0), WarningCode::negative_backlash));
-  const InvolutePair apart = mounted(gear(20), gear(40), 62.0);
+  const ParallelPair apart = mounted(gear(20), gear(40), 62.0);
   EXPECT_LT(apart.contact_ratio(), 1.0);
   EXPECT_GT(apart.contact_ratio_true(), 0.0);
   EXPECT_TRUE(warns(apart, WarningCode::contact_ratio));
-  const InvolutePair apart_for_good = mounted(gear(20), gear(40), 66.0);
+  const ParallelPair apart_for_good = mounted(gear(20), gear(40), 66.0);
   EXPECT_EQ(apart_for_good.contact_ratio_true(), 0.0);
   EXPECT_TRUE(warns(apart_for_good, WarningCode::no_contact));
-  const InvolutePair long_tip = mounted(gear(20), gear(40, 0, 0_deg, 85.0), 60.0);
+  const ParallelPair long_tip = mounted(gear(20), gear(40, 0, 0_deg, 85.0), 60.0);
   EXPECT_TRUE(warns(long_tip, WarningCode::form_circle));
   EXPECT_LT(*long_tip.form_clearance[0], 0.0);
-  const InvolutePair longer = mounted(gear(20), gear(40, 0, 0_deg, 86.0), 60.0);
+  const ParallelPair longer = mounted(gear(20), gear(40, 0, 0_deg, 86.0), 60.0);
   EXPECT_TRUE(warns(longer, WarningCode::base_tangent));
   EXPECT_FALSE(longer.form_clearance[0]);
   EXPECT_TRUE(warns(longer, WarningCode::root));
   EXPECT_NEAR(longer.tip_clearance[1], -0.5, 1e-12);
-  const InvolutePair undercut = mounted(gear(9), gear(120), 129.0);
+  const ParallelPair undercut = mounted(gear(9), gear(120), 129.0);
   EXPECT_TRUE(warns(undercut, WarningCode::contact_lost_to_undercut));
   EXPECT_FALSE(warns(undercut, WarningCode::base_tangent));
-  const InvolutePair close_ring = mounted(gear(50), gear(-56), 6.0);
+  const ParallelPair close_ring = mounted(gear(50), gear(-56), 6.0);
   EXPECT_TRUE(warns(close_ring, WarningCode::trochoid));
 }
 

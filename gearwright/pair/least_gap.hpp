@@ -1,11 +1,12 @@
-// The least value of a smooth function between two parameters, in so far as it is less than what is
-// known already. Internal to pair/: one family of touches of outline_gap.
+// The least value of a smooth function between two parameters, if it is less than the least known
+// value. Internal to pair/, for one family of touches of outline_gap.
 //
 //   g      the gap at a parameter t, and H, whose zeros are its stationary places
 //
-// The gaps at even steps are known; between two neighbours g is taken to lie no deeper under their
-// chord than half of the second difference about them, four times what a parabola would do. Cells
-// that could hold less than is known are halved, or cut at H = 0 where H changes its sign.
+// The gaps at even steps are known; between two neighbours g is assumed to lie below their chord by
+// no more than half of the second difference about them, which is four times the depth of a
+// parabola. Cells that could contain a lesser value are halved, or divided at H = 0 if H changes
+// its sign.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +18,12 @@ namespace gearwright::detail {
 
 struct GapSample {
   double gap = 0.0;
-  double slope = 0.0;  ///< H: a sign, and a zero where g is stationary
+  double slope = 0.0;  ///< H: its sign counts, and it is zero where g is stationary
   double noise = 0.0;  ///< rounding of the gap, rad
 };
 
-/// Sampler: GapSample sample(double t), which keeps what it meets; double known(): what is not
-/// worth looking for.
+/// Sampler: GapSample sample(double t), which records the least value; double known(), above which
+/// a value is not needed.
 template <class Sampler>
 class LeastGap {
  public:
@@ -42,10 +43,10 @@ class LeastGap {
 
  private:
   static constexpr int kCells = 8;
-  static constexpr int kDeepest = 40;           // halvings: what is left then is rounding
-  static constexpr double kResolution = 1e-12;  // rad: less is not worth a look
-  static constexpr double kNoises = 8;          // more than rounding adds up to
-  static constexpr int kMost = 400;             // places asked; a smooth gap needs thirty
+  static constexpr int kDeepest = 40;           // halvings: the remaining length is rounding error
+  static constexpr double kResolution = 1e-12;  // rad: a smaller improvement is not needed
+  static constexpr double kNoises = 8;  // multiple of the noise that rounding errors do not exceed
+  static constexpr int kMost = 400;  // upper limit of evaluated places; a smooth gap needs thirty
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   bool worth(double least) const {
@@ -60,7 +61,7 @@ class LeastGap {
               int depth) {
     const double ends = std::min(one.gap + kNoises * one.noise, two.gap + kNoises * two.noise);
     if (depth >= kDeepest || !worth(ends - 0.5 * bend)) return;
-    // At a zero of H, or in the middle; there the two parts are looked at again.
+    // Divides the cell at a zero of H, or in the middle, and examines both parts.
     const bool turns = (one.slope < 0.0) != (two.slope < 0.0);
     const auto [t, middle] = turns ? solved(t_1, one, t_2, two) : halved(t_1, t_2);
     const double inner = bend_of(t_1, one, t, middle, t_2, two);
@@ -83,7 +84,7 @@ class LeastGap {
     return {t, ask(t)};
   }
 
-  // The second difference as it would be with the place in the middle.
+  // The second difference for a place in the middle.
   static double bend_of(double t_1, const GapSample& one, double t, const GapSample& middle,
                         double t_2, const GapSample& two) {
     const double part = (t - t_1) / (t_2 - t_1);
@@ -92,10 +93,10 @@ class LeastGap {
     return weight > 0.0 ? 2 * std::abs(over) / weight : 0.0;
   }
 
-  // H = 0 by the false position of Illinois, halved where that is slow. g is stationary there, so
-  // that half of the digits of t are enough. A jump of H ends at the jump.
+  // H = 0 by the false position of Illinois, with halving if that is slow. g is stationary there,
+  // so half of the digits of t are sufficient. At a jump of H the search ends at the jump.
   Asked solved(double t_1, const GapSample& one, double t_2, const GapSample& two) {
-    constexpr double kEnough = 1e-8;  // of the whole cell
+    constexpr double kEnough = 1e-8;  // relative to the whole cell
     constexpr int kSteps = 60;
     const double width = std::abs(t_2 - t_1);
     double f_1 = one.slope;

@@ -1,16 +1,16 @@
-// Two involute gears in mesh, at any shaft angle: everything about it that has a closed form.
+// Two involute gears in mesh at any shaft angle: all quantities with a closed form.
 //
 //   n    common normal of the leading flanks, which the contact follows; a point of the line of
-//        action is named by ρ_1, the curvature radius of flank 1 in its transverse section there
-//   N    distance of the base tangent points in the measure of ρ_1
+//        action is given by ρ_1, the curvature radius of flank 1 in its transverse section there
+//   N    distance of the base tangent points in terms of ρ_1
 //   c_i = cos β_bi     ρ_2 = (N − σ ρ_1) c_2/c_1 (parallel axes: c_2 = c_1)
 //   X    distance of the pitch planes      z_L   offset of the line along the rack's teeth, mm
 //   s_i  axial place of the contact on gear i, mm, 0 on the common perpendicular
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// One law for all pairs: the rack's α_n and X. Crossed axes take α_n from Σ and X from a; parallel
-// axes take α_n from a, and X = 0. Templates over the scalar: double in production, 50 digits in
-// the accuracy ledger.
+// One law covers all pairs: the rack's α_n and X. Crossed axes take α_n from Σ and X from a;
+// parallel axes take α_n from a, and X = 0. Templates over the scalar: double in production, 50
+// digits in the accuracy ledger.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ template <class T>
 struct MeshInput {
   BasePair<T> gears;
   std::array<T, 2> tip_form_radius{};                  ///< d_Fa/2
-  std::array<std::optional<T>, 2> root_form_radius{};  ///< d_Ff/2, none: no such limit known
+  std::array<std::optional<T>, 2> root_form_radius{};  ///< d_Ff/2; none if there is no known limit
   std::array<T, 2> face_width{};                       ///< b
   T center_distance{};                                 ///< a
   std::optional<T> shaft_angle;                        ///< Σ of crossed axes; none: parallel axes
@@ -48,14 +48,16 @@ struct Mesh {
   CommonRack<T> rack;       ///< working angles, pitch radii
   T pitch_plane_distance;   ///< X     mm
   T line_offset;            ///< z_L   mm; the trailing line lies at −z_L
-  T base_tangent_distance;  ///< N     between the base tangent points, in the measure of ρ_1
+  T base_tangent_distance;  ///< N     between the base tangent points, in terms of ρ_1
   T base_cosine_ratio;      ///< c_2/c_1
+  T line_cosine;            ///< c_1 on crossed axes, whose line of action leaves the transverse
+                            ///< section; 1 on parallel axes
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
                                              ///< negative: beyond the base tangent
-  T path_length;    ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
-  T step;           ///< ρ_1 gained per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
-  T path_ratio;     ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
-  T overlap_ratio;  ///< ε_β; 0 on crossed axes
+  T path_length;  ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
+  T step;         ///< increase of ρ_1 per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
+  T path_ratio;   ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
+  T overlap_ratio;                   ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
                                      ///< axes, to the faces; begin ≥ end: no contact
   T true_ratio;                      ///< of the clipped path, ≥ 0; without overlap
@@ -70,7 +72,7 @@ struct Mesh {
   }
 };
 
-/// s_i(ρ_1), mm: where the contact stands on gear i's face, from its middle.
+/// s_i(ρ_1), mm: position of the contact on gear i's face, from its middle.
 ///
 /// Formula   s_i = z_L/cos β_i + (ρ_i − ρ_iC) tan β_bi; [T4.20]
 template <class T>
@@ -86,7 +88,7 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-// To where both flanks are usable: ρ_1 above gear 1's form point and ρ_2 above gear 2's (an
+// Clips the path to the usable flanks: ρ_1 above gear 1's form point and ρ_2 above gear 2's (an
 // internal gear's form point limits from outside). [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
@@ -96,8 +98,8 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   };
   m.rho1_true_begin = leaf::usable_begin(m.rho1_A, start(0));
   m.rho1_true_end = m.rho1_E;
-  // Without a form point of its own an external flank 2 ends at its base circle, an internal gear's
-  // nowhere.
+  // Without a form point, an external flank 2 ends at its base circle, and an internal flank has no
+  // end.
   if (in.root_form_radius[1] || m.sigma > T(0)) {
     const T rho2 = start(1) / m.base_cosine_ratio;
     m.rho1_true_end =
@@ -105,7 +107,7 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   }
 }
 
-// To −b/2 ≤ s_i ≤ b/2; a spur gear's contact stays at one place of its face.
+// Clips the path to −b/2 ≤ s_i ≤ b/2. A spur gear's contact stays at one place of its face.
 template <class T>
 void clip_to_faces(const MeshInput<T>& in, Mesh<T>& m) {
   using std::abs;
@@ -132,8 +134,8 @@ template <class T>
 Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
-  // 2 X sin α_n − Q, as the distance from the place without backlash: near β_w = 90° the pitch
-  // radii in X grow without bound and cancel, a does not. [T4.17], parallel axes [T2.24]
+  // 2 X sin α_n − Q, computed as the distance from the backlash-free position. Near β_w = 90° the
+  // pitch radii in X grow without bound and cancel, but a does not. [T4.17], parallel axes [T2.24]
   const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
   j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
   j.normal = j.normal_base / m.rack.angles.cos_alpha;
@@ -146,7 +148,7 @@ Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
 
 }  // namespace detail
 
-/// The angles of the rack that this mounting works with.
+/// The angles of the rack at this mounting.
 template <class T>
 RackAngles<T> working_angles(const MeshInput<T>& in) {
   return in.shaft_angle ? angles_at_shaft_angle(in.gears, *in.shaft_angle)
@@ -174,6 +176,7 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   const T c_1 = cos(gears[0].helix_angle);
   const T c_2 = cos(gears[1].helix_angle);
   m.base_cosine_ratio = m.crossed ? T(c_2 / c_1) : T(1);
+  m.line_cosine = m.crossed ? c_1 : T(1);
   const auto& sides = m.rack.sides;
   for (int i : {0, 1}) {
     m.tan_base_helix[i] = tan(gears[i].helix_angle);
@@ -212,7 +215,8 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   return m;
 }
 
-/// Face widths that the line of action asks for, mm: of one flank, and of both about one middle.
+/// Face widths required by the line of action, mm: for one flank, and for both with a common
+/// middle.
 ///
 /// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]; crossed axes
 template <class T>
@@ -235,8 +239,8 @@ FaceWidths<T> face_widths(const Mesh<T>& mesh) {
   return f;
 }
 
-/// How fast the contact runs over each flank, mm per radian of gear 1: across the teeth and along
-/// them. On parallel axes the contact is followed in the transverse section.
+/// Speed of the contact over each flank, mm per radian of gear 1: across the teeth and along them.
+/// On parallel axes the contact is followed in the transverse section.
 ///
 /// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)); [T4.24]
 ///           parallel: ω_i ρ_i, [T2.22]
@@ -269,9 +273,10 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
   return w;
 }
 
-/// Specific sliding (ζ_1, ζ_2) at ρ_1: how far the flanks slide for each mm that the contact runs
-/// over the flank. Parallel axes: with a sign, < 0 where the flank is dragged, nothing at or beyond
-/// a base tangent point. Crossed axes: sliding and path have directions, and ζ ≥ 0.
+/// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm of the contact's
+/// movement over the flank. On parallel axes it has a sign, < 0 where the flank is dragged, and
+/// none at or beyond a base tangent point. Crossed axes: sliding and path have directions, and ζ ≥
+/// 0.
 ///
 /// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22]; crossed: ζ_i = |w_1 −
 ///           w_2|/|w_i|, [T4.25]

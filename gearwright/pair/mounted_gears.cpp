@@ -12,7 +12,7 @@ double MountedGears::gear_ratio() const {
 Pose<Housing, Gear1> MountedGears::pose_1() const {
   // Tooth 0 points to the mesh: +x for external pairs, −x for internal ones.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
-  if (kind == PairKind::parallel_internal) x.linear().diagonal() << -1.0, -1.0, 1.0;
+  x.linear().diagonal() << side(), side(), 1.0;
   return Pose<Housing, Gear1>(x);
 }
 

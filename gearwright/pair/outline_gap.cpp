@@ -1,12 +1,12 @@
 // All touches of two outlines as families of one parameter. [T2.29]…[T2.33]
 //
-//   A, B   the gear that moves and the one that is asked, either may be gear 1
-//   D      the moving point seen from the axis of B, e^{iφ} W turned into the frame of the mesh
-//   ψ      where it stands in the space of B, from the middle of the space
+//   A, B   the gear that moves and the gear in whose frame it moves; either may be gear 1
+//   D      the moving point relative to the axis of B: e^{iφ} W turned into the frame of the mesh
+//   ψ      its angle in the space of B, from the middle of the space
 //   g = π/z_B − θ_B(|D|) − |ψ|,  in turns of B; of gear 2 if B is gear 2, else times z_1/z_2
 //
-// The mesh stands at +x of the axis of A; a tooth of A stands in the middle of a space of B at
-// φ = 0, and B turns by −κφ:  D = k a + ε e^{iφ} W,  ψ = arg D + κφ, reduced to one pitch.
+// The mesh lies at +x of the axis of A. A tooth of A is in the middle of a space of B at φ = 0, and
+// B turns by −κφ:  D = k a + ε e^{iφ} W,  ψ = arg D + κφ, reduced to one pitch.
 #include "gearwright/pair/outline_gap.hpp"
 
 #include <algorithm>
@@ -76,11 +76,11 @@ struct Motion {
   struct Gap {
     double value;  ///< of B
     double side;   ///< sign of ψ
-    double lost;   ///< that much of the value may be rounding
+    double lost;   ///< possible rounding error of the value
   };
-  // Where the outline runs along a circle about the axis, an angle says nothing: a radius that is
-  // wrong in its last digits moves it by more than there is. A touch is kept with the most that it
-  // may be.
+  // Where the outline runs along a circle about the axis, the angle is undetermined, because an
+  // error in the last digits of the radius changes it by more than the gap. Such a touch is
+  // recorded with its greatest possible value.
   Gap gap_of(const ProfilePlace& b, double psi) const {
     constexpr double kRounding = std::numeric_limits<double>::epsilon();
     const double reduced = std::remainder(psi, 2 * half_pitch);
@@ -93,7 +93,7 @@ struct Motion {
     return first_moves ? i * OutlineGap::kNames + j : j * OutlineGap::kNames + i;
   }
 
-  /// What is not worth looking for, in turns of B.
+  /// The gap above which a value is not needed, in turns of B.
   double known(int e) const {
     const auto& touch = table.at(e);
     return (touch ? std::min(touch->gap, table.limit) : table.limit) / unit;
@@ -115,7 +115,7 @@ struct Motion {
       t.point = internal ? Vec2(-in_mesh) : in_mesh;
       t.places = {of_mover, of_asked};
     } else {
-      // Both roll back until gear 2 alone has turned.
+      // Both gears are turned back until only gear 2 has turned.
       phi_1 = -kappa * phi + half_pitch + turn;
       t.turn_2 = (internal ? -unit : unit) * turn;
       t.point = Vec2(a - in_mesh.x(), -in_mesh.y());
@@ -127,8 +127,8 @@ struct Motion {
   }
 };
 
-/// [T2.31]: the points of an arc of A, each where its normal passes through the pitch point, ahead
-/// or behind, against an arc of B.
+/// [T2.31]: the points of an arc of A, each at the position where its normal passes through the
+/// pitch point, ahead or behind, against an arc of B.
 class ArcFamily {
  public:
   ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)
@@ -143,9 +143,9 @@ class ArcFamily {
   EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
-    // By the way along the arc s′ = 1 + k q and τ′ = k; the envelope's e^{−i(τ + φ)} dw times |sin|
-    // of its angle, which is 0 where both branches meet, and times `scale`: k is infinite where an
-    // involute begins. Along an involute s′ is 0 but for rounding.
+    // In terms of arc length s′ = 1 + k q and τ′ = k; the envelope's e^{−i(τ + φ)} dw times |sin|
+    // of its angle, which is 0 where both branches meet, and times `scale`, because k is infinite
+    // where an involute begins. Along an involute s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
         scale > 0.0 ? p.curvature * scale : std::copysign(1.0 / m_.pitch_radius, p.curvature);
@@ -166,7 +166,7 @@ class ArcFamily {
     const ProfilePlace b = asked_->at_radius(at.d.norm());
     const double phi = std::atan2(at.across, at.along) - p.tau;
     const auto gap = m_.gap_of(b, std::atan2(at.d.y(), at.d.x()) + m_.kappa * phi);
-    // The envelope runs along the tangent of A.
+    // The envelope is parallel to the tangent of A.
     const double radial = m_.epsilon * (at.along * at.d.x() + at.across * at.d.y());
     const double around = m_.epsilon * (at.across * at.d.x() - at.along * at.d.y());
     m_.keep(entry_, gap, std::abs(b.s), phi, at.w, {arc_.arc->name, false},
@@ -177,7 +177,7 @@ class ArcFamily {
  private:
   struct Position {
     double along, across;  ///< of the tangent, e^{i(τ + φ)}
-    Vec2 w, d;             ///< the point in the mesh, from the axes of A and B
+    Vec2 w, d;             ///< the point in the mesh, relative to the axes of A and B
   };
   Position position(const ProfilePlace& p) const {
     const double c = std::clamp(p.s / m_.pitch_radius, -1.0, 1.0);
@@ -210,7 +210,7 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // Where a straight line through the two ends would have its zero.
+      // The zero of the straight line through the two ends.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }
@@ -267,7 +267,7 @@ void collide_with_corners(const Motion& motion) {
   }
 }
 
-// The stretches of an arc of A that meet one arc of B each.
+// The parts of an arc of A that each meet one arc of B.
 void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
   ArcFamily family(motion, arc, branch);
   const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });
@@ -275,7 +275,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double lo = std::min(b.rho_root, b.rho_tip);
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
-    // The mating gear's next arc goes on from there, so that a little more or less is all the same.
+    // The mating gear's next arc continues there, so a small deviation does not matter.
     constexpr double kNear = 1e-7;  // of the arc
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
       return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
@@ -299,7 +299,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
         if (last) end_at(last->u);
         if (meets(two.radius)) begin_at(two.u);
       } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
-        // In at one end or past the whole arc.
+        // The point enters at one end or passes the whole arc.
         if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
           begin_at(crossing(one, two, one.radius < lo ? lo : hi));
         if (!meets(two.radius) && inside) end_at(crossing(one, two, two.radius < lo ? lo : hi));

@@ -10,7 +10,7 @@
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/made.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/testing/mounted.hpp"
 
 namespace gearwright {

@@ -1,8 +1,8 @@
 // Overlap and collisions beyond the flanks, from the gap of the two finished outlines.
 //
 //   g_f    gap of the flanks, half their play as a turn of gear 2     g  gap of two other arcs
-//   early  (g_f − g) h: what lies nearer than the flanks, mm along the common normal; > 0: driven to
-//          the end of the play the gears touch there first
+//   early  (g_f − g) h: how much nearer a part is than the flanks, mm along the common normal; > 0:
+//          at the end of the play the gears touch there first
 //   g < 0  they overlap even in the middle of the play, by −g h  [T2.34]
 #include <fmt/format.h>
 
@@ -13,24 +13,45 @@
 #include <string>
 #include <utility>
 
+#include "gearwright/base/contract.hpp"
+#include "gearwright/pair/collision_causes.hpp"
 #include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright {
 
+namespace {
+
+// In the order of the documents.
+constexpr std::array kCauses{
+    CauseMeaning{CollisionCause::tip_bulge, "tip_bulge", "a tip that projects beyond its involute"},
+    CauseMeaning{CollisionCause::tip_to_fillet, "tip_to_fillet",
+                 "a part of the mating gear's tip and a root fillet"},
+    CauseMeaning{CollisionCause::tip_corner, "tip_corner", "a tip corner and a flank"},
+    CauseMeaning{CollisionCause::trochoid, "trochoid",
+                 "internal pairs: the pinion's tip corner and the internal gear, on its way in or "
+                 "out"},
+    CauseMeaning{CollisionCause::root, "root",
+                 "a tip below the mating gear's root circle; nothing else is computed then, not "
+                 "even the free rotation"},
+    CauseMeaning{CollisionCause::negative_backlash, "negative_backlash",
+                 "the flanks themselves: the teeth are too thick for this centre distance"},
+    CauseMeaning{CollisionCause::outline, "outline", "other parts of the outlines"},
+    CauseMeaning{CollisionCause::form_circle, "form_circle",
+                 "without overlap: the mating tip passes the form circle, and no arc meets early"},
+    CauseMeaning{CollisionCause::base_tangent, "base_tangent",
+                 "without overlap: the mating tip passes the base tangent point, and no arc "
+                 "meets early"}};
+
+}  // namespace
+
+std::span<const CauseMeaning> collision_causes() { return kCauses; }
+
 const char* to_string(CollisionCause cause) {
-  switch (cause) {
-    case CollisionCause::negative_backlash: return "negative_backlash";
-    case CollisionCause::root: return "root";
-    case CollisionCause::tip_to_fillet: return "tip_to_fillet";
-    case CollisionCause::tip_corner: return "tip_corner";
-    case CollisionCause::trochoid: return "trochoid";
-    case CollisionCause::tip_bulge: return "tip_bulge";
-    case CollisionCause::outline: return "outline";
-    case CollisionCause::form_circle: return "form_circle";
-    case CollisionCause::base_tangent: return "base_tangent";
-  }
-  return "";
+  const auto row = std::find_if(kCauses.begin(), kCauses.end(),
+                                [&](const CauseMeaning& m) { return m.cause == cause; });
+  GW_ENSURES(row != kCauses.end());
+  return row->text;
 }
 
 }  // namespace gearwright
@@ -39,7 +60,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// Outlines that were made to touch do so to rounding.
+// Outlines that were generated to touch do so within rounding.
 constexpr double kTouching = 6e-10;  // of the module
 double touching(const MountedGears& p) { return kTouching * p.gears[0].spec.normal_module; }
 
@@ -56,7 +77,7 @@ std::string part(const OutlineTouch& touch, int gear) {
                      gear);
 }
 
-// The gear that has that arc there; 0: neither.
+// The gear that has that arc there; 0 for neither.
 int gear_with(const OutlineTouch& touch, ArcName arc) {
   for (int i : {0, 1}) {
     if (touch.places[static_cast<std::size_t>(i)].arc == arc) return i + 1;
@@ -75,15 +96,15 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   if (const int gear = gear_with(touch, ArcName::tip_fillet);
       gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
     return {CollisionCause::tip_bulge, gear};
-  // A pinion's tip corner in an internal gear's flank passes it on the way in or out.
+  // A pinion's tip corner passes into an internal gear's flank on the way in or out.
   if (touch.places[0].corner)
-    return p.kind == PairKind::parallel_internal ? Cause{CollisionCause::trochoid, 2}
-                                                 : Cause{CollisionCause::tip_corner, 2};
+    return p.gears[1].internal() ? Cause{CollisionCause::trochoid, 2}
+                                 : Cause{CollisionCause::tip_corner, 2};
   if (touch.places[1].corner) return {CollisionCause::tip_corner, 1};
   return {CollisionCause::outline, 0};
 }
 
-// That a tip stands out of its involute is a fact that the outlines alone do not show.
+// The fact that a tip projects beyond its involute, which the outlines alone do not show.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -119,8 +140,7 @@ Collision in_root(const MountedGears& p, int tip) {
   OutlineTouch touch;
   touch.gap = 0.0;
   const double r = p.gears[i].actual_tip_radius();
-  const double side = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
-  touch.point = tip == 1 ? Vec2(side * r, 0.0) : Vec2(p.center_distance - r, 0.0);
+  touch.point = tip == 1 ? Vec2(p.side() * r, 0.0) : Vec2(p.center_distance - r, 0.0);
   touch.rotation_1 = tip == 1 ? 0.0 : std::numbers::pi / p.gears[0].spec.teeth;
   touch.places[i] = {ArcName::tip_land, false};
   touch.places[1 - i] = {ArcName::root_land, false};
@@ -146,7 +166,7 @@ void deepest_first(std::vector<Collision>& collisions) {
                    [](const Collision& a, const Collision& b) { return a.depth > b.depth; });
 }
 
-// A named finding that the collisions bear out.
+// True if the collisions confirm a named finding.
 bool borne_out(const Interference& named, const std::vector<Collision>& collisions) {
   return std::any_of(collisions.begin(), collisions.end(), [&](const Collision& s) {
     if (named.code == WarningCode::trochoid) return s.cause == CollisionCause::trochoid;
@@ -159,8 +179,8 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// What overlaps has a name, or gets one; what has a name but does not overlap is contact beyond the
-// flank or nothing.
+// Every overlap gets a name. A named finding without overlap is contact beyond the flank, or
+// nothing.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -181,7 +201,7 @@ void explain(InvolutePair& p) {
                                                                : WarningCode::overlap;
     p.interference.push_back({code, s.gear, -s.depth, s.message});
   }
-  // One line for one fact: the circle says by which diameter, the outlines by how much.
+  // One line states one fact: the circle gives the diameter, and the outlines give the depth.
   std::vector<Collision>& collisions = p.beyond_flank;
   for (Interference& i : only_beyond) {
     if (borne_out(i, collisions)) continue;
@@ -192,7 +212,7 @@ void explain(InvolutePair& p) {
   deepest_first(collisions);
 }
 
-// What lies nearer than the flanks, and on parallel axes the flanks.
+// The touches that are nearer than the flanks, and on parallel axes those of the flanks.
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
   if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;
@@ -241,7 +261,7 @@ void find_collisions(MountedGears& p, double half_play, double normal_play) {
 void find_overlap(InvolutePair& p) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base);
-  // With a tip in a root the outlines were not asked: all that has a name stays.
+  // If a tip lies in a root, the outlines are not compared and all named findings remain.
   if (p.free_play) explain(p);
 }
 

@@ -88,7 +88,7 @@ TEST(Overlap, a_wheel_runs_with_the_pinion_that_cut_it) {
 // touch beyond the flanks. The backlash of the flanks stays what the textbook prints.
 TEST(Overlap, below_the_form_circle_it_is_overlap_or_contact_beyond_the_flank) {
   const CylindricalSpec one = spec(60, 2.0, -0.5);
-  const InvolutePair close = testing::taken(mount_involutes(made(one), made(one), {}));
+  const InvolutePair close = testing::taken(mount_as<ParallelPair>(made(one), made(one), {}));
   ASSERT_FALSE(close.overlap->empty());
   EXPECT_EQ(close.overlap->front().cause, CollisionCause::tip_to_fillet);
   EXPECT_TRUE(warns(close, WarningCode::form_circle));

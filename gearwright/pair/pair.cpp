@@ -1,7 +1,5 @@
 #include "gearwright/pair/pair.hpp"
 
-#include "gearwright/base/overloaded.hpp"
-
 namespace gearwright {
 
 namespace {
@@ -16,23 +14,50 @@ Result<Pair> either(Result<Kind> made, const PairSpec& spec) {
 
 }  // namespace
 
-// Inlined, g++ 12 takes the other kind's members for uninitialised.
-[[gnu::noinline]] Pair::Pair(InvolutePair pair) : of_(std::move(pair)) {}
+const char* to_string(PairKind kind) {
+  switch (kind) {
+    case PairKind::parallel_external: return "parallel_external";
+    case PairKind::parallel_internal: return "parallel_internal";
+    case PairKind::crossed: return "crossed";
+  }
+  return "";
+}
+
+// Not inlined: otherwise g++ 12 warns about uninitialised members of the other kinds.
+[[gnu::noinline]] Pair::Pair(ParallelPair pair) : of_(std::move(pair)) {}
+[[gnu::noinline]] Pair::Pair(CrossedPair pair) : of_(std::move(pair)) {}
 [[gnu::noinline]] Pair::Pair(ArcPair pair) : of_(std::move(pair)) {}
 
+PairKind Pair::kind() const {
+  if (as<CrossedPair>()) return PairKind::crossed;
+  return gear(2).internal() ? PairKind::parallel_internal : PairKind::parallel_external;
+}
+
 double Pair::contact_ratio() const {
-  return visit(Overloaded{[](const InvolutePair& p) { return p.contact_ratio(); },
-                          [](const ArcPair& p) { return p.contact_ratio; }});
+  return visit([](const auto& p) { return p.contact_ratio(); });
+}
+
+double Pair::contact_ratio_true() const {
+  return visit([](const auto& p) { return p.contact_ratio_true(); });
+}
+
+double Pair::normal_backlash() const {
+  return visit([](const auto& p) { return p.normal_backlash(); });
 }
 
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
-  if (gear_1.involute() && gear_2.involute())
-    return either(mount_involutes(std::move(gear_1), std::move(gear_2), spec), spec);
-  if (spec.shaft_angle && spec.shaft_angle->rad() != 0.0) {
-    return refused("pair.shaft_angle", spec.shaft_angle->deg(),
-                   "circular-arc gears run on parallel axes; leave it out");
+  if (!gear_1.involute() || !gear_2.involute()) {
+    if (spec.shaft_angle && spec.shaft_angle->rad() != 0.0) {
+      return refused("pair.shaft_angle", spec.shaft_angle->deg(),
+                     "circular-arc gears run on parallel axes; leave it out");
+    }
+    return either(mount_arcs(std::move(gear_1), std::move(gear_2), spec.center_distance), spec);
   }
-  return either(mount_arcs(std::move(gear_1), std::move(gear_2), spec.center_distance), spec);
+  const auto place = involute_place(gear_1, gear_2, spec);
+  if (!place) return place.error();
+  if (place->shaft_angle)
+    return either(mount_crossed(std::move(gear_1), std::move(gear_2), *place, spec.friction), spec);
+  return either(mount_parallel(std::move(gear_1), std::move(gear_2), *place, spec.friction), spec);
 }
 
 }  // namespace gearwright

@@ -1,10 +1,11 @@
-// A pair of cylindrical gears mounted in a housing: involute gears on parallel or crossed axes, or
-// gears with circular-arc teeth on parallel ones.
+// A pair of cylindrical gears mounted in a housing: involute gears on parallel axes, on crossed axes,
+// or gears with circular-arc teeth on parallel axes.
 //
 //   const auto pair = mount(pinion, wheel, {.center_distance = 61.4});
 //   if (pair) use(pair->center_distance(), pair->involute()->mesh.backlash.normal);
 #pragma once
 
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -13,15 +14,30 @@
 
 namespace gearwright {
 
-/// What both kinds of pair have it tells; what one kind has is asked of that.
+enum class PairKind { parallel_external, parallel_internal, crossed };
+const char* to_string(PairKind kind);
+
+/// A sum type: members common to all kinds are here, others in the kinds.
 class Pair {
  public:
-  Pair(InvolutePair pair);
+  Pair(ParallelPair pair);
+  Pair(CrossedPair pair);
   Pair(ArcPair pair);
 
-  const InvolutePair* involute() const { return std::get_if<InvolutePair>(&of_); }
-  const ArcPair* arcs() const { return std::get_if<ArcPair>(&of_); }
-  /// `f` called with the InvolutePair or the ArcPair.
+  /// The pair as one of the kinds, or as what several of them have (InvolutePair); null if it is
+  /// another kind.
+  template <class Kind>
+  const Kind* as() const {
+    return visit([](const auto& pair) -> const Kind* {
+      if constexpr (std::is_convertible_v<decltype(&pair), const Kind*>) return &pair;
+      return nullptr;
+    });
+  }
+  const InvolutePair* involute() const { return as<InvolutePair>(); }
+  const ParallelPair* parallel() const { return as<ParallelPair>(); }
+  const CrossedPair* crossed() const { return as<CrossedPair>(); }
+  const ArcPair* arcs() const { return as<ArcPair>(); }
+  /// Calls `f` with the ParallelPair, the CrossedPair or the ArcPair.
   template <class F>
   decltype(auto) visit(F&& f) const {
     return std::visit(std::forward<F>(f), of_);
@@ -30,25 +46,36 @@ class Pair {
   const MountedGears& mounted() const {
     return visit([](const MountedGears& m) -> const MountedGears& { return m; });
   }
-  PairKind kind() const { return mounted().kind; }
-  bool crossed() const { return mounted().crossed(); }
+  PairKind kind() const;
   const Gear& gear(int which) const { return mounted().gears[static_cast<std::size_t>(which - 1)]; }
   double gear_ratio() const { return mounted().gear_ratio(); }          ///< z2/z1
   double center_distance() const { return mounted().center_distance; }  ///< a  mm
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
+  double contact_ratio_true() const;  ///< the same on the usable flanks
+  double normal_backlash() const;     ///< mm; of circular arcs along the normal at the contact
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }
   Pose<Housing, Gear2> pose_2() const { return mounted().pose_2(); }
 
  private:
-  std::variant<InvolutePair, ArcPair> of_;
+  std::variant<ParallelPair, CrossedPair, ArcPair> of_;
 };
 
 /// Mounts any two gears.
 ///
-/// Errors    as mount_involutes and mount_arcs; `gearN.rack` where one gear has involute teeth and
-///           the other circular arcs, `pair.shaft_angle` of crossed axes with arcs
+/// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` where one
+///           gear has involute teeth and the other circular arcs, `pair.shaft_angle` of crossed axes
+///           with arcs
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
+
+/// The same as the kind that the pair is known to be.   Domain: it is of that kind (contract)
+template <class Kind>
+Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
+  const Result<Pair> pair = mount(std::move(gear_1), std::move(gear_2), spec);
+  if (!pair) return pair.error();
+  GW_EXPECTS(pair->template as<Kind>() != nullptr);
+  return *pair->template as<Kind>();
+}
 
 }  // namespace gearwright

@@ -12,11 +12,11 @@ struct PairBacklash {
   double normal_base;                        ///< j_bn  mm, along the common normal
   double normal;                             ///< j_n   mm
   std::array<double, 2> circumferential;     ///< j_wt  mm, at the working pitch circles
-  std::array<Angle, 2> rotation;             ///< j_φ   of each gear, the other one held
-  std::optional<std::array<Angle, 2>> free;  ///< the part of it in which nothing collides
+  std::array<Angle, 2> rotation;             ///< j_φ   of each gear, with the other one held
+  std::optional<std::array<Angle, 2>> free;  ///< the part without collisions
 };
 
-/// None: arcs without a point of contact.
+/// None for arcs without a point of contact.
 std::optional<PairBacklash> backlash_of(const Pair& pair);
 
 }  // namespace gearwright

@@ -25,17 +25,22 @@ using namespace literals;
 // Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
 static_assert(!std::is_constructible_v<InvolutePair, MountedGears>);
 static_assert(!std::is_constructible_v<ArcPair, MountedGears>);
-static_assert(!std::is_constructible_v<MountedGears, PairKind>);
+static_assert(!std::is_constructible_v<ParallelPair, InvolutePair>);
+static_assert(!std::is_constructible_v<CrossedPair, InvolutePair>);
+static_assert(!std::is_constructible_v<MountedGears, double>);
 static_assert(!std::is_constructible_v<Pair, Gear>);
 
-// Kinds are types. What is about involute pairs alone takes no other pair, and a number without a
+// Kinds are types. What is about parallel axes alone takes no other pair, and a number without a
 // unit is no angle: {.shaft_angle = 90} does not compile.
-static_assert(std::is_invocable_v<decltype(axial_force), const InvolutePair&>);
+static_assert(std::is_invocable_v<decltype(axial_force), const ParallelPair&>);
+static_assert(!std::is_invocable_v<decltype(axial_force), const CrossedPair&>);
+static_assert(!std::is_invocable_v<decltype(face_width_needed), const CrossedPair&>);
 static_assert(!std::is_invocable_v<decltype(axial_force), const ArcPair&>);
 static_assert(!std::is_invocable_v<decltype(axial_force), const Pair&>);
 static_assert(!std::is_invocable_v<decltype(fillet_clearance), const ArcPair&, int>);
 static_assert(!std::is_convertible_v<ArcPair, InvolutePair>);
 static_assert(!std::is_convertible_v<InvolutePair, ArcPair>);
+static_assert(!std::is_convertible_v<ParallelPair, CrossedPair>);
 static_assert(!std::is_convertible_v<MountedGears, Pair>);
 
 template <class T>
@@ -76,6 +81,7 @@ TEST(Mount, two_involute_gears_are_an_involute_pair) {
   const auto pair = mount(gear(20, StraightRack{}, 20_deg), gear(40, StraightRack{}, -20_deg));
   ASSERT_TRUE(pair) << pair.error().message();
   ASSERT_TRUE(pair->involute());
+  EXPECT_EQ(pair->involute(), pair->parallel());
   EXPECT_FALSE(pair->arcs());
   EXPECT_FALSE(pair->crossed());
   EXPECT_EQ(pair->gear(2).spec.teeth, 40);
@@ -90,7 +96,10 @@ TEST(Mount, two_involute_gears_are_an_involute_pair) {
 TEST(Mount, helices_of_one_hand_cross) {
   const auto pair = mount(gear(20, StraightRack{}, 45_deg), gear(30, StraightRack{}, 45_deg));
   ASSERT_TRUE(pair) << pair.error().message();
-  EXPECT_TRUE(pair->crossed());
+  ASSERT_TRUE(pair->crossed());
+  EXPECT_EQ(pair->involute(), pair->crossed());
+  EXPECT_FALSE(pair->parallel());
+  EXPECT_EQ(pair->kind(), PairKind::crossed);
   EXPECT_NEAR(pair->shaft_angle().deg(), 90.0, 1e-12);
   EXPECT_EQ(pair->shaft_angle().rad(), *pair->involute()->input.shaft_angle);
   const auto forced =
@@ -105,7 +114,7 @@ TEST(Mount, two_arc_gears_are_an_arc_pair) {
   EXPECT_FALSE(pair->involute());
   EXPECT_EQ(pair->kind(), PairKind::parallel_external);
   EXPECT_EQ(pair->center_distance(), pair->arcs()->reference_center_distance);
-  EXPECT_EQ(pair->contact_ratio(), pair->arcs()->contact_ratio);
+  EXPECT_EQ(pair->contact_ratio(), pair->arcs()->contact_ratio());
   EXPECT_EQ(pair->shaft_angle(), 0_deg);
   EXPECT_EQ(pair->pose_2().isometry().translation().x(), pair->center_distance());
 }
@@ -119,7 +128,8 @@ TEST(Mount, kinds_do_not_mix) {
   }
   EXPECT_EQ(mount(involute, arcs).error().field, "gear1.rack");
   EXPECT_EQ(mount(arcs, arcs, {125.0, 90_deg, {}}).error().field, "pair.shaft_angle");
-  GW_EXPECT_VIOLATION(static_cast<void>(mount_involutes(involute, arcs, {125.0, {}, {}})));
+  GW_EXPECT_VIOLATION(
+      static_cast<void>(mount_as<CrossedPair>(involute, gear(40, StraightRack{}, -20_deg))));
 }
 
 }  // namespace

@@ -14,16 +14,16 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Base pitches and helices agree when they do so to 1e-9: input given in degrees and in rounded
-// millimetres must pass, another helix must not.
+// Base pitches and helices count as equal within 1e-9, so that input in degrees and in rounded
+// millimetres passes but another helix does not.
 constexpr double kSamePitch = 1e-9;
 
-// Beyond, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches there.
+// Above this, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches it.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
 constexpr const char* kReach = "these gears need a shaft angle greater than {}° and less than {}°";
 
-// `rule` says kReach.
+// `rule` is kReach.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
                  {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
@@ -132,7 +132,8 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
   const auto least = transverse_angle_at_min_distance(nominal);
   if (axes_are_parallel(nominal)) {
     const double sum = base_radius_sum(nominal);
-    // Without a backlash-free place the least one is named by mount, with what it lacks.
+    // If there is no backlash-free position, mount() reports the least centre distance and the
+    // missing amount.
     place.center_distance = distance.value_or(least ? sum / std::cos(*least) : sum);
     return place;
   }

@@ -12,9 +12,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoLength = 1e-9;  // modules: less than this is rounding
-// Modules: the fillet radii of ISO 53 have two digits, and where the fillet is to begin at the depth of
-// the mating tip (0.38 for 0.37993) they leave this much.
+constexpr double kNoLength = 1e-9;  // modules: smaller values are rounding errors
+// Modules. The fillet radii of ISO 53 are rounded to two digits (0.38 for 0.37993), so a fillet
+// that should begin at the depth of the mating tip may deviate by this much.
 constexpr double kRoundedFillet = 1e-4;
 
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
@@ -44,8 +44,8 @@ double form_depth(const Gear& pinion, const RackGeometry& rack) {
   return rack.dedendum - fillet * rack.normal_module * (1 - std::sin(alpha_n(pinion)));
 }
 
-// Approach and recess on the usable flanks: the pinion's from its form circle or base tangent point,
-// the rack's to the end of its straight part. [T2.39]
+// Approach and recess on the usable flanks. The pinion's flank begins at its form circle or base
+// tangent point, and the rack's flank ends with its straight part. [T2.39]
 void clip(RackPair& p) {
   const double r_b = p.pinion.base_radius();
   const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
@@ -64,10 +64,9 @@ void warn(RackPair& p, WarningCode code, int gear, std::string message) {
 void find_faults(RackPair& p) {
   const double least = kNoLength * p.rack.normal_module;
   if (p.approach + p.recess <= least) {
-    warn(
-        p, WarningCode::no_contact, 0,
-        "The teeth of pinion and rack do not reach each other: a smaller center distance or longer "
-        "tips would help.");
+    warn(p, WarningCode::no_contact, 0,
+         "The teeth of pinion and rack do not reach each other: a smaller centre distance or "
+         "longer tips would help.");
     return;
   }
   if (p.normal_backlash() < -least) {

@@ -6,7 +6,7 @@
 //   g_a, g_f  lengths of approach and recess   mm       p_t, p_bt   transverse pitches   mm
 //   ζ         specific sliding                      theory: docs/theory/02-involute-and-pair.md, 2.10
 //
-// The pitch point stays on the reference circle at every H, so that the working pressure angle is α_t.
+// The pitch point stays on the reference circle at every H, so the working pressure angle is α_t.
 // The pinion drives.
 #pragma once
 
@@ -20,13 +20,13 @@ namespace gearwright {
 
 /// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
 struct RackBar {
-  std::optional<int> teeth{};          ///< n; none: as long as it is needed
+  std::optional<int> teeth{};          ///< n; none: as long as required
   std::optional<double> face_width{};  ///< b    mm; none: that of the pinion
   std::optional<double> height{};      ///< mm, from its back to the datum line
   double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
 };
 
-/// What becomes of a rack beside its pinion.
+/// The geometry of a rack that mates with its pinion.
 struct RackGeometry {
   RackBar bar;
   double normal_module;                  ///< m_n  mm
@@ -41,14 +41,14 @@ struct RackGeometry {
 };
 
 struct RackPair {
-  RackPair() = default;  ///< empty, and no aggregate: mount_rack() makes it
+  RackPair() = default;  ///< empty, and not an aggregate; mount_rack() makes it
   Gear pinion;
   RackGeometry rack;
   double center_distance;                ///< H    mm
   double backlash_free_center_distance;  ///< H_0  mm, of the teeth as cut
   double travel_per_turn;                ///< π m_t z  mm
-  double approach, recess;            ///< g_a, g_f  mm, to the tips; < 0 if they do not get there
-  double true_approach, true_recess;  ///< the same clipped to the usable flanks
+  double approach, recess;  ///< g_a, g_f  mm, to the tips; < 0 if the tips are not reached
+  double true_approach, true_recess;  ///< the same, clipped to the usable flanks
   double overlap_ratio;               ///< ε_β over the common face
   double base_pitch;                  ///< p_bt  mm
   std::array<double, 2>
@@ -65,12 +65,12 @@ struct RackPair {
   double normal_backlash() const;                   ///< j_n  mm
   double base_backlash() const;                     ///< j_bn mm
   double circumferential_backlash() const;          ///< j_t  mm, along the rack
-  /// ζ of pinion and rack where contact is at g; none of the pinion at and beyond its base tangent
+  /// ζ of pinion and rack with the contact at g; none for the pinion at and beyond its base tangent
   /// point.
   std::array<std::optional<double>, 2> specific_sliding(double g) const;
 };
 
-/// Mounts a pinion and a rack. What is wrong with the mesh is a warning.
+/// Mounts a pinion and a rack. Faults of the mesh are warnings.
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0

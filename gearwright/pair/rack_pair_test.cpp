@@ -33,13 +33,13 @@ Gear pinion(int teeth, double m, double x, double beta, double allowance = 0.0) 
 std::vector<double> beyond(const RackPair& rack, int z2) {
   const Gear wheel = pinion(z2, 2, 0, -rack.pinion.spec.helix_angle.deg());
   const Pair pair = testing::taken(mount(rack.pinion, wheel));
-  const InvolutePair& p = *pair.involute();
+  const ParallelPair& p = *pair.parallel();
   const auto at_A = rack.specific_sliding(-rack.approach),
              at_E = rack.specific_sliding(rack.recess);
   EXPECT_NEAR(p.mesh.overlap_ratio, rack.overlap_ratio, 1e-12);
   return {p.center_distance - p.gears[1].reference_diameter / 2 - rack.center_distance,
           p.mesh.rack.sides[0].transverse_angle - rack.pinion.reference().transverse_pressure_angle,
-          *p.transverse_contact_ratio() - rack.transverse_contact_ratio(),
+          p.transverse_contact_ratio() - rack.transverse_contact_ratio(),
           *p.sliding_A.zeta_2 - *at_A[1],
           *p.sliding_E.zeta_1 - *at_E[0],
           *p.sliding_E.zeta_2 - *at_E[1],

@@ -1,17 +1,17 @@
-// The least centre distance of two gears by hand: power series in the sum of shifts, and spur gears
-// with more teeth in place of helical ones. What a designer did before there were computers in the
-// drawing office; the program itself solves the involute equation (pair/working_angles.hpp).
+// The least centre distance of two gears by approximations for manual calculation: power series in
+// the sum of shifts, and virtual spur gears instead of helical ones. The program itself solves the
+// involute equation (pair/working_angles.hpp).
 //
 //   α        pressure angle of the rack that describes both gears, normal section, rad
 //   β_i, x_i helix angle there, and shift with the allowance in it      σ  +1, −1 internal pair
 //   z_i′     virtual number of teeth z_i/cos³ β_i, negative if internal  w_i  z_i′/(z_1′ + z_2′)
-//   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), what the series go by
+//   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), the variable of the series
 //   M_2, M_4 Σ w_i tan² β_i, Σ w_i tan⁴ β_i
 //   Δ        α_n − α, α_n the pressure angle of the common rack at the least distance
 //   a_0, Σ_0 centre distance and shaft angle of the gears on one rack of the angle α, X = m_n Σx
 //                                              theory: docs/theory/05-approximations.md
 //
-// With signed tooth numbers internal pairs (parallel axes) need no formula of their own. Templates
+// With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Templates
 // over the scalar.
 #pragma once
 
@@ -25,7 +25,7 @@
 
 namespace gearwright {
 
-/// Two gears as one rack describes them: equal module and pressure angle. An internal gear is the
+/// Two gears described by one rack, with equal module and pressure angle. An internal gear is the
 /// second.
 template <class T>
 using ReferencePair = std::array<ReferenceInput<T>, 2>;
@@ -69,7 +69,7 @@ struct MinDistanceSeries {
     return alpha + delta;
   }
 
-  /// The least distance: a_0 less m_n |z_1′ + z_2′| L²/4, with one factor or two; the error is
+  /// The least distance: a_0 minus m_n |z_1′ + z_2′| L²/4, with one factor or two; the error is
   /// O(L³), O(L⁴). [T5.24]…[T5.26]
   T center_distance(int factors) const {
     using std::tan;
@@ -97,14 +97,14 @@ struct MinDistanceSeries {
     return helix[static_cast<unsigned>(gear)] + tan_b * sum;
   }
 
-  /// Shaft angle on that rack, first order in Δ; Δ = L makes it that of the least distance with an
-  /// error O(L²). [T5.28]
+  /// Shaft angle on that rack, to first order in Δ. With Δ = L it is that of the least distance
+  /// with an error O(L²). [T5.28]
   T shaft_angle(const T& delta) const {
     using std::tan;
     return rack_shaft_angle + tan(alpha) * (tan(helix[0]) + side * tan(helix[1])) * delta;
   }
 
-  /// α_n of the virtual spur pair, in closed form; nothing when that has no backlash-free position.
+  /// α_n of the virtual spur pair, in closed form; none if that has no backlash-free position.
   /// The error is O(L²). [T5.29]
   std::optional<T> virtual_pressure_angle() const {
     using std::tan;
@@ -114,7 +114,7 @@ struct MinDistanceSeries {
     return inverse_involute(inv);
   }
 
-  /// The same with its error taken off to second order: what is left is O(L³). [T5.30]
+  /// The same, with its error corrected to second order; the remaining error is O(L³). [T5.30]
   std::optional<T> corrected_virtual_pressure_angle() const {
     using std::tan;
     const auto plain = virtual_pressure_angle();

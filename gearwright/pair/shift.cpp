@@ -19,7 +19,7 @@ Error no_working_angle(double a, double least, bool external, double a_d) {
                              external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
 }
 
-// One sum, two shifts: what is given stays.
+// Divides one sum into two shifts. A given shift is unchanged.
 ShiftSolution divided(const ShiftProblem& p, double sum, double a) {
   ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), a};
   if (p.x1) {
@@ -40,7 +40,8 @@ Result<ShiftSolution> complete_crossed(const ShiftProblem& p) {
   a_d += p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1].rad()));
   const double given = p.x1.value_or(0.0) + p.x2.value_or(0.0);
   if (!p.center_distance) {
-    // Only the extended place follows from the shifts alone; the tight one needs the teeth.
+    // Only the extended position follows from the shifts alone. The backlash-free position depends
+    // on the teeth.
     GW_EXPECTS(p.mounting == Mounting::extended);
     return ShiftSolution{p.x1.value_or(0.0), p.x2.value_or(0.0), a_d + p.normal_module * given};
   }

@@ -1,12 +1,12 @@
-// Profile shifts and centre distance: whichever is absent follows from the rest.
+// Profile shifts and centre distance: absent values follow from the others.
 //
 //   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   centre distance, reference one, mm
 //   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)
 //                  theory: docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]
 //   crossed axes:  theory: docs/theory/04-conjugate-action.md, [T4.28]
 //
-// Everything here speaks of the nominal teeth: a thickness allowance makes backlash, it does not
-// move the centre distance.
+// All formulas apply to the nominal teeth. A thickness allowance causes backlash and does not
+// change the centre distance.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ namespace gearwright {
 
 enum class Mounting { tight, extended };
 
-/// Greatest centre distance, in sums (internal: differences) of the base radii: a working angle
-/// of 89.4°, where no tooth is left to reach the other.
+/// Greatest centre distance, relative to the sum (internal: difference) of the base radii. It means
+/// a working angle of 89.4°, at which no tooth reaches the other gear.
 inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
@@ -41,7 +41,7 @@ struct ShiftProblem {
 
 struct ShiftSolution {
   double x1, x2;
-  double center_distance;  ///< a  mm: the given one, else that of the mounting
+  double center_distance;  ///< a  mm: given, or that of the mounting
 };
 
 /// Reference centre distance a_d = m_n |z1 + z2| / (2 cos β), mm. [T2.15]
@@ -64,7 +64,7 @@ T tight_center_distance(int z1, int z2, const T& normal_module, const T& alpha_n
                         const T& cos_beta, const T& sum_x) {
   using std::cos;
   const T a_d = reference_center_distance(z1, z2, normal_module, cos_beta);
-  if (sum_x == T(0)) return a_d;  // exactly, not by way of an involute and back
+  if (sum_x == T(0)) return a_d;  // exact, without an involute and its inverse
   return a_d * cos(alpha_t) /
          cos(inverse_involute(nominal_working_involute(z1, z2, alpha_n, alpha_t, sum_x)));
 }
@@ -99,15 +99,14 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
 /// Domain    as angles_at_shaft_angle (contract)
 double crossed_shift_sum(const ShiftProblem& problem, double a);
 
-/// Divides a sum of two wanted shifts: external pairs by the λ line, an internal gear's pinion
-/// takes all. [T2.18a]
+/// Divides a sum of two wanted shifts: external pairs by the λ line; in an internal pair the pinion
+/// gets the whole sum. [T2.18a]
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
 
-/// Fills in what is absent (docs/spec.md, Shift and centre distance).
+/// Computes absent values (docs/spec.md, Shift and centre distance).
 ///
-/// Errors    `pair.center_distance` too small for a working angle; `profile_shift` when the
-/// shifts
-///           leave no backlash-free distance
+/// Errors    `pair.center_distance` too small for a working angle; `profile_shift` if the shifts
+///           have no backlash-free distance
 Result<ShiftSolution> complete_shifts(const ShiftProblem& problem);
 
 }  // namespace gearwright

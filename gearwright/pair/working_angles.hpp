@@ -1,7 +1,7 @@
-// Which common rack a pair of gears works with: one unknown, α_n, and what decides it.
+// The common rack of a pair of gears: one unknown, α_n, and the condition that determines it.
 //
 //   Σ given (crossed axes)     closed form                                             [T4.13]
-//   a given (parallel axes)    closed form: Σ says nothing there, it is 0 for every α_n [T4.12]
+//   a given (parallel axes)    closed form: Σ is 0 for every α_n [T4.12]
 //   no backlash, least a       X = 0: one involute equation                            [T4.15]
 //   a given (crossed axes)     none or two α_n, on either side of the least a          [T4.16]
 //   contact ratio ≥ 1          an interval of α_n                                      [T4.23]
@@ -47,7 +47,7 @@ RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& sin_alpha,
   a.sin_alpha = c_g * sin_alpha;
   a.u[g] = c_g * cos_alpha;
   a.cos_alpha = sqrt(a.u[g] * a.u[g] + s_g * s_g);
-  // Equal |β_b| give equal u, and no root is taken of what is a square already.
+  // Equal |β_b| give equal u, so no root of a square is computed.
   const T rest = (s_g - s_o) * (s_g + s_o);
   a.u[1 - g] = rest == T(0) ? a.u[g] : T(sqrt(a.u[g] * a.u[g] + rest));
   return a;
@@ -82,7 +82,7 @@ struct ShaftAngleRange {
 };
 
 /// Formula   cos Σ_max = −S_o/S_g; [T4.13]
-/// Domain    external pair; least = greatest: the axes can only be parallel
+/// Domain    external pair; if least = greatest, the axes can only be parallel
 template <class T>
 ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
   using std::acos;
@@ -126,7 +126,7 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 }
 
 /// The rack at X = 0: of the least centre distance on crossed axes, free of backlash on parallel
-/// ones. Nothing when the teeth are too thin (an internal gear's too thick) for it.
+/// ones. None if the teeth are too thin (too thick on an internal gear).
 ///
 /// Formula   Q(α) = 0; [T4.15], [T5.17]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration;
 ///           [T2.20]
@@ -168,7 +168,7 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
 }
 
 /// The rack at which the pitch cylinders of an external pair are a apart, X = 0: the pair whose
-/// least distance is a, whatever its thicknesses. Nothing when a is below the base radii's sum, or
+/// least distance is a for any tooth thicknesses. None if a is below the sum of the base radii, or
 /// beyond the domain.
 ///
 /// Formula   Σ r_b cos β_b/u = a; [T4.29]
@@ -189,7 +189,7 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
     }
     return s;
   };
-  // Gear g alone reaches a here, and the other adds to it.
+  // Gear g alone reaches a here, and the other gear adds to it.
   const T hi = acos(gears[g].radius / a);
   const auto root = newton_in_bracket<T>(f, T(0), hi, T(hi / T(2)), true);
   if (!root.found()) return std::nullopt;
@@ -198,7 +198,7 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
 
 namespace detail {
 
-/// α/sin α and (α − sin α cos α)/sin² α: what a gear adds to a and to the line of action.
+/// α/sin α and (α − sin α cos α)/sin² α: contributions of a gear to a and to the line of action.
 template <class T>
 struct ArcShares {
   T distance, line;
@@ -246,7 +246,7 @@ DistanceAndLine<T> distance_and_line(const BasePair<T>& gears, const T& alpha) {
 
 }  // namespace detail
 
-/// An end of an interval of α, or nothing; `limit`: the domain ends here, α = π/2.
+/// An end of an interval of α, or none. `limit` is true if the domain ends here, at α = π/2.
 template <class T>
 struct AngleInterval {
   T lo, hi;
@@ -254,9 +254,9 @@ struct AngleInterval {
 };
 
 /// Crossed axes: α of the racks whose backlash-free distance is a, ascending: two above the least
-/// distance (the upper one may leave the domain), none below.
+/// distance (of which the upper one may leave the domain), and none below.
 ///
-/// Domain    external pair with K > 0 (else a(α) has no minimum, and one solution is given)
+/// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and one solution is returned)
 template <class T>
 std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& a) {
   using std::asin;
@@ -287,9 +287,9 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   return found;
 }
 
-/// Where the backlash-free pair keeps L ≤ `longest` (and L ≥ 0): the contact ratio is at least 1
-/// when `longest` is what the tips reach less one base pitch. L is convex in α_n, so that it is one
-/// interval.
+/// The interval in which the backlash-free pair has 0 ≤ L ≤ `longest`. The contact ratio is at
+/// least 1 if `longest` is the length reached by the tips minus one base pitch. L is convex in α_n,
+/// so there is one interval.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
 template <class T>
@@ -309,14 +309,16 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
   AngleInterval<T> found{tiny, half_pi, false};
   T bottom(0);
   if (base_excess(gears) > T(0)) {
-    // The least L by halving on the sign of its slope, Newton from there on either side.
+    // The least L is found by halving on the sign of its slope, and the ends on both sides by
+    // Newton's method.
     T lo = tiny;
     T hi = half_pi;
-    const T narrow(1e-12);  // rad: the slope is flat there, any point near the bottom serves
+    const T narrow(1e-12);  // rad: the slope is small there, so any point near the minimum is
+                            // sufficient
     for (int i = 0; i < 60 && hi - lo > narrow; ++i) {
       const T middle = (lo + hi) / T(2);
       const auto s = f(middle);
-      if (s.value < T(0)) {  // any point below will do
+      if (s.value < T(0)) {  // any point below is sufficient
         lo = hi = middle;
       } else {
         (s.derivative < T(0) ? lo : hi) = middle;

@@ -24,7 +24,8 @@ struct PinionMounting {
   double shaft_diameter = 0.0;  ///< d_sh mm
   PinionArrangement arrangement = PinionArrangement::a;
   bool stiffening = true;  ///< true if the pinion is integral with its shaft or shrunk onto it
-  std::optional<double> manufacture;  ///< f_ma  µm; none: both helix slope tolerances, squared sum
+  std::optional<double> manufacture;  ///< f_ma  µm; none: root of the summed squares of both helix
+                                      ///< slope tolerances
 };
 
 struct FaceLoad {

@@ -17,7 +17,7 @@ namespace gearwright {
 
 /// Reduction of a deviation f by running-in, µm; for two materials the mean.
 ///
-/// Formula   ISO 6336-1, 8.3.5, (75) and what follows it: by kind and pitch line velocity v
+/// Formula   ISO 6336-1, 8.3.5, (75) and the following formulas, by kind and pitch line velocity v
 double running_in(const std::array<Material, 2>& materials, double deviation, double velocity);
 
 /// Tip relief due to running-in, C_ay, µm: mean of both materials.

@@ -86,7 +86,7 @@ Factor flank_helix_factor(const RatedPair& pair) {
 double pitch_curvature(const RatedPair& pair) {
   const double t = std::tan(pair.alpha_wt) / 2;
   const double rho1 = pair.gears[0].base_diameter * t;
-  const double rho2 = pair.gears[1].base_diameter * t * (pair.internal() ? -1 : 1);
+  const double rho2 = pair.gears[1].base_diameter * t * pair.gears[1].side();
   return rho1 * rho2 / (rho1 + rho2);
 }
 
@@ -138,7 +138,7 @@ FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Materi
         rz = std::clamp(rz, 3.0, 16.0);
       }
       z[soft] = {std::max(1.0, (1.2 - (hb - 130) / 1700) * std::pow(3 / rz, 0.15)), formula,
-                 "through-hardened beside surface-hardened"};
+                 "through-hardened with surface-hardened"};
     } else if (soft == 1 && steel_without_hard_surface(materials[0]) && hardness &&
                materials[0].hardness_HB()) {
       const double ratio = *materials[0].hardness_HB() / *hardness;

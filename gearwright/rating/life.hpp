@@ -16,8 +16,8 @@ namespace gearwright {
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< 0: static stress, 1: from the reference number on, linear in log N:
-                     ///< the exponent with which the other factors count
+  double reference;  ///< exponent of the other factors: 0 at static stress, 1 from the reference
+                     ///< number on, linear in log N between
 };
 
 /// The user's choices for long lives.

@@ -81,8 +81,8 @@ std::span<const NamedMaterial> named_materials();
 ///
 /// Formula   ISO 6336-5, clause 5, σ = A·x + B, x in HV or HB by kind
 /// Source    confirmed by printed reports for case-hardened steel (1500, 430) and for 34CrNiMo6 at
-///           240 HB (700, 290; the line gives 704, 294); for the other kinds the engineer's own
-///           table of the standard is to be laid beside docs/theory/11-rating.md
+///           240 HB (700, 290; the line gives 704, 294); for the other kinds, compare
+///           docs/theory/11-rating.md with the tables of the standard
 struct Limits {
   double sigma_Hlim, sigma_Flim;  ///< N/mm²
 };
@@ -90,7 +90,7 @@ std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 
 /// A row of the table with its limits, at another hardness if one is given.
 ///
-/// Domain    nothing for a name that is not in the table, or a hardness off the kind's line
+/// None      for a name that is not in the table, or a hardness off the kind's line
 std::optional<Material> material_named(std::string_view name,
                                        std::optional<double> hardness_HV = std::nullopt);
 

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "gearwright/gear/gear_field.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -27,9 +29,8 @@ RootTool root_tool(const Gear& gear) {
   // inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
   const ReferenceGeometry<double>& r = gear.reference();
   const double m = gear.spec.normal_module;
-  const double side = gear.internal() ? -1.0 : 1.0;
-  tool.dedendum =
-      side * (r.reference_diameter - gear.root_diameter) / (2 * m) + r.generating_profile_shift;
+  tool.dedendum = gear.side() * (r.reference_diameter - gear.root_diameter) / (2 * m) +
+                  r.generating_profile_shift;
   tool.cutter_teeth = gear.cut_by->cutter_teeth;
   if (gear.cut_by->by_default) return tool;
   StraightRack reach;  // relative to the greatest rounding that fits
@@ -65,28 +66,15 @@ RatedGear rated_gear(const Gear& gear, double bore, double beta, double beta_b) 
   return g;
 }
 
-}  // namespace
-
-double virtual_teeth(int teeth, double beta, double beta_b) {
-  const double c = std::cos(beta_b);
-  return teeth / (c * c * std::cos(beta));
+Result<RatedPair> rated(const ArcPair&, const std::array<double, 2>&) {
+  return Error{gear_field(1, "rack"), "", "cuts circular arcs; ISO 6336 rates involute gears only"};
 }
 
-double RatedPair::epsilon_alpha_n() const {
-  const double c = std::cos(beta_b);
-  return epsilon_alpha / (c * c);
+Result<RatedPair> rated(const CrossedPair&, const std::array<double, 2>&) {
+  return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes; these axes cross"};
 }
 
-Result<RatedPair> rated_pair(const InvolutePair& pair) {
-  std::array<double, 2> bore{};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (pair.gears[i].bore) bore[i] = pair.gears[i].bore->diameter;
-  return rated_pair(pair, bore);
-}
-
-Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore) {
-  if (pair.crossed())
-    return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes; these axes cross"};
+Result<RatedPair> rated(const ParallelPair& pair, const std::array<double, 2>& bore) {
   if (!pair.flanks_meet()) {
     return Error{"pair.center_distance", "",
                  "the flanks do not touch, so they carry no load; a smaller centre distance or "
@@ -102,8 +90,7 @@ Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bor
   r.alpha_t = first.reference().transverse_pressure_angle;
   r.beta_b = std::abs(first.reference().base_helix_angle);
   r.center_distance = pair.center_distance;
-  const double sum = second.internal() ? second.base_radius() - first.base_radius()
-                                       : first.base_radius() + second.base_radius();
+  const double sum = second.base_radius() + second.side() * first.base_radius();
   r.alpha_wt = std::acos(std::min(1.0, sum / pair.center_distance));
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t from = r.exchanged ? 1 - i : i;
@@ -114,6 +101,31 @@ Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bor
   r.epsilon_alpha = pair.mesh.true_ratio;
   r.epsilon_beta = r.face_width * std::sin(r.beta) / (std::numbers::pi * r.normal_module);
   return r;
+}
+
+}  // namespace
+
+double virtual_teeth(int teeth, double beta, double beta_b) {
+  const double c = std::cos(beta_b);
+  return teeth / (c * c * std::cos(beta));
+}
+
+double RatedPair::epsilon_alpha_n() const {
+  const double c = std::cos(beta_b);
+  return epsilon_alpha / (c * c);
+}
+
+Result<RatedPair> rated_pair(const Pair& pair) {
+  std::array<double, 2> bore{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& body = pair.mounted().gears[i].bore;
+    if (body) bore[i] = body->diameter;
+  }
+  return rated_pair(pair, bore);
+}
+
+Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore) {
+  return pair.visit([&](const auto& p) { return rated(p, bore); });
 }
 
 }  // namespace gearwright

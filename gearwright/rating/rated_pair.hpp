@@ -11,7 +11,7 @@
 #include <cstddef>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
@@ -40,6 +40,7 @@ struct RatedGear {
   RootTool tool;
 
   bool internal() const { return teeth < 0; }
+  double side() const { return side_of(teeth); }  ///< σ
 };
 
 struct RatedPair {
@@ -80,10 +81,10 @@ double virtual_teeth(int teeth, double beta, double beta_b);
 /// The numbers of a mounted pair, with the bores of its gears.
 ///
 /// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` where the flanks do not meet,
-///           `gear1.rack` of gears whose root no straight rack describes
-Result<RatedPair> rated_pair(const InvolutePair& pair);
+///           `gear1.rack` of circular arcs
+Result<RatedPair> rated_pair(const Pair& pair);
 
 /// The same with the given bores of gear 1 and gear 2, mm (0: a solid disc).
-Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore);
+Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore);
 
 }  // namespace gearwright

@@ -6,8 +6,10 @@
 //
 // Lists of two are gear 1 and gear 2 of the spec, whichever of them is the pinion. A factor that is
 // not given counts as 1, and its branch states this. Scuffing and micropitting
-// (ISO/TS 6336-20, -21, -22) are not here. By VDI 2736 the same numbers are made of plastics at their
-// temperatures (rating/plastic.hpp); factors that it has not are not there.
+// (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same
+//                                                           numbers by VDI 2736 at the temperatures
+//                                                           of the teeth, without the factors that
+//                                                           this guideline does not contain.
 //                                                           theory: docs/theory/11-rating.md
 #pragma once
 

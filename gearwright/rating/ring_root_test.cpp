@@ -11,7 +11,7 @@
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 #include "gearwright/rating/root.hpp"
 
 namespace gearwright {
@@ -57,7 +57,7 @@ Rated rated(const Ring& k) {
       testing::plain_spec({.teeth = k.z_1, .module = k.m, .x = k.x_1, .face_width = 550.0});
   planet.tip_diameter = k.d_a1;
   const auto mounted =
-      testing::taken(mount_involutes(made(planet), ring, PairSpec{.center_distance = k.a}));
+      testing::taken(mount_as<ParallelPair>(made(planet), ring, PairSpec{.center_distance = k.a}));
   const RatedPair pair = testing::taken(rated_pair(mounted));
   const auto section = critical_section(pair, pair.gears[1]);
   EXPECT_TRUE(section.has_value());

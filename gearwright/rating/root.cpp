@@ -64,7 +64,7 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
   s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
   // The outer point of single pair contact, one pitch from where contact begins; or the tip.
-  const double side = internal ? -1.0 : 1.0;
+  const double side = gear.side();
   const double d_n = m * z_n;
   const double d_bn = d_n * cos_a;
   const double d_an = d_n + side * (gear.tip_diameter - gear.reference_diameter);

@@ -34,7 +34,7 @@ struct CriticalSection {
 /// for an internal gear with ρ_fPv, which represents its pinion cutter.
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
-/// Domain    nothing where no tangent at 30° (60°) touches the fillet
+/// None      where no tangent at 30° (60°) touches the fillet
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 
@@ -42,7 +42,7 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
 /// than the common face.
 double root_face_width(const RatedPair& pair, const RatedGear& gear);
 
-/// Y_F [T11.32]; the edition of 2019 takes the share of the load in it, f_ε.
+/// Y_F [T11.32]; in the edition of 2019 it includes the share of the load, f_ε.
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]
 Factor root_helix_factor(RatingEdition edition, const RatedPair& pair);  ///< Y_β [T11.34]

@@ -98,7 +98,8 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted) {
-  if (input.edition == RatingEdition::vdi_2736) return std::nullopt;  // steel for a plastic
+  // a steel cannot replace a plastic
+  if (input.edition == RatingEdition::vdi_2736) return std::nullopt;
   const auto rated = rate(pair, input);
   if (!rated) return std::nullopt;
   for (const std::string_view name : kSteelsByStrength) {

@@ -22,7 +22,8 @@ struct LoadBin {
 };
 
 struct SpectrumRating {
-  std::array<double, 2> damage_flank, damage_root;  ///< U of gear 1 and gear 2, infinity: breaks
+  std::array<double, 2> damage_flank, damage_root;  ///< U of gear 1 and gear 2; infinite if it
+                                                    ///< breaks
   std::array<double, 2> S_H, S_F;
 };
 

@@ -35,7 +35,8 @@ inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
 
 /// `specific_load` is F_t K_A/b in N/mm: below 100 the stiffness decreases; `elasticity` is E/E_St.
 ///
-/// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), of a ring 1/z_n2 = 0
+/// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), 1/z_n2 = 0
+///           for an internal gear
 Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double elasticity,
                          const std::optional<RatedBody>& body);
 

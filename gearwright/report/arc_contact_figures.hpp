@@ -1,4 +1,4 @@
-// Circular-arc teeth where they touch.
+// Pictures of circular-arc teeth at their contact.
 //
 //   ρ, a, b   radius of an arc and place of its centre, mm, as in pair/arc_contact.hpp
 //   ψ_c       angle of the common normal to the pitch line, where the racks touch
@@ -27,13 +27,13 @@ struct NormalPlane {
 };
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact);
 
-/// Where gear i's flanks and roots cut that plane, one after the other over `teeth` teeth on both
-/// sides of the one nearest; mm in the plane. Gears turned as at the contact.
+/// The intersection of gear i's flanks and roots with that plane, for `teeth` teeth on both sides
+/// of the nearest one; mm in the plane. The gears are turned as at the contact.
 std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& contact, std::size_t i,
                                  int teeth);
 
 /// The two racks that cut circular-arc teeth, in one normal section, and the teeth themselves in the
-/// plane across the tooth through the contact point; empty when the arcs do not touch.
+/// plane across the tooth through the contact point; empty if the arcs do not touch.
 std::string arc_contact_figures(const ArcPair& pair);
 
 }  // namespace gearwright

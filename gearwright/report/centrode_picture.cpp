@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/named_circles.hpp"
 #include "gearwright/report/pair_figures.hpp"
 
 namespace gearwright {
@@ -13,12 +13,12 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 520.0;
-constexpr double kHeight = 400.0;
-constexpr double kMinShift = 0.02;  // m_n; less is not seen
+constexpr double kAspect = 520.0 / 400.0;
+constexpr double kMinShift = 0.02;  // m_n; smaller shifts are not visible
 
 struct Centrodes {
   std::array<double, 2> reference, working;  // radii, mm
-  double side_1, side_2;                     // where the mesh is, seen from each axis: ±1
+  double side_1, side_2;                     // direction of the mesh from each axis: ±1
   double a_d, a;                             // mm
 };
 
@@ -28,77 +28,67 @@ Centrodes centrodes_of(const InvolutePair& pair) {
     c.reference[i] = pair.gears[i].reference_diameter / 2;
     c.working[i] = pair.mesh.rack.sides[i].pitch_radius;
   }
-  c.side_1 = pair.kind == PairKind::parallel_internal ? -1.0 : 1.0;
+  c.side_1 = pair.side();
   c.side_2 = -1.0;
   c.a_d = pair.reference_center_distance;
   c.a = pair.center_distance;
   return c;
 }
 
-Viewport window(const InvolutePair& pair, const Centrodes& c) {
-  const double shift = std::abs(c.a - c.a_d);
-  const double half = std::max(3.2 * shift, 1.2 * pair.gears[0].spec.normal_module);
-  return {kWidth, kHeight, Vec2(c.side_1 * c.reference[0], 0.0), kHeight / (2 * half)};
+double half_height(const InvolutePair& pair, const Centrodes& c) {
+  return std::max(3.2 * std::abs(c.a - c.a_d), 1.2 * pair.gears[0].spec.normal_module);
 }
 
-// A dimension between two points on the centre line, below it; arrows inside or, where there is no
-// room, outside.
-void draw_dimension(Svg& svg, const Vec2& a, const Vec2& b, double below,
-                    const std::string& markup) {
-  const Vec2 lo = a.x() < b.x() ? a : b;
-  const Vec2 hi = a.x() < b.x() ? b : a;
-  const double y = lo.y() + below;
-  for (const Vec2& p : {lo, hi}) svg.line(p, {p.x(), y + 6}, "leader");
-  const bool inside = hi.x() - lo.x() > 44.0;
-  const double out = inside ? 0.0 : 26.0;
-  svg.line({lo.x() - out, y}, {hi.x() + out, y}, "thin");
-  for (const double s : {-1.0, 1.0}) {
-    const double tip = s < 0.0 ? lo.x() : hi.x();
-    const double back = (inside ? -s : s) * 8.0;
-    svg.polygon({{tip, y}, {tip + back, y - 3.2}, {tip + back, y + 3.2}}, "mark");
+Figure with_axes(const std::string& id, const std::string& title, const std::string& description,
+                 const Centrodes& c, double half, double a) {
+  const Vec2 I(c.side_1 * c.reference[0], 0.0), corner(half * kAspect, half);
+  Figure f = plane_figure(id, title, description, {I - corner, I + corner});
+  f.line({I - Vec2(corner.x(), 0.0), I + Vec2(corner.x(), 0.0)}, "thin dashdot");
+  f.cross({0.0, 0.0});
+  f.cross({a, 0.0});
+  f.circle({0.0, 0.0}, c.reference[0], "thin g1 dashdot", 0, symbol_svg("d_1"));
+  f.circle({a, 0.0}, c.reference[1], "thin g2 dashdot", 1, symbol_svg("d_2"));
+  return f;
+}
+
+// A dimension between two points on the centre line, below it; arrows inside or, without room,
+// outside. The text is beside it, because the pitch circles run between its ends.
+void add_dimension(Figure& f, double x_1, double x_2, const std::string& words) {
+  const double unit = (f.x.hi - f.x.lo) / kWidth;  // mm per px
+  const auto [lo, hi] = std::minmax(x_1, x_2);
+  const double y = -60.0 * unit;
+  for (const double x : {lo, hi}) f.line({Vec2(x, 0.0), Vec2(x, y - 6.0 * unit)}, "leader");
+  const bool inside = hi - lo > 44.0 * unit;
+  const double out = inside ? 0.0 : 26.0 * unit, middle = (lo + hi) / 2;
+  if (!inside) f.line({Vec2(lo, y), Vec2(hi, y)}, "thin");
+  for (const double tip : {lo, hi}) {
+    const double from = inside ? middle : tip == lo ? lo - out : hi + out;
+    f.line({Vec2(from, y), Vec2(tip, y)}, "thin");
+    f.marks.back().head = true;
   }
-  // Beside it: between its ends run the pitch circles.
-  svg.text({hi.x() + out, y}, markup, Anchor::start, "halo", {8.0, 4.5});
+  f.text({hi + out, y}, words, Anchor::start, "halo", {8.0, 4.5});
 }
 
-void draw_axes(Svg& svg, const Viewport& view, double a) {
-  svg.line({0, view.height / 2}, {view.width, view.height / 2}, "thin dashdot");
-  for (const Vec2& axis : {Vec2(0.0, 0.0), Vec2(a, 0.0)}) {
-    const Vec2 p = view.px(axis);
-    if (p.x() < 8 || p.x() > view.width - 8) continue;
-    svg.line(p - Vec2(6, 0), p + Vec2(6, 0), "cross");
-    svg.line(p - Vec2(0, 6), p + Vec2(0, 6), "cross");
-  }
+Figure before_figure(const Centrodes& c, double half) {
+  Figure f = with_axes("centrodes-before", "Before the shift",
+                       "The reference circles of both gears near the mesh, touching on the centre "
+                       "line at I.",
+                       c, half, c.a_d);
+  f.point({c.side_1 * c.reference[0], 0.0}, 3.6, "mark", "I", {12.0, -12.0});
+  return f;
 }
 
-std::string before_svg(const Viewport& view, const Centrodes& c) {
-  Svg svg("centrodes-before", kWidth, kHeight, "Reference circles at the reference distance",
-          "The reference circles of both gears near the mesh, touching on the centre line at I.");
-  draw_axes(svg, view, c.a_d);
-  draw_named_circles(svg, view, {0.0, 0.0}, c.side_1, 0, {{"d_1", c.reference[0], " dashdot"}});
-  draw_named_circles(svg, view, {c.a_d, 0.0}, c.side_2, 1, {{"d_2", c.reference[1], " dashdot"}});
-  const Vec2 I = view.px({c.side_1 * c.reference[0], 0.0});
-  svg.dot(I, 3.6, "mark");
-  svg.text(I, "I", Anchor::start, "letter halo", {9.0, -8.0});
-  return svg.str();
-}
-
-std::string after_svg(const Viewport& view, const Centrodes& c) {
-  Svg svg("centrodes-after", kWidth, kHeight, "Working pitch circles at the pair's distance",
-          "Reference circles and working pitch circles of both gears near the mesh; the pitch "
-          "circles touch on the centre line at the pitch point I′.");
-  draw_axes(svg, view, c.a);
-  draw_named_circles(svg, view, {0.0, 0.0}, c.side_1, 0,
-                     {{"d_1", c.reference[0], " dashdot"}, {"d_w1", c.working[0], " full"}});
-  draw_named_circles(svg, view, {c.a, 0.0}, c.side_2, 1,
-                     {{"d_2", c.reference[1], " dashdot"}, {"d_w2", c.working[1], " full"}});
-  const Vec2 now = view.px({c.side_1 * c.working[0], 0.0});
-  svg.dot(now, 3.6, "mark");
-  svg.text(now, "I′", Anchor::start, "letter halo", {9.0, -8.0});
-  draw_dimension(svg, view.px({c.side_1 * c.reference[0], 0.0}),
-                 view.px({c.a + c.side_2 * c.reference[1], 0.0}), 60.0,
-                 fixed(std::abs(c.a - c.a_d), kLengthDigits));
-  return svg.str();
+Figure after_figure(const Centrodes& c, double half) {
+  Figure f = with_axes("centrodes-after", "After it",
+                       "Reference circles and working pitch circles of both gears near the mesh; "
+                       "the pitch circles touch on the centre line at the pitch point I′.",
+                       c, half, c.a);
+  f.circle({0.0, 0.0}, c.working[0], "thin g1 full", 0, symbol_svg("d_w1"));
+  f.circle({c.a, 0.0}, c.working[1], "thin g2 full", 1, symbol_svg("d_w2"));
+  f.point({c.side_1 * c.working[0], 0.0}, 3.6, "mark", "I′", {12.0, -12.0});
+  add_dimension(f, c.side_1 * c.reference[0], c.a + c.side_2 * c.reference[1],
+                fixed(std::abs(c.a - c.a_d), kLengthDigits));
+  return f;
 }
 
 }  // namespace
@@ -114,22 +104,20 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair) {
 std::string centrode_figures(const InvolutePair& pair) {
   if (!centrodes_are_worth_a_picture(pair)) return {};
   const Centrodes c = centrodes_of(pair);
-  const Viewport view = window(pair, c);
+  const double half = half_height(pair, c);
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
-  const std::string before = fmt::format(
-      "<strong>Before the shift</strong>: at {} = {} mm the reference circles touch at I and roll "
-      "on "
-      "each other.",
-      symbol_html("a_d"), fixed(c.a_d, kLengthDigits));
-  const std::string after = fmt::format(
-      "<strong>After it</strong>: with {} + {} = {} the axes stand {} = {} mm apart. The working "
-      "pitch circles (full) roll on each other at I′ in the same ratio; the reference circles "
-      "(dash-dot) {} by {} mm.",
+  Figure before = before_figure(c, half), after = after_figure(c, half);
+  before.caption =
+      fmt::format(": at {} = {} mm the reference circles touch at I and roll on each other.",
+                  symbol_html("a_d"), fixed(c.a_d, kLengthDigits));
+  after.caption = fmt::format(
+      ": with {} + {} = {} the axes are {} = {} mm apart. The working pitch circles (full) roll on "
+      "each other at I′ in the same ratio; the reference circles (dash-dot) {} by {} mm.",
       symbol_html("x_1"), symbol_html("x_2"), fixed(sum, kRatioDigits), symbol_html("a"),
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));
-  return "<h3>Centrodes</h3>\n" + side_by_side(captioned(before_svg(view, c), before) +
-                                               captioned(after_svg(view, c), after));
+  return "<h3>Centrodes</h3>\n" +
+         side_by_side(figure_html(before, kWidth) + figure_html(after, kWidth));
 }
 
 }  // namespace gearwright

@@ -19,9 +19,9 @@ TEST(CentrodePicture, OnlyWhereTheShiftIsSeen) {
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::undercut_pair()));
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::crossed_pair()));
   // Not shifted, only mounted further apart; and shifted against each other, which moves nothing.
-  const InvolutePair apart = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 60.5);
+  const ParallelPair apart = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 60.5);
   EXPECT_FALSE(centrodes_are_worth_a_picture(apart));
-  const InvolutePair against =
+  const ParallelPair against =
       sample_pair(sample_gear(20, 2, 0, 0.3), sample_gear(40, 2, 0, -0.3), 60);
   EXPECT_FALSE(centrodes_are_worth_a_picture(against));
   EXPECT_EQ(centrode_figures(against), "");

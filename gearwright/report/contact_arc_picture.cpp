@@ -7,8 +7,8 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/arc_contact_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 
@@ -84,7 +84,7 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // The two whose points of the contact's normal angle are one.
+  // The two arcs whose points with the contact's normal angle coincide.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));
@@ -211,7 +211,7 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 }
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
-  // A rack's teeth lie in the pitch plane at the helix angle; its flank holds their direction.
+  // A rack's teeth lie in the pitch plane at the helix angle, and this direction lies in the flank.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));

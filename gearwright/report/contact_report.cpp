@@ -8,7 +8,7 @@ namespace gearwright {
 
 std::string contact_words(const ContactResult& contact) {
   if (contact.contact_lost) {
-    return "At some positions no tooth pair touches: the teeth would part and strike. This "
+    return "At some positions no tooth pair touches: the teeth would separate and collide. This "
            "pair needs a wider face, more teeth in mesh or smaller errors.";
   }
   const auto all = static_cast<double>(contact.positions.size());
@@ -25,9 +25,10 @@ std::string contact_words(const ContactResult& contact) {
                : "Motion is transmitted exactly, and the flanks touch as intended.";
   std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
                                  shown_arcsec(contact.peak_to_peak.arcsec()));
-  if (lines) return text + "The flanks touch along lines across the face: no edge carries.";
+  if (lines)
+    return text + "The flanks touch along lines across the face, and no edge carries load.";
   if (edges == 0.0) {
-    text += "The flanks always touch inside their limits: no edge carries.";
+    text += "The flanks always touch inside their limits, and no edge carries load.";
     const double ridges = count([](TouchKind k) { return k == TouchKind::ridge; }) / all;
     if (ridges > 0.0)
       text += fmt::format(" During {:.0f} % of the rotation they touch at the start of a relief.",
@@ -36,7 +37,7 @@ std::string contact_words(const ContactResult& contact) {
   }
   return text + fmt::format(
                     "During {:.0f} % of the rotation an edge touches where a flank should; "
-                    "crowning or reliefs would bring the contact inside, or smaller errors.",
+                    "crowning, reliefs or smaller errors would keep the contact inside.",
                     100 * edges);
 }
 

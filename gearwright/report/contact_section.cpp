@@ -46,7 +46,7 @@ std::string facts(const ContactReport& report) {
   const auto wave = [](const ContactResult& r) {
     return r.harmonics.empty() ? std::string(kNoValue) : shown_arcsec(r.harmonics[0].arcsec());
   };
-  t.row("Wave at the tooth frequency, amplitude", "", "″", {wave(a), wave(b)});
+  t.row("Amplitude at the mesh frequency", "", "″", {wave(a), wave(b)});
   t.row("Rotation with contact inside the flanks", "", "%",
         {percent(share(a, inside)), percent(share(b, inside))});
   if (share(a, at_ridge) > 0.0 || share(b, at_ridge) > 0.0)
@@ -98,9 +98,9 @@ std::string te_part(const ContactReport& report) {
 }
 
 std::string pattern_part(const ContactReport& report) {
-  // Conjugate flanks touch in all their tooth pairs at once.
+  // Conjugate flanks touch in all their tooth pairs at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
-                            ? " Here all tooth pairs in mesh touch at once; the way is drawn over "
+                            ? " Here all tooth pairs in mesh touch at once; the path is drawn over "
                               "the pitch in which a pair is nearest to the centre line."
                             : "";
   return fmt::format(
@@ -123,13 +123,11 @@ std::string gap_part(const ContactReport& report) {
   if (!report.middle) return {};
   const FlankLayers gap{.gap = &report.middle_gap, .now = &*report.middle, .way = false};
   return "<h3>Gap between the flanks</h3>\n" +
-         beside(
-             figure_html(flank_figure(report, 0, gap)),
-             "A map of the air between two teeth at one position, like the height lines of a hill "
-             "turned over: at the contact point there is none. Lines far apart mean flanks that "
-             "lie close over a wide area, so that load spreads; lines close together mean a "
-             "small, highly pressed spot. Misaligned shafts tilt the map, so that the air grows "
-             "towards one end of the face.");
+         beside(figure_html(flank_figure(report, 0, gap)),
+                "The gap between two teeth at one position, as contour lines. It is zero at the "
+                "contact point. Lines far apart mean flanks that are close over a wide area, so "
+                "the load spreads. Lines close together mean a small spot under high pressure. "
+                "Misaligned shafts tilt the map, so the gap grows towards one end of the face.");
 }
 
 std::string multiples_part(const ContactReport& report) {
@@ -153,12 +151,11 @@ std::string multiples_part(const ContactReport& report) {
 std::string map_part(const ContactReport& report) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
-         beside(
-             figure_html(error_map_figure(*report.map)),
-             "Each place is a pair with these two errors; its shade says how uneven its rotation "
-             "is. A wide field of low values is a pair that forgives what housings and bearings "
-             "do; a narrow one asks for accurate mounting. A valley that runs aslant means that "
-             "one error can be mended by the other.");
+         beside(figure_html(error_map_figure(*report.map)),
+                "Each point is a pair with these two errors, and its shade shows the transmission "
+                "error. A wide area of low values means a pair that tolerates errors of housings "
+                "and bearings. A narrow area requires accurate mounting. An oblique valley means "
+                "that one error can be compensated by the other.");
 }
 
 std::string arc_part(const ContactReport& report) {
@@ -183,10 +180,9 @@ std::string contact_section(const ContactReport& report) {
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
   GW_EXPECTS(share(report.driving, nowhere) < 1.0);
   const std::string what = fmt::format(
-      "\n<p>No pair is mounted perfectly. Here it is turned through one tooth with the errors and "
-      "modifications of the specification, and at each position the place is found where the "
-      "flanks "
-      "touch first.</p>\n<p><strong>{}</strong></p>\n{}",
+      "\n<p>No pair is mounted perfectly. Here it is turned through one pitch with the errors and "
+      "modifications of the specification, and the first contact of the flanks is computed at each "
+      "position.</p>\n<p><strong>{}</strong></p>\n{}",
       contact_words(report.driving), assumed(report));
   return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
          in_columns(what, "\n" + facts(report)) + te_part(report) + pattern_part(report) +

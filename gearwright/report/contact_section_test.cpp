@@ -43,7 +43,7 @@ TEST(ContactSection, IsWellFormedForEveryKindOfContact) {
 
 TEST(ContactSection, StandsInThePage) {
   const ContactSample s = testing::helical_contact();
-  const InvolutePair pair = testing::helical_pair();
+  const ParallelPair pair = testing::helical_pair();
   ReportInput input = testing::report_input(pair);
   EXPECT_EQ(report_html(input).find("Tooth contact"), std::string::npos);
   input.contact = &s.report;

@@ -5,9 +5,10 @@
 //   T_1, T_2  base tangent points      C  pitch point of gear 1
 //   plan      seen along the centre line, from gear 2's side: y to the right, z up, axis 1 upright.
 //             True to scale
-//   section   cut by the plane of the leading line, normal to the teeth of the common rack: the rack is
-//             seen as it is, the line of action at its true length under α_wn, cylinders as ellipses.
-//             The trailing line, in a parallel plane, is carried here along the teeth
+//   section   cut by the plane of the leading line, normal to the teeth of the common rack: it
+//             shows the rack undistorted, the line of action at its true length at the angle α_wn,
+//             and cylinders as ellipses. The trailing line, in a parallel plane, is projected into
+//             it along the teeth
 //   h         to the right, the way the rack moves    x   up, along the centre line, gear 1 to gear 2
 //   z_L       the plane's offset along the teeth from the centre line, mm
 //   f, f′     face widths of one flank, and of both flanks about the common perpendicular, mm
@@ -30,7 +31,7 @@ Vec2 in_plan(const Point<Housing>& p);
 /// Corners in plan of gear `which` (0, 1): its cylinder of `radius` from face to face.
 std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
-/// The figures: lines of action in plan, and both gears whole.
+/// The figures: lines of action in plan, and both complete gears.
 std::string plan_figures(const InvolutePair& pair);
 
 /// A point of the housing in section, mm: (h, x).
@@ -55,32 +56,32 @@ std::string section_figure(const InvolutePair& pair);
 /// Over the pressure angle of the common rack: centre distance, shaft angle and contact ratio without
 /// backlash, with the least centre distance, its approximations and the place where the pair is
 /// mounted. One curve per panel, all over the same α_wn.
-std::string range_figure(const InvolutePair& pair);
+std::string range_figure(const CrossedPair& pair);
 
 /// The face widths that the lines of action need: f and f′ over α_wn, with the actual face widths.
-std::string face_width_figure(const InvolutePair& pair);
+std::string face_width_figure(const CrossedPair& pair);
 
 /// The faces from end to end, with the parts that the leading and the trailing line use.
 ///
 /// Domain    the flanks meet (contract)
-std::string face_use_figure(const InvolutePair& pair);
+std::string face_use_figure(const CrossedPair& pair);
 
-/// How the flanks slide over each other: across the teeth, as on parallel axes, and along them, as a
-/// screw. A figure and a table: speeds of the contact over the flanks, mm per radian of gear 1.
+/// Sliding of the flanks: across the teeth, as on parallel axes, and along them, as of a screw. A
+/// figure and a table: speeds of the contact over the flanks, mm per radian of gear 1.
 ///
 /// Domain    the flanks meet (contract)
-std::string speed_figures(const InvolutePair& pair);
+std::string speed_figures(const CrossedPair& pair);
 
-/// The least centre distance, exact and as it was found by hand: where on the curve a(α_wn) the
-/// approximate solutions of pair/series.hpp lie, magnified. Empty where there is nothing to compare: no
-/// least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
-std::string min_distance_figure(const InvolutePair& pair);
+/// The least centre distance, exact and by approximations for manual calculation: the places of the
+/// solutions of pair/series.hpp on the curve a(α_wn), magnified. Empty if there is nothing to
+/// compare: no least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
+std::string min_distance_figure(const CrossedPair& pair);
 
-/// The solutions with the exact place at the angle of each: Δ to the exact solution. A sentence
-/// where all agree (the sum of shifts is nothing), empty where there are none.
-std::string min_distance_table(const InvolutePair& pair);
+/// The solutions with the exact place at the angle of each; Δ is the difference from the exact
+/// solution. A sentence if all agree (the sum of shifts is 0), empty if there are none.
+std::string min_distance_table(const CrossedPair& pair);
 
-/// Both, folded away: they are for a user who checks a calculation by hand.
-std::string min_distance_part(const InvolutePair& pair);
+/// Both, folded, for users who check a manual calculation.
+std::string min_distance_part(const CrossedPair& pair);
 
 }  // namespace gearwright

@@ -20,9 +20,10 @@ constexpr double kPlanWidth = 640.0;
 constexpr double kPlanHeight = 520.0;
 constexpr double kWholeWidth = 420.0;
 constexpr double kWholeHeight = 400.0;
-constexpr double kMaxReduction = 5.0;  // of the whole gears' scale, for lines far outside the faces
+constexpr double kMaxReduction = 5.0;  // limit relative to the scale of the whole gears, for lines
+                                       // far outside the faces
 constexpr double kMaxEnlargement = 12.0;
-constexpr int kTeethShown = 400;  // beyond that they are a grey area
+constexpr int kTeethShown = 400;  // with more teeth, a grey area is drawn
 
 // Along the axis of a gear, and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
 struct PlanFrame {
@@ -41,7 +42,7 @@ void draw_face(Svg& svg, const Viewport& view, const InvolutePair& pair, std::si
   svg.polygon(view.px(std::vector<Vec2>(corners.begin(), corners.end())), style + kInk[i]);
 }
 
-// Half the size of what the tips of both gears cover, mm.
+// Half the size of the area of the tips of both gears, mm.
 Vec2 extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const std::size_t i : {0u, 1u}) {
@@ -51,7 +52,7 @@ Vec2 extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the size of what the lines of action cover.
+// Half the size of the area of the lines of action.
 Vec2 lines_extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const double rho1 : line_ends(pair))
@@ -59,7 +60,7 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// The lines with room for letters, and enough of the gears.
+// A window for the lines with room for letters, and a sufficient part of the gears.
 Viewport plan_window(const InvolutePair& pair) {
   const Vec2 lines = lines_extent(pair);
   const auto scale = [](const Vec2& half) {
@@ -86,7 +87,8 @@ void name_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
     const double room = std::min((view.width / 2 - 34) / std::max(std::abs(d.x()), 1e-9),
                                  (view.height / 2 - 16) / std::max(std::abs(d.y()), 1e-9));
     const Vec2 at = Vec2(view.width / 2, view.height / 2) + room * d;
-    // Nearly parallel axes leave together: gear 1's name goes to the left of both.
+    // Nearly parallel axes leave the picture together, so the name of gear 1 goes to the left of
+    // both.
     const Vec2 aside =
         std::abs(d.y()) > std::abs(d.x()) ? Vec2(i == 0 ? -24.0 : 24.0, 5.0) : Vec2(0.0, -8.0);
     svg.text(at, fmt::format("axis {}", i + 1), Anchor::middle, std::string("halo ") + kInk[i],
@@ -160,7 +162,7 @@ Viewport whole_window(const InvolutePair& pair) {
   return {kWholeWidth, height, Vec2::Zero(), scale};
 }
 
-// The size of the plan in the picture of the whole pair, px; nothing when it shows more than that.
+// The size of the plan in the picture of the whole pair, px; none if it shows more than that.
 std::optional<Vec2> frame_of_plan(const InvolutePair& pair) {
   const Viewport whole = whole_window(pair);
   const Viewport plan = plan_window(pair);
@@ -171,8 +173,9 @@ std::optional<Vec2> frame_of_plan(const InvolutePair& pair) {
 
 std::string whole_svg(const InvolutePair& pair) {
   const Viewport view = whole_window(pair);
-  Svg svg("whole", view.width, view.height, "The whole pair",
-          "Both gears seen along the centre line, gear 2 in front, with the run of their teeth.");
+  Svg svg(
+      "whole", view.width, view.height, "The whole pair",
+      "Both gears seen along the centre line, gear 2 in front, with the direction of their teeth.");
   for (const std::size_t i : {0u, 1u}) {
     draw_face(svg, view, pair, i, pair.gears[i].actual_tip_radius(), "solid ");
     draw_teeth(svg, view, pair, i);

@@ -10,7 +10,7 @@ namespace gearwright {
 namespace {
 
 TEST(CrossedPicture, FacesLieAcrossTheirAxes) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     for (const std::size_t i : {0u, 1u}) {
       const double radius = pair.gears[i].actual_tip_radius();
       const auto c = face_in_plan(pair, i, radius);
@@ -28,7 +28,7 @@ TEST(CrossedPicture, FacesLieAcrossTheirAxes) {
 }
 
 TEST(CrossedPicture, LinesStandSquareOnTheTeeth) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     const Mesh<double>& m = pair.mesh;
     const Vec2 along =
         in_plan(pair.on_line_of_action(m.rho1_C + 1.0)) - in_plan(pair.on_line_of_action(m.rho1_C));

@@ -16,24 +16,24 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteps = 240;
-constexpr double kMargin = 0.07;  // of the angles worth showing, on both sides
-// rad. Where a helix reaches 90° its pitch radius is without end; at this distance from there α_n
-// differs by less than 1e-6 rad from its limit.
+constexpr double kMargin = 0.07;  // of the shown angles, on both sides
+// rad. If a helix approaches 90°, its pitch radius has no limit. At this distance, α_n differs by
+// less than 1e-6 rad from its limit.
 constexpr double kBeforeLimit = 1e-3;
-// rad. At the limit itself, which a mounted pair may reach but for rounding, angles have no
-// involute; this near to it a differs by at most r_b times this.
+// rad. At the limit itself, which a mounted pair may reach within rounding, angles have no
+// involute. At this distance, a differs by at most r_b times this value.
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, α_wn = 0 is no rack
 
 double deg(double rad) { return kDegPerRad * rad; }
 
-// Transverse angle of the limiting gear; α_n itself is no parameter at the limit.
+// Transverse angle of the limiting gear, because α_n itself is no parameter at the limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
   const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));
 }
 
-std::optional<CrossedSample> sample_at_transverse(const InvolutePair& pair, double alpha) {
+std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, double alpha) {
   const BasePair<double>& gears = pair.input.gears;
   const CrossedPlace place = crossed_place(gears, alpha);
   if (!shaft_angle_range(gears).contains(place.shaft_angle.rad())) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<CrossedSample> sample_at_transverse(const InvolutePair& pair, doub
 }
 
 // The gears as one rack cut them, or nothing.
-std::optional<ReferencePair<double>> shared_rack(const InvolutePair& pair) {
+std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {
     const CylindricalSpec& s = pair.gears[i].spec;
@@ -64,16 +64,14 @@ std::optional<ReferencePair<double>> shared_rack(const InvolutePair& pair) {
 
 }  // namespace
 
-std::optional<CrossedSample> crossed_sample(const InvolutePair& pair, Angle normal_pressure_angle) {
+std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle) {
   const double alpha_n = normal_pressure_angle.rad();
-  GW_EXPECTS(pair.crossed());
   const BasePair<double>& gears = pair.input.gears;
   if (!(alpha_n > 0.0) || !has_rack(gears[limiting_gear(gears)], alpha_n)) return std::nullopt;
   return sample_at_transverse(pair, transverse_of(gears, alpha_n));
 }
 
-std::vector<CrossedSample> crossed_samples(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::vector<CrossedSample> crossed_samples(const CrossedPair& pair) {
   const BasePair<double>& gears = pair.input.gears;
   const double limit = kHalfPi - std::abs(gears[limiting_gear(gears)].helix_angle);
   std::vector<double> worth{pair.mesh.rack.normal_pressure_angle};
@@ -98,7 +96,7 @@ std::vector<CrossedSample> crossed_samples(const InvolutePair& pair) {
   return samples;
 }
 
-std::vector<Approximation> approximations(const InvolutePair& pair) {
+std::vector<Approximation> approximations(const CrossedPair& pair) {
   const auto racks = shared_rack(pair);
   if (!racks || !pair.min_distance) return {};
   const auto series = min_distance_series(*racks);
@@ -123,7 +121,7 @@ Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area)
 
 std::string angle_words() { return "working normal pressure angle " + symbol_svg("α_wn") + ", °"; }
 
-void draw_angles(Svg& svg, const InvolutePair& pair, const Axis& x, const PlotArea& area) {
+void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area) {
   const double top = area.top;
   const double bottom = area.bottom();
   draw_foot(svg, x, top, bottom, 8, angle_words());

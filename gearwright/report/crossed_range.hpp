@@ -1,6 +1,5 @@
-// What becomes of a crossed pair over the pressure angle of the rack between its gears: the places
-// it could take free of backlash, and what it would have there. The axis that the pictures of it
-// share.
+// A crossed pair over the pressure angle of the rack between its gears: its backlash-free positions
+// and their data, and the common axis of its pictures.
 //
 //   α_wn  pressure angle of the common rack, the one free parameter     Σ, a  its place
 //   ε     contact ratio, tip to tip       f, f′  face widths, of one flank and of both
@@ -22,21 +21,21 @@ struct CrossedSample {
   FaceWidths<double> faces;  ///< f, f′
 };
 
-/// The pair free of backlash on the rack with the pressure angle α_wn; nothing where there is no
-/// such rack.
+/// The pair free of backlash on the rack with the pressure angle α_wn; none if there is no such
+/// rack.
 ///
 /// Formula   crossed_place, then mesh_of at that place
 /// Domain    crossed axes (contract)
-std::optional<CrossedSample> crossed_sample(const InvolutePair& pair, Angle normal_pressure_angle);
+std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
-/// Samples by growing α_wn over the part worth showing: where ε ≥ 1, the place of the pair and the
+/// Samples by growing α_wn over the relevant part: where ε ≥ 1, the place of the pair and the
 /// least centre distance, with some margin, and no further than racks exist.
 ///
 /// Domain    crossed axes (contract)
 /// Laws      at least two samples; the pair's α_wn lies within, to 1e-6 rad
-std::vector<CrossedSample> crossed_samples(const InvolutePair& pair);
+std::vector<CrossedSample> crossed_samples(const CrossedPair& pair);
 
-/// How the pair's gears would be treated by hand: a name and the α_wn that it gives.
+/// A manual approximation for the pair: its name and the resulting α_wn.
 struct Approximation {
   const char* name;
   const char* letter;  ///< in pictures
@@ -44,18 +43,18 @@ struct Approximation {
 };
 
 /// The approximate solutions of the least centre distance (pair/series.hpp); none unless both gears
-/// have one rack, module and pressure angle equal to 1e-9 of themselves. Those that lead to no rack
-/// are left out.
-std::vector<Approximation> approximations(const InvolutePair& pair);
+/// have one rack, module and pressure angle equal to 1e-9 of themselves. Those without a rack are
+/// omitted.
+std::vector<Approximation> approximations(const CrossedPair& pair);
 
 /// The α_wn axis of these pictures, in degrees.
 Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area);
 
 /// The ground of a picture over α_wn, with its foot: shaded where ε ≥ 1, lines at the least centre
 /// distance and at the pair's place, named above the plot.
-void draw_angles(Svg& svg, const InvolutePair& pair, const Axis& x, const PlotArea& area);
+void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area);
 
-/// What an axis of α_wn carries (SVG markup).
+/// The words of an axis of α_wn (SVG markup).
 std::string angle_words();
 
 /// Values of the samples as a curve over α_wn in degrees.

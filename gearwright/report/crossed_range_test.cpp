@@ -11,7 +11,7 @@ namespace gearwright {
 namespace {
 
 TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     const auto samples = crossed_samples(pair);
     ASSERT_GT(samples.size(), 100u);
     const Angle here = Angle::radians(pair.mesh.rack.normal_pressure_angle);
@@ -33,7 +33,7 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
 }
 
 TEST(CrossedRangePicture, ContactRatioIsOneAtTheEndsOfTheRange) {
-  const InvolutePair pair = testing::crossed_pair();
+  const CrossedPair pair = testing::crossed_pair();
   ASSERT_TRUE(pair.contact_ratio_range.has_value());
   const CrossedPlaces& range = *pair.contact_ratio_range;
   for (const CrossedPlace& end : {range.lo, range.hi}) {
@@ -46,7 +46,7 @@ TEST(CrossedRangePicture, ContactRatioIsOneAtTheEndsOfTheRange) {
 }
 
 TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
-  const InvolutePair pair = testing::worm_pair();
+  const CrossedPair pair = testing::worm_pair();
   const double limit = std::numbers::pi / 2 - pair.input.gears[0].helix_angle;
   EXPECT_TRUE(crossed_sample(pair, Angle::radians(limit - 1e-6)).has_value());
   EXPECT_FALSE(crossed_sample(pair, Angle::radians(limit + 1e-6)).has_value());
@@ -56,7 +56,7 @@ TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
 
 // A spur gear and one of 0.3° stand at nearly 90° where the latter's helix angle reaches 90°.
 TEST(CrossedRangePicture, NearTheLimitItself) {
-  const InvolutePair pair = testing::crossed_sample_pair(
+  const CrossedPair pair = testing::crossed_sample_pair(
       testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 0.11, 0.0);
   const auto s = crossed_sample(pair, Angle::radians(pair.mesh.rack.normal_pressure_angle));
   ASSERT_TRUE(s.has_value());
@@ -67,7 +67,7 @@ TEST(CrossedRangePicture, NearTheLimitItself) {
 }
 
 TEST(CrossedRangePicture, ApproximationsOfTheExample) {
-  const InvolutePair pair = testing::crossed_pair();
+  const CrossedPair pair = testing::crossed_pair();
   const auto all = approximations(pair);
   ASSERT_EQ(all.size(), 5u);
   // 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual pair, 18° 42' 18.6" corrected, from

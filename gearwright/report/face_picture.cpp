@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
-#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/plot_axis.hpp"
@@ -21,13 +21,13 @@ constexpr PlotArea kArea{640, 58, 18, 58, 230, 50};
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Up to what is needed or there; further only as far as the curves go within ε ≥ 1, but no more
-// than twice that: f′ grows beyond all bounds where the lines of action wander along the teeth.
-double max_shown(const InvolutePair& pair, const std::vector<CrossedSample>& samples) {
+// The range extends up to the required and the actual width. It includes the curves within ε ≥ 1 up
+// to twice that, because f′ has no limit if the lines of action move along the teeth.
+double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
   for (int i : {0, 1}) {
-    there = std::max({there, pair.input.face_width[i], pair.face_widths->both_flanks[i]});
+    there = std::max({there, pair.input.face_width[i], pair.face_widths.both_flanks[i]});
     for (const CrossedSample& s : samples) {
       if (s.contact_ratio >= 1.0) curves = std::max(curves, s.faces.both_flanks[i]);
     }
@@ -35,7 +35,7 @@ double max_shown(const InvolutePair& pair, const std::vector<CrossedSample>& sam
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-std::string widths_svg(const InvolutePair& pair) {
+std::string widths_svg(const CrossedPair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   const Axis x = angle_axis(samples, kArea);
   const Axis y = kArea.up(0.0, max_shown(pair, samples));
@@ -63,8 +63,8 @@ std::string widths_svg(const InvolutePair& pair) {
   }
   svg.end_group();
   labels.keep_off({{here.x(), kArea.top}, {here.x(), kArea.bottom()}});
-  // The faces as they are; equal ones share a line. Their names stand at its right end, else further
-  // left, beside the curves.
+  // The actual faces; equal ones share a line. Their names are at its right end, or further left
+  // next to the curves.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;
@@ -82,7 +82,7 @@ std::string widths_svg(const InvolutePair& pair) {
   }
   for (const std::size_t i : {0u, 1u}) {
     if (!pair.flanks_meet()) break;
-    for (const double f : {pair.face_widths->one_flank[i], pair.face_widths->both_flanks[i]}) {
+    for (const double f : {pair.face_widths.one_flank[i], pair.face_widths.both_flanks[i]}) {
       if (f <= y.hi) svg.dot({here.x(), y(f)}, 3.2, std::string("mark ") + kInk[i]);
     }
   }
@@ -94,7 +94,7 @@ constexpr double kRow = 104.0;
 constexpr PlotArea kFaces{640, kArea.left + 14, 18, 30, 2 * kRow - 6, 46};
 
 // A line's part of the face: the reach of the tips, and within it the part left by flanks and faces.
-void draw_use(Svg& svg, const InvolutePair& pair, std::size_t i, bool leading, const Axis& x,
+void draw_use(Svg& svg, const CrossedPair& pair, std::size_t i, bool leading, const Axis& x,
               double y) {
   const Mesh<double>& m = pair.mesh;
   const double sign = leading ? 1.0 : -1.0;
@@ -115,10 +115,10 @@ void draw_use(Svg& svg, const InvolutePair& pair, std::size_t i, bool leading, c
   label(E, leading ? "E" : "E′", -side);
 }
 
-std::string faces_svg(const InvolutePair& pair) {
+std::string faces_svg(const CrossedPair& pair) {
   double reach = 0.0;
   for (const std::size_t i : {0u, 1u}) {
-    reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths->both_flanks[i] / 2});
+    reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths.both_flanks[i] / 2});
   }
   const Axis x = kFaces.across(-1.1 * reach, 1.1 * reach);
   Svg svg("faces", kFaces.width, kFaces.height(), "Faces and the lines of action on them",
@@ -139,16 +139,16 @@ std::string faces_svg(const InvolutePair& pair) {
   return svg.str();
 }
 
-// What falls outside, in words.
-std::string beyond(const InvolutePair& pair) {
+// The parts outside, in words.
+std::string beyond(const CrossedPair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {
-    const double more = (pair.face_widths->both_flanks[i] - pair.input.face_width[i]) / 2;
+    const double more = (pair.face_widths.both_flanks[i] - pair.input.face_width[i]) / 2;
     if (more > 0.0)
       text +=
           fmt::format(" Gear {}: its lines reach {} mm beyond the face.", i + 1, fixed(more, 2));
   }
-  return text.empty() ? " Both faces hold both lines." : text;
+  return text.empty() ? " Both lines lie within both faces." : text;
 }
 
 constexpr PlotArea kSpeeds{640, 58, 18, 54, 210, 50};
@@ -164,16 +164,16 @@ Sliding sliding_of(const FlankSpeeds<double>& w) {
   return {w.across[0] - w.across[1], w.along[0] - w.along[1]};
 }
 
-Sliding sliding_at(const InvolutePair& pair, double rho1) {
+Sliding sliding_at(const CrossedPair& pair, double rho1) {
   return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
 }
 
 // mm from C along the line of action.
-double along_line(const InvolutePair& pair, double rho1) {
+double along_line(const CrossedPair& pair, double rho1) {
   return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
 }
 
-std::string speed_svg(const InvolutePair& pair) {
+std::string speed_svg(const CrossedPair& pair) {
   const Mesh<double>& m = pair.mesh;
   const auto rho1 = [&](int k) { return m.rho1_A + k * m.path_length / kSpeedSteps; };
   std::array<std::vector<Vec2>, 3> curves;
@@ -193,7 +193,7 @@ std::string speed_svg(const InvolutePair& pair) {
   const auto ends = widened(lo, hi, 0.08);
   const Axis y = kSpeeds.up(ends[0], ends[1]);
   Svg svg("speeds", kSpeeds.width, kSpeeds.height(), "Sliding of the flanks",
-          "Sliding speeds across and along the teeth and altogether, over the line of action from "
+          "Sliding speeds across and along the teeth and in total, over the line of action from "
           "A to E.");
   draw_rows(svg, x, y, 5);
   draw_foot(svg, x, kSpeeds.top, kSpeeds.bottom(), 8,
@@ -215,7 +215,7 @@ std::string speed_svg(const InvolutePair& pair) {
   return svg.str();
 }
 
-std::string speed_table(const InvolutePair& pair) {
+std::string speed_table(const CrossedPair& pair) {
   const Mesh<double>& m = pair.mesh;
   std::vector<std::vector<std::string>> rows;
   for (const auto& [letter, rho1] :
@@ -231,8 +231,7 @@ std::string speed_table(const InvolutePair& pair) {
 
 }  // namespace
 
-std::string face_width_figure(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::string face_width_figure(const CrossedPair& pair) {
   return captioned(
       widths_svg(pair),
       fmt::format(
@@ -244,8 +243,8 @@ std::string face_width_figure(const InvolutePair& pair) {
           pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
 }
 
-std::string face_use_figure(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed() && pair.flanks_meet());
+std::string face_use_figure(const CrossedPair& pair) {
+  GW_EXPECTS(pair.flanks_meet());
   return captioned(faces_svg(pair),
                    fmt::format("<strong>Use of the faces</strong> as mounted. {} {} Thick: within "
                                "usable flanks and faces.{}",
@@ -253,8 +252,8 @@ std::string face_use_figure(const InvolutePair& pair) {
                                caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)));
 }
 
-std::string speed_figures(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed() && pair.flanks_meet());
+std::string speed_figures(const CrossedPair& pair) {
+  GW_EXPECTS(pair.flanks_meet());
   const std::string keys = caption_key("action", "across the teeth") + " " +
                            caption_key("trailing", "along the teeth (dashed)") + " " +
                            caption_key("ink", "altogether");

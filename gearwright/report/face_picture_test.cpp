@@ -10,11 +10,11 @@ namespace gearwright {
 namespace {
 
 TEST(FacePicture, SaysWhatLiesBeyondTheFaces) {
-  EXPECT_NE(face_use_figure(testing::crossed_pair()).find("Both faces hold both lines."),
+  EXPECT_NE(face_use_figure(testing::crossed_pair()).find("Both lines lie within both faces."),
             std::string::npos);
-  const InvolutePair askew = testing::nearly_parallel_pair();
+  const CrossedPair askew = testing::nearly_parallel_pair();
   const std::string text = face_use_figure(askew);
-  const double more = (askew.face_widths->both_flanks[0] - 20.0) / 2;
+  const double more = (askew.face_widths.both_flanks[0] - 20.0) / 2;
   char words[80];
   std::snprintf(words, sizeof words, "Gear 1: its lines reach %.2f mm beyond the face.", more);
   EXPECT_NE(text.find(words), std::string::npos) << words;
@@ -22,7 +22,7 @@ TEST(FacePicture, SaysWhatLiesBeyondTheFaces) {
 }
 
 TEST(FacePicture, EqualFacesShareALine) {
-  const auto labels = [](const InvolutePair& pair) {
+  const auto labels = [](const CrossedPair& pair) {
     const std::string text = face_width_figure(pair);
     std::size_t n = 0;
     for (std::size_t at = text.find("\"face-line"); at != text.npos;
@@ -31,7 +31,7 @@ TEST(FacePicture, EqualFacesShareALine) {
     return n;
   };
   EXPECT_EQ(labels(testing::crossed_pair()), 1u);
-  const InvolutePair unequal = testing::crossed_sample_pair(
+  const CrossedPair unequal = testing::crossed_sample_pair(
       testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 15),
       testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 12), 90);
   EXPECT_EQ(labels(unequal), 2u);

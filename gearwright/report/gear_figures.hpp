@@ -1,5 +1,5 @@
-// The pictures of one gear: its tooth, the root of a gear with few teeth as it is and as the rack alone
-// would cut it, and the tooth at other profile shifts.
+// The pictures of one gear: its tooth, the actual root of a gear with few teeth and the root cut by
+// the rack alone, and the tooth at other profile shifts.
 //
 //   F    where undercut begins: the flank on the base circle, ξ = 0
 //   C, J where a circular root fillet and a circular tip fillet touch the flank
@@ -22,16 +22,16 @@ namespace gearwright {
 /// The classes of the page's style for an arc of that name.
 const char* arc_style(ArcName name);
 
-/// The tooth, upright, its arcs in colours, with the circles of the drawing and its legend; where there
-/// is no outline, a paragraph with the reason.
+/// The tooth, upright, its arcs in colours, with the circles of the drawing and its legend; if
+/// there is no outline, a paragraph with the reason.
 std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// Whether the picture of the root shows something: a circular root fillet, undercut, or at most 12
-/// teeth, of a gear that a rack has cut and that has an outline.
+/// True if the picture of the root is useful: for a gear cut by a rack, with an outline, that has a
+/// circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
-/// The same spec without circular fillets, as its rack cuts it; nothing when the spec has none, or
-/// when there is no such gear.
+/// The gear of the same spec without circular fillets, as its rack cuts it; none if the spec has
+/// none, or if there is no such gear.
 std::optional<Gear> by_rack_alone(const Gear& gear);
 
 /// The flank's point on the base circle, side y > 0, mm.
@@ -39,7 +39,7 @@ std::optional<Gear> by_rack_alone(const Gear& gear);
 /// Formula   r_b e^{i ψ_b}, ψ_b = s_bt/d_b
 Vec2 undercut_limit_point(const Gear& gear);
 
-/// The root; empty where it shows nothing.
+/// The root; empty if it shows nothing of interest.
 std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
 /// The tooth at one shift.
@@ -50,19 +50,19 @@ struct ShiftedTooth {
   std::optional<Gear> rounded;  ///< with the circular root fillet, where one fits
 };
 
-/// Whether shifting is the question: at most 8 teeth, cut by a rack, with a circular root fillet or
-/// undercut.
+/// True if the choice of the shift matters: at most 8 teeth, cut by a rack, with a circular root
+/// fillet or undercut.
 bool shift_is_worth_a_picture(const Gear& gear);
 
 /// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and its own shift, by growing x, with tips as the rack
-/// has them. The root fillet is the gear's, else begins at the undercut limit; with it goes the
-/// gear's tip fillet where one fits.
+/// has them. The root fillet is that of the gear, or begins at the undercut limit. The gear's tip
+/// fillet is included if it fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// The tooth at those shifts, the root that the rack cuts and a circular one instead, to one scale;
-/// empty where they show nothing.
+/// The tooth at those shifts, with the root cut by the rack and with a circular one, to one scale;
+/// empty if they show nothing of interest.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

@@ -20,13 +20,13 @@ std::string file_link(std::string_view name);
 /// Figures side by side.
 std::string side_by_side(std::string_view figures);
 
-/// The keys of gear 1 and gear 2.
+/// The key of gear 1 and gear 2.
 std::string caption_of_gears();
 
 /// Two columns.
 std::string in_columns(std::string_view left, std::string_view right);
 
-/// A table of values under their heads, each row with a head of its own at its left; all HTML.
+/// A table of values under their headings, each row with its own heading at the left; all HTML.
 /// `style` is the table's class.
 std::string value_table(std::string_view caption, const std::vector<std::string>& heads,
                         const std::vector<std::vector<std::string>>& rows,

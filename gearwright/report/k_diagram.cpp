@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFlat = 1.0;  // µm: a trace that moves by less is drawn on this scale
+constexpr double kFlat = 1.0;  // µm: a trace with a smaller range is drawn on this scale
 
 // The band: the design moved by half of the tolerance either way, over the evaluation range.
 std::vector<Vec2> band(const FlankTrace& trace) {

@@ -1,5 +1,5 @@
-// The design of a flank on a measuring machine's paper: profile and helix as modified, and the band in
-// which a measured trace of the grade must lie.
+// The K-diagram of a flank: profile and helix as modified, and the band in which a measured trace
+// of the grade must lie.
 //
 //   L   roll length, mm       z   height from the middle of the face, mm      deviations in µm, up is
 //                                                                             out of the material

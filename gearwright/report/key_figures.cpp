@@ -26,10 +26,10 @@ std::string box(const std::string& words, std::string_view symbol, const std::st
   return fmt::format("<div><dt>{} {}</dt><dd>{}</dd></div>\n", words, symbol_html(symbol), value);
 }
 
-// The rows of these keys, in their order; of several records from the first's value to the last's.
-template <std::size_t n>
-std::string boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
-                  const std::array<std::string_view, n>& keys) {
+}  // namespace
+
+std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
+                      std::span<const std::string_view> keys) {
   const std::vector<TextGroup> groups = text_groups(table, records, kPage);
   std::string text;
   for (const std::string_view key : keys) {
@@ -50,24 +50,23 @@ std::string boxes(const QuantityTable& table, const std::vector<ValueRecord>& re
   return text;
 }
 
-}  // namespace
-
 std::string key_figures(const ReportInput& input) {
   std::string text;
   if (input.pair) {
     const std::vector<ValueRecord> nominal{pair_quantities().of(*input.pair)};
     const auto& ends = input.pair_ends.empty() ? nominal : input.pair_ends;
-    text += boxes(pair_quantities().table(), nominal, kOfPair);
-    text += boxes(pair_quantities().table(), ends, kBacklash);
+    text += key_boxes(pair_quantities().table(), nominal, kOfPair);
+    text += key_boxes(pair_quantities().table(), ends, kBacklash);
   }
   if (input.rating)
-    text += boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)}, kOfRating);
+    text +=
+        key_boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)}, kOfRating);
   if (input.load) {
     const auto views = torque_views(input.load->contact, input.load->standard);
     const auto& torques = input.load->contact.torques;
     const auto shown = static_cast<std::size_t>(&shown_torque(*input.load) - torques.data());
-    text += boxes(load_torque_quantities().table(), {load_torque_quantities().of(views[shown])},
-                  kOfLoad);
+    text += key_boxes(load_torque_quantities().table(), {load_torque_quantities().of(views[shown])},
+                      kOfLoad);
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
                 shown_arcsec(input.contact->driving.peak_to_peak.arcsec()) + "″");

@@ -1,15 +1,24 @@
-// The few numbers that decide whether a pair will do, at the head of the report.
+// The most important numbers of a pair, at the head of the report.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
 
-/// A box for each key figure that the input has: ratio, centre distance, contact ratio, backlash (at
+/// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at
 /// both ends of tolerances), safeties, pressure, unevenness. Rows of the catalogue with their words,
 /// symbols and units; empty without any.
 std::string key_figures(const ReportInput& input);
+
+/// A box for each of these keys that the records have, in the order of the keys; of several records from
+/// the first's value to the last's.
+std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
+                      std::span<const std::string_view> keys);
 
 }  // namespace gearwright

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/report/free_labels.hpp"
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 
@@ -121,7 +121,7 @@ TEST(LabelOverlap, nowhere_in_random_pairs) {
     const double x1 = 0.1 * whole(z1 < 17 ? 2 : -2, 6);
     const std::string what = std::to_string(z1) + ":" + std::to_string(z2) + " helix " +
                              std::to_string(helix) + " x " + std::to_string(x1);
-    const auto pair = mount_involutes(
+    const auto pair = mount_as<ParallelPair>(
         testing::sample_gear(z1, module, helix, x1),
         testing::sample_gear(z2, module, ring ? helix : -helix, ring ? -x1 : 0.0), {});
     if (!pair) continue;

@@ -1,4 +1,4 @@
-// Both lines of action of a crossed pair in a picture: drawn and lettered in whatever view.
+// Both lines of action of a crossed pair in a picture: drawn and lettered in any view.
 //
 //   A, E    ends of the leading line: tip of gear 2, tip of gear 1      C  pitch point of gear 1
 //   A′ …    the same of the trailing line                    T_1, T_2  base tangent points
@@ -24,17 +24,18 @@ struct PathMark {
 /// By growing ρ_1.
 void sort_marks(std::vector<PathMark>& marks);
 
-/// A to E, in this order, those from A to `last`: with ε_α > 2 a period's end lies beyond the path, and
-/// B and D have no meaning.
+/// A to E, in this order, those from A to `last`: with ε_α > 2 the end of a period lies beyond the
+/// path, and B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
-/// ρ_1 of what a picture should hold: A, E, and C and the base tangent points unless far from them.
+/// ρ_1 of the points that a picture should contain: A, E, and C and the base tangent points unless
+/// far from them.
 std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
 
-/// Draws the lines; `on` carries the housing to px. Letters stay off the lines and each other: at
-/// each point they stand on the side away from the other line.
+/// Draws the lines; `on` maps the housing to px. Letters keep a distance from the lines and each
+/// other: they are on the side away from the other line.
 void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
                           const std::function<Vec2(const Point<Housing>&)>& on,
                           Lines lines = Lines::both);

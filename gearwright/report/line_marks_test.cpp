@@ -9,7 +9,7 @@
 namespace gearwright {
 namespace {
 
-std::string drawn(const InvolutePair& pair, Lines lines) {
+std::string drawn(const CrossedPair& pair, Lines lines) {
   Svg svg("x", 400, 400, "t", "d");
   draw_lines_of_action(
       svg, pair, [](const Point<Housing>& p) { return Vec2(10 * p.r.y(), 10 * p.r.z()); }, lines);
@@ -19,8 +19,8 @@ std::string drawn(const InvolutePair& pair, Lines lines) {
 TEST(LineMarksPicture, BaseTangentsFarFromTheLineAreLeftOut) {
   EXPECT_EQ(line_ends(testing::crossed_pair()).size(), 5u);
   // A worm and 300 teeth: T_1 and T_2 lie three and eight lengths of the path away.
-  const InvolutePair worm = testing::crossed_sample_pair(testing::sample_gear(1, 2, 86, 0),
-                                                         testing::sample_gear(300, 2, 4, 0), 90);
+  const CrossedPair worm = testing::crossed_sample_pair(testing::sample_gear(1, 2, 86, 0),
+                                                        testing::sample_gear(300, 2, 4, 0), 90);
   EXPECT_EQ(line_ends(worm).size(), 4u);
 }
 
@@ -34,7 +34,7 @@ TEST(LineMarksPicture, ThickWhereFlanksAndFacesAreUsed) {
 }
 
 TEST(LineMarksPicture, LeadingLineAlone) {
-  const InvolutePair pair = testing::crossed_pair();
+  const CrossedPair pair = testing::crossed_pair();
   EXPECT_NE(drawn(pair, Lines::both).find("E′"), std::string::npos);
   EXPECT_EQ(drawn(pair, Lines::leading).find("E′"), std::string::npos);
 }

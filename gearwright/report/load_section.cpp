@@ -23,8 +23,8 @@ std::string finding(const LoadScene& report) {
       "At {} gear 2 runs up to {}″ unevenly; the flanks bear up to {} N/mm²{}, the roots {} and {} "
       "N/mm².",
       torque_words(t), shown_arcsec(t.peak_to_peak.arcsec()), fixed(t.max_pressure, 0),
-      t.edge_carries   ? " and more, for an edge carries"
-      : t.beyond_flank ? " and more, for an ellipse hangs over the flank"
+      t.edge_carries   ? " (a lower bound, because an edge carries load)"
+      : t.beyond_flank ? " (a lower bound, because an ellipse extends beyond the flank)"
                        : "",
       fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0));
   if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
@@ -81,8 +81,8 @@ std::string share_part(const LoadScene& report) {
          "in. "
          "The stiffness of the mesh is the " +
          std::string(at_points(report) ? "force" : "line load") +
-         " over how far the gears approach each other; that it changes while they turn shakes the "
-         "shafts.</p>\n" +
+         " divided by the approach of the gears; its variation during rotation causes "
+         "vibration.</p>\n" +
          side_by_side(html_of(share_figure(report)) + html_of(stiffness_figure(report)));
 }
 
@@ -91,7 +91,7 @@ std::string ellipse_part(const LoadScene& report) {
          "grows "
          "into the ellipse of Hertz, longest where the flanks hug each other most closely; the "
          "teeth that bend under it make it longer still. On the flank the pressure is highest in "
-         "the middle of the ellipse; one that hangs over an end of the flank, or an edge that "
+         "the middle of the ellipse; one that extends beyond an end of the flank, or an edge that "
          "touches itself, presses harder than drawn.</p>\n" +
          side_by_side(figure_html(ellipse_figure(report, 0)) +
                       figure_html(ellipse_figure(report, 1)) +
@@ -105,7 +105,7 @@ std::string pressure_part(const LoadScene& report) {
              "bright "
              "border is an edge that carries or a face that bears at one end{}.</p>\n",
              shown_torque(report).edge_carries
-                 ? "; here an edge carries, where the true pressure is higher than drawn"
+                 ? "; an edge carries load here, and the true pressure is higher than drawn"
                  : "") +
          side_by_side(
              figure_html(pressure_figure(report, 0), kFigureWidth, "", turn_control(*report.pair)) +

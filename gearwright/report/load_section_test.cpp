@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/strict_html.hpp"

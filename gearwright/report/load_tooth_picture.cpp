@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 
@@ -17,18 +17,18 @@ namespace {
 using Eigen::Index;
 
 constexpr double kWidth = 520.0, kHeight = 360.0;
-constexpr double kLongest = 0.7;  // normal modules: the greatest stress as it is drawn
+constexpr double kLongest = 0.7;  // normal modules: drawn length of the greatest stress
 
 struct Fillet {
   std::vector<Vec2> at, in;    // mm, and the direction into the material
-  std::vector<double> stress;  // MPa, where along the face it is greatest
+  std::vector<double> stress;  // MPa, at the place of the face where it is greatest
   std::size_t worst = 0;
   Index slice = 0;
 };
 
 Fillet fillet_of(const LoadScene& report, std::size_t which) {
   // The outline runs to the tip with the material on its right, of an internal gear on its left.
-  const double side = report.gears[which]->internal() ? -1.0 : 1.0;
+  const double side = report.gears[which]->side();
   const Eigen::MatrixXd& stress = shown_torque(report).root_stress[which];
   Fillet f;
   Index row = 0;
@@ -50,18 +50,19 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double module = gear.spec.normal_module;
   const double most = f.stress[f.worst];
   const std::string name = fmt::format("Gear {}", which + 1);
-  // From a module behind the root to almost one beyond the fillet, the pulled side in the middle.
-  const double out = gear.internal() ? -1.0 : 1.0;
+  // From a module behind the root to almost one beyond the fillet, with the side in tension in the
+  // middle.
+  const double out = gear.side();
   const double root = f.at.front().norm() - out * 1.0 * module;
   const double flank = f.at.back().norm() + out * 0.9 * module;
   const auto [lo, hi] = std::minmax(root, flank);
   const double scale = kHeight / (hi - lo);
   const Vec2 middle = f.at[f.worst];
-  // The pulled side is drawn on the right, which is y < 0 of the gear frame.
+  // The side in tension is drawn on the right, which is y < 0 of the gear frame.
   const Viewport view{kWidth, kHeight, mirrored({0.5 * (lo + hi), middle.y()}), scale, true};
   Svg svg(fmt::format("root-stress{}", which + 1), kWidth, kHeight,
           name + ": stress along the fillet",
-          "The tooth in the transverse section; bars on the fillet that is pulled: the greatest "
+          "The tooth in the transverse section; bars on the fillet in tension: the greatest "
           "principal stress over a mesh.");
   const Vec2 axis = view.px(Vec2::Zero());
   svg.begin_clip(0, 0, kWidth, kHeight);

@@ -18,12 +18,12 @@ TEST(MinDistancePicture, ExactAndApproximateOfTheExample) {
 
 TEST(MinDistancePicture, NothingToCompare) {
   // Sum of shifts 0: every solution is the racks' own angle.
-  const InvolutePair zero = testing::crossed_sample_pair(testing::sample_gear(20, 2, 45, 0.2),
-                                                         testing::sample_gear(30, 2, 45, -0.2), 90);
+  const CrossedPair zero = testing::crossed_sample_pair(testing::sample_gear(20, 2, 45, 0.2),
+                                                        testing::sample_gear(30, 2, 45, -0.2), 90);
   EXPECT_EQ(min_distance_figure(zero), "");
   EXPECT_NE(min_distance_table(zero).find("add up to zero"), std::string::npos);
   // Two racks: no series.
-  const InvolutePair two = testing::crossed_sample_pair(
+  const CrossedPair two = testing::crossed_sample_pair(
       testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
       testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24, 21), 90);
   EXPECT_EQ(min_distance_figure(two), "");

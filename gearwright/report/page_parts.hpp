@@ -1,4 +1,4 @@
-// What every page has: its head, its style, the hint about pictures, the spec it was made from.
+// Parts common to all pages: the head, the style, the hint about pictures, and the spec.
 //
 // Style sheets and scripts are files of report/page/; the build turns each into the function of its
 // name (cmake/gw_embed.cmake). turning.hpp and search_table.hpp have their scripts in the same way.
@@ -9,17 +9,17 @@
 
 namespace gearwright {
 
-/// Light and dark by the reader's preference, paper always light. Colours: Okabe and Ito's set,
-/// which people tell apart whatever their colour vision; no information is in colour alone.
+/// Light and dark by the user's preference, paper always light. The colours are Okabe and Ito's
+/// set, which can be distinguished with any colour vision, and no information is in colour alone.
 std::string_view page_style();
 
-/// What the page of a design search adds: the wide table, colours of the edges of a region, dots and
-/// curves of its charts. The colours are those of the page, which turn with light, dark and paper.
+/// Additional styles for the page of a design search: the wide table, colours of the edges of a
+/// region, dots and curves of its charts. The colours are those of the page, which turn with light,
+/// dark and paper.
 std::string_view search_style();
 
-/// Wheel zooms about the pointer, dragging moves, double click restores; keys + − 0 and arrows do
-/// the same for a picture that has the focus. Without a script the pictures stand still and are
-/// complete.
+/// Makes every picture zoomable (zoom_script.js), unfolds the tables before printing. Without the
+/// script the pictures are static and complete.
 std::string_view page_script();
 
 /// From the doctype to </head>, style included; title and version are plain text. `more_style` is

@@ -11,7 +11,6 @@
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/search_table.hpp"
-#include "gearwright/report/solid.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
@@ -32,17 +31,27 @@ std::set<std::string> classes_of(const std::string& page) {
 }
 
 // Names without a look: of sections, and hooks for programs that read a page.
-const std::set<std::string> kPlain{"green", "pair", "compensate", "front", "words"};
+const std::set<std::string> kPlain{"green", "pair",  "compensate", "scatter",
+                                   "front", "words", "shade",      "circle-name"};
 
 void expect_known(const std::string& page, const std::string& what) {
   const std::string known = std::string(figure_style()) + std::string(page_style()) +
                             std::string(search_style()) + std::string(figure_script()) +
-                            std::string(page_script()) + std::string(turn_script()) +
-                            std::string(solid_script()) + std::string(sort_script());
+                            std::string(zoom_script()) + std::string(page_script()) +
+                            std::string(turn_script()) + std::string(sort_script());
   for (const std::string& name : classes_of(page)) {
     if (kPlain.count(name) != 0) continue;
     EXPECT_NE(known.find("." + name), known.npos) << "class " << name << " of " << what;
   }
+}
+
+TEST(Contents, links_every_heading_of_a_long_page) {
+  const std::string four = "<h2>A</h2>1<h2>B &amp; C</h2>2<h2>D</h2>3<h2>E</h2>4";
+  EXPECT_EQ(with_contents(four).find("<nav"), 0U);
+  EXPECT_NE(with_contents(four).find("<a href=\"#part-2\">B &amp; C</a>"), std::string::npos);
+  EXPECT_NE(with_contents(four).find("3<h2 id=\"part-4\">E</h2>4"), std::string::npos);
+  EXPECT_EQ(with_contents("<h2>A</h2>1").find("<nav"), std::string::npos);
+  EXPECT_EQ(with_contents("no heading"), "no heading");
 }
 
 TEST(PageStyle, KnowsEveryClassOfEveryPage) {
@@ -50,7 +59,7 @@ TEST(PageStyle, KnowsEveryClassOfEveryPage) {
   expect_known(report_html(testing::report_input(testing::undercut_pair())), "undercut");
   expect_known(report_html(testing::report_input(testing::two_and_sixty())), "two teeth");
   expect_known(report_html(testing::report_input(testing::internal_pair())), "internal");
-  for (const InvolutePair& pair : testing::crossed_pairs())
+  for (const CrossedPair& pair : testing::crossed_pairs())
     expect_known(report_html(testing::report_input(pair)), "crossed");
   for (const testing::SearchSample& sample : testing::all_searches())
     expect_known(search_report(sample.report()), "search");

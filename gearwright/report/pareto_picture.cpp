@@ -43,7 +43,8 @@ std::string title_of(const DesignRow& row, const Vec2& value) {
                      fixed(row.shift[0], 4), fixed(row.shift[1], 4), value.x(), value.y());
 }
 
-// What one objective is shown over: the centre distance, or the ratio where the distance is given.
+// The second axis for a single objective: the centre distance, or the ratio if the distance is
+// given.
 Quantity across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])
@@ -64,7 +65,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
         plane ? value_of(problem, row, problem.objectives[1])
               : std::optional(across == Along::ratio ? row.ratio : row.center_distance);
     if (!first || !second) continue;
-    // Of one objective the value is upright.
+    // The value of a single objective is on the vertical axis.
     dots.push_back({plane ? Vec2(*first, *second) : Vec2(*second, *first), &row, front[i]});
   }
   return dots;
@@ -73,7 +74,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
 }  // namespace
 
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater) {
-  // As costs: less is better.
+  // The objectives as costs, of which less is better.
   const Vec2 sign(greater[0] ? -1.0 : 1.0, greater[1] ? -1.0 : 1.0);
   std::vector<Vec2> costs;
   for (const Vec2& p : points) costs.push_back(p.cwiseProduct(sign));
@@ -107,7 +108,7 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
     if (d.front) best.push_back(d.value);
     unranked = unranked || !d.row->balanced;
   }
-  // The front on top, the best on top of that.
+  // The front is drawn above the others, and the best design above the front.
   std::vector<DesignDot> drawn;
   for (const bool front : {false, true}) {
     for (auto d = dots.rbegin(); d != dots.rend(); ++d) {
@@ -119,15 +120,15 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   Figure f = designs_figure(
       across.axis, upright.axis, drawn,
       plane ? staircase(best, {across.greater, upright.greater}) : std::vector<Vec2>());
-  f.caption = ", a dot each: rest the pointer on one for its module, teeth and shifts. ";
+  f.caption = ", one dot each; the pointer shows module, teeth and shifts. ";
   if (!plane && dots.front().row == &answer.designs.front())
     f.dot(dots.front().value, 7.0, "design-ring");
 
   if (plane) {
     f.caption += problem.objectives.size() == 2
-                     ? "Joined: the Pareto front, designs that none betters in both. "
+                     ? "Joined: the Pareto front, designs that no other dominates. "
                      : "Filled: the Pareto front over all objectives; the staircase joins those "
-                       "that none betters in these two. ";
+                       "that no other dominates in these two. ";
   } else {
     f.caption += "Ringed: the best. ";
   }

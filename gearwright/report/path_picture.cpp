@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/pair/contact_zones.hpp"
-#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/pair_figures.hpp"
@@ -19,8 +19,9 @@ namespace {
 
 constexpr PlotArea kArea{640, 46, 22, 112, 230, 58};
 constexpr double kStripTop = 34.0, kStripHeight = 26.0;
-constexpr double kDeepest = -8.0;  // specific sliding shown, where a curve ends there
-constexpr double kEndless = -4.0;  // and where it falls without end, towards a base tangent point
+constexpr double kDeepest = -8.0;  // specific sliding at which a shown curve ends
+constexpr double kEndless = -4.0;  // and for a curve that falls without limit, towards a base
+                                   // tangent point
 
 std::string count_words(int pairs, double width) {
   if (pairs == 0) return width > 80 ? "no contact" : "0";
@@ -60,7 +61,7 @@ void draw_strip(Svg& svg, const InvolutePair& pair, const Axis& x) {
   svg.text({(x.from + x.to) / 2, kArea.height() - 8},
            "distance from the pitch point C along the line of action, mm", Anchor::middle, "tick");
 
-  // What is left of the path when it is clipped to the usable flanks.
+  // The remaining path when it is clipped to the usable flanks.
   const double clip = 1e-9 * mesh.path_length;
   const bool clipped =
       mesh.rho1_true_begin > mesh.rho1_A + clip || mesh.rho1_true_end < mesh.rho1_E - clip;
@@ -80,7 +81,7 @@ std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
   return gear == 1 ? s.zeta_1 : s.zeta_2;
 }
 
-// From the lower of the ends, a little more, in halves.
+// The range begins slightly below the lower of the ends, in halves.
 double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
@@ -101,7 +102,7 @@ void draw_sliding(Svg& svg, const InvolutePair& pair, int gear, const Axis& x, c
   if (points.size() > 1) svg.polyline(points, gear == 1 ? "curve g1" : "curve g2 dash");
 }
 
-// The four values at the ends, beside their curves and out of each other's way.
+// The four values at the ends, next to their curves and without overlap.
 void label_end(Svg& svg, const InvolutePair& pair, bool at_A, const Axis& x, const Axis& y) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
@@ -136,7 +137,7 @@ std::string path_svg(const InvolutePair& pair) {
   const double step = y.hi - y.lo > 3.0 ? 1.0 : 0.5;
   for (double v = std::ceil(y.lo / step) * step; v <= 1.0; v += step) {
     svg.line({kArea.left, y(v)}, {kArea.width - kArea.right, y(v)}, v == 0.0 ? "axis" : "grid");
-    svg.text({kArea.left - 6, y(v) + 4}, fixed(v, 1), Anchor::end, "tick");
+    svg.text({kArea.left - 6, y(v) + 4}, tick_text(v, 1), Anchor::end, "tick");
   }
   draw_strip(svg, pair, x);
   svg.begin_clip(kArea.left, kArea.top, kArea.width - kArea.right - kArea.left, kArea.tall);
@@ -151,7 +152,7 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double e_alpha = mesh.path_ratio;
   const double e_true = mesh.true_ratio;
   const double e_beta = mesh.overlap_ratio;
-  constexpr double kBarWidth = 420.0;  // as the picture of the whole pair, above it
+  constexpr double kBarWidth = 420.0;  // the same as the picture of the whole pair, above it
   constexpr double kBarLeft = 136.0;
   constexpr double kBarRight = 122.0;
   constexpr double kRow = 34.0;
@@ -163,10 +164,10 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double height = kTop + 3 * kRow + 10;
   Svg svg("ratios", kBarWidth, height, "Contact ratios",
           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
-  const double by = std::ceil(most / 6);  // numbers have room beside each other
+  const double by = std::ceil(most / 6);  // so that adjacent numbers do not overlap
   for (double v = 0.0; v <= most; v += by) {
     svg.line({x(v), kTop - 6}, {x(v), height - 8}, "grid");
-    svg.text({x(v), kTop - 11}, fixed(v, 0), Anchor::middle, "tick");
+    svg.text({x(v), kTop - 11}, tick_text(v, 0), Anchor::middle, "tick");
   }
   svg.line({x(1.0), kTop - 6}, {x(1.0), height - 8}, "one");
   struct Bar {
@@ -191,7 +192,7 @@ std::string ratio_svg(const InvolutePair& pair) {
     if (bar.formula - sum > 1e-9) svg.rect(x(0), top, x(bar.formula) - x(0), tall, "bar formula");
     std::string value = fixed(sum, 3);
     if (bar.formula - sum > 1e-9) value += " of " + fixed(bar.formula, 3);
-    // A value that the line at 1 would cross stands behind the line.
+    // A value that the line at 1 would cross is behind the line.
     const LabelPlace beside{{x(std::max(sum, bar.formula)), top + 16}, {7.0, 0.0}, Anchor::start};
     const PixelBox box = label_box(beside, value);
     const bool crossed = box.left - kOneRoom < x(1.0) && x(1.0) < box.right + kOneRoom;
@@ -213,8 +214,7 @@ std::string path_figure(const InvolutePair& pair) {
 std::string ratio_figure(const InvolutePair& pair) {
   const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
   const char* const filled =
-      differs ? " Filled: of the usable flanks; outlined: from tip to tip, as the formula has it."
-              : "";
+      differs ? " Filled: of the usable flanks; outlined: from tip to tip, as in the formula." : "";
   return captioned(
       ratio_svg(pair),
       fmt::format("<strong>Contact ratios</strong>; from 1 on contact never stops.{} {} {}", filled,

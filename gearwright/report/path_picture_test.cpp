@@ -18,7 +18,7 @@ TEST(PathFigures, SaysWhereTheInvoluteEnds) {
 // Two teeth slide by −5.1 and −5.4 at the ends: the axis goes on to −6.
 TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   const std::string figure = path_figure(testing::two_and_sixty());
-  EXPECT_NE(figure.find(">-6.0<"), std::string::npos);
+  EXPECT_NE(figure.find(">−6.0<"), std::string::npos);
   EXPECT_NE(figure.find("mark g1"), std::string::npos);
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
 }

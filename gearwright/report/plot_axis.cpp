@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
 
@@ -17,7 +16,7 @@ void draw_rows(Svg& svg, const Axis& x, const Axis& y, int most) {
   const Ticks ticks = round_ticks(y.lo, y.hi, most);
   for (const double v : ticks.values) {
     svg.line({x.from, y(v)}, {x.to, y(v)}, v == 0.0 ? "axis" : "grid");
-    svg.text({x.from - 6, y(v) + 4}, fixed(v, ticks.decimals), Anchor::end, "tick");
+    svg.text({x.from - 6, y(v) + 4}, tick_text(v, ticks.decimals), Anchor::end, "tick");
   }
   svg.line({x.from, y.from}, {x.to, y.from}, "axis");
 }
@@ -27,7 +26,7 @@ void draw_foot(Svg& svg, const Axis& x, double top, double bottom, int most,
   const Ticks ticks = round_ticks(x.lo, x.hi, most);
   for (const double v : ticks.values) {
     svg.line({x(v), top}, {x(v), bottom + 4}, "grid");
-    svg.text({x(v), bottom + 17}, fixed(v, ticks.decimals), Anchor::middle, "tick");
+    svg.text({x(v), bottom + 17}, tick_text(v, ticks.decimals), Anchor::middle, "tick");
   }
   svg.text({(x.from + x.to) / 2, bottom + 36}, words, Anchor::middle, "tick");
 }

@@ -16,11 +16,11 @@ struct Axis {
   double from, to;
 
   double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
-  /// The same, no further outside than the axis is long: for curves that leave their plot.
+  /// The same, but no further outside than the axis is long, for curves that leave their plot.
   double near(double v) const;
 };
 
-/// The place of a plot in its picture, px.
+/// The position of a plot in its picture, px.
 struct PlotArea {
   double width;        ///< of the picture
   double left, right;  ///< from the picture's edges to the plot's
@@ -32,16 +32,16 @@ struct PlotArea {
   Axis up(double lo, double hi) const { return {lo, hi, bottom(), top}; }
 };
 
-/// Horizontal lines with their values at the left of the plot, `most` + 1 at most, and one at its
-/// foot.
+/// At most `most` + 1 horizontal lines with their values at the left of the plot, and one at its
+/// bottom.
 void draw_rows(Svg& svg, const Axis& x, const Axis& y, int most);
 
-/// Values below the plot, and the words under them (SVG markup).
+/// Values below the plot, with the words under them (SVG markup).
 void draw_foot(Svg& svg, const Axis& x, double top, double bottom, int most,
                std::string_view words);
 
-/// Points as one curve, without pieces of it that are far outside; it ends before a point that is not
-/// finite and begins anew behind it.
+/// Points as one curve, without pieces of it that are far outside; it ends before a point that is
+/// not finite and continues after it.
 void draw_curve(Svg& svg, const Axis& x, const Axis& y, const std::vector<Vec2>& values,
                 std::string_view style);
 

@@ -20,7 +20,7 @@ constexpr double kPanel = 124.0, kGap = 34.0;  // px, height of a panel and from
 constexpr PlotArea kArea{640, 66, 18, 58, 3 * kPanel + 2 * kGap, kGap + 20};
 constexpr double kNear = 12.0;  // px, a label's height
 
-// One of the three quantities: on the curve, and of the pair as mounted.
+// One of the three quantities: on the curve, and for the mounted pair.
 struct Quantity {
   std::string words;  // SVG markup
   std::function<double(const CrossedSample&)> value;
@@ -28,7 +28,7 @@ struct Quantity {
   int digits;
 };
 
-std::vector<Quantity> quantities(const InvolutePair& pair) {
+std::vector<Quantity> quantities(const CrossedPair& pair) {
   return {
       {"centre distance " + symbol_svg("a") + ", mm",
        [](const CrossedSample& s) { return s.place.center_distance; }, pair.center_distance, 4},
@@ -38,9 +38,9 @@ std::vector<Quantity> quantities(const InvolutePair& pair) {
        [](const CrossedSample& s) { return s.contact_ratio; }, pair.contact_ratio(), 3}};
 }
 
-// The range of a panel: the curve where ε ≥ 1, elsewhere only what lies in between, and the mounted
+// The range of a panel: the curve where ε ≥ 1, otherwise only the part in between, and the mounted
 // pair.
-std::array<double, 2> shown(const InvolutePair& pair, const std::vector<CrossedSample>& samples,
+std::array<double, 2> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                             const Quantity& q) {
   double lo = q.mounted;
   double hi = q.mounted;
@@ -53,8 +53,8 @@ std::array<double, 2> shown(const InvolutePair& pair, const std::vector<CrossedS
   return {ends[0], ends[1]};
 }
 
-// Of the curve where the pair is mounted, px up per px to the right.
-double slope(const InvolutePair& pair, const Quantity& q, const Axis& x, const Axis& y) {
+// Slope of the curve at the mounted pair, px up per px to the right.
+double slope(const CrossedPair& pair, const Quantity& q, const Axis& x, const Axis& y) {
   const Angle at = Angle::radians(pair.mesh.rack.normal_pressure_angle);
   const Angle step = Angle::degrees(0.01 * (x.hi - x.lo));
   const auto before = crossed_sample(pair, at - step);
@@ -63,7 +63,7 @@ double slope(const InvolutePair& pair, const Quantity& q, const Axis& x, const A
   return (y(q.value(*before)) - y(q.value(*after))) / (x(2 * step.deg()) - x(0.0));
 }
 
-void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSample>& samples,
+void draw_panel(Svg& svg, const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                 const Quantity& q, const Axis& x, double top) {
   const auto [lo, hi] = shown(pair, samples, q);
   const Axis y{lo, hi, top + kPanel, top};
@@ -85,7 +85,7 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
   const Vec2 here(x(mounted.deg()), y(q.mounted));
   svg.dot(here, 3.4, "mark action-dot");
   const bool left = here.x() > (x.from + x.to) / 2;
-  // Beside the curve, not on it: below where it rises away on the label's side.
+  // The label is next to the curve: below it if the curve rises away on the label's side.
   const double rise = slope(pair, q, x, y);
   const auto on_curve = crossed_sample(pair, mounted);
   const bool on = on_curve && std::abs(y(q.value(*on_curve)) - here.y()) < kNear;
@@ -94,10 +94,10 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
            {left ? -9.0 : 9.0, high ? -9.0 : 17.0});
 }
 
-std::string range_svg(const InvolutePair& pair) {
+std::string range_svg(const CrossedPair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   const Axis x = angle_axis(samples, kArea);
-  Svg svg("range", kArea.width, kArea.height(), "Places that the pair can take",
+  Svg svg("range", kArea.width, kArea.height(), "Possible positions of the pair",
           "Centre distance, shaft angle and contact ratio of the pair free of backlash, each over "
           "the normal pressure angle of the common rack; shaded where the contact ratio is at "
           "least 1, with lines at the least centre distance and where the pair is mounted.");
@@ -112,18 +112,19 @@ std::string range_svg(const InvolutePair& pair) {
 
 constexpr PlotArea kZoom{640, 70, 18, 54, 150, 50};
 constexpr int kZoomSteps = 80;
-// µm. What the solutions differ by; centre distances carry 1e-11 µm of rounding.
+// µm. Smaller differences of the solutions are not shown; the rounding error of centre distances is
+// 1e-11 µm.
 constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
 
 // µm of centre distance at α_wn (degrees) above the least.
-double above_min(const InvolutePair& pair, double degrees) {
+double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
 }
 
-std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>& all) {
+std::string zoom_svg(const CrossedPair& pair, const std::vector<Approximation>& all) {
   const double exact = pair.min_distance->normal_pressure_angle.deg();
   std::vector<double> angles{exact};
   for (const Approximation& a : all) angles.push_back(a.normal_pressure_angle.deg());
@@ -163,9 +164,9 @@ std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>&
   return svg.str();
 }
 
-std::vector<std::string> table_row(const InvolutePair& pair, const std::string& name, Angle angle) {
+std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle) {
   const auto s = crossed_sample(pair, angle);
-  GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
+  GW_EXPECTS(s.has_value());  // for approximations(), and for the exact one
   const double off = s->place.center_distance - pair.min_distance->center_distance;
   const double seconds = kArcsecPerDeg * (angle - pair.min_distance->normal_pressure_angle).deg();
   return {escaped(name),
@@ -178,20 +179,19 @@ std::vector<std::string> table_row(const InvolutePair& pair, const std::string& 
 
 }  // namespace
 
-std::string range_figure(const InvolutePair& pair) {
+std::string range_figure(const CrossedPair& pair) {
   const bool by_hand = !approximations(pair).empty();
   return captioned(
       range_svg(pair),
       fmt::format(
-          "<strong>Places that the pair can take</strong> free of backlash. {} {} {}{}",
+          "<strong>Possible positions of the pair</strong> free of backlash. {} {} {}{}",
           caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),
           pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
-                                   : "The contact ratio reaches 1 nowhere.",
+                                   : "The contact ratio is below 1 everywhere.",
           by_hand ? " Hollow dots: approximate solutions of the least centre distance." : ""));
 }
 
-std::string min_distance_figure(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::string min_distance_figure(const CrossedPair& pair) {
   const std::vector<Approximation> all = approximations(pair);
   const std::string zoom = all.empty() ? std::string() : zoom_svg(pair, all);
   if (zoom.empty()) return {};
@@ -202,8 +202,7 @@ std::string min_distance_figure(const InvolutePair& pair) {
       "each angle: near its least it hardly changes.");
 }
 
-std::string min_distance_table(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::string min_distance_table(const CrossedPair& pair) {
   const std::vector<Approximation> all = approximations(pair);
   if (all.empty()) return {};
   const Angle exact = pair.min_distance->normal_pressure_angle;
@@ -224,7 +223,7 @@ std::string min_distance_table(const InvolutePair& pair) {
                      rows);
 }
 
-std::string min_distance_part(const InvolutePair& pair) {
+std::string min_distance_part(const CrossedPair& pair) {
   const std::string table = min_distance_table(pair);
   const std::string figure = min_distance_figure(pair);
   if (figure.empty()) return table;

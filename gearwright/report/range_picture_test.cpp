@@ -25,7 +25,7 @@ TEST(RangePicture, ThreeCurvesAndTheirMarks) {
 }
 
 TEST(RangePicture, IsWellFormedForEveryPair) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     const auto facts =
         testing::StrictHtml::read("<!DOCTYPE html>\n<div>" + range_figure(pair) + "</div>");
     for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
@@ -34,14 +34,14 @@ TEST(RangePicture, IsWellFormedForEveryPair) {
 
 // Tips so short that the contact ratio reaches 1 nowhere: nothing is shaded, the curves are there.
 TEST(RangePicture, WithoutAnIntervalOfContact) {
-  const InvolutePair pair = testing::crossed_sample_pair(
+  const CrossedPair pair = testing::crossed_sample_pair(
       testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 42.5, 24),
       testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 59.5, 24), 90);
   ASSERT_FALSE(pair.contact_ratio_range.has_value());
   const std::string text = range_figure(pair);
   EXPECT_EQ(count_of(text, "class=\"band\""), 0u);
   EXPECT_EQ(count_of(text, "<polyline class=\"curve ink\""), 3u);
-  EXPECT_NE(text.find("reaches 1 nowhere"), text.npos);
+  EXPECT_NE(text.find("is below 1 everywhere"), text.npos);
 }
 
 }  // namespace

@@ -9,16 +9,15 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
-#include "gearwright/report/solid.hpp"
 #include "gearwright/report/turning.hpp"
 
 namespace gearwright {
@@ -36,36 +35,25 @@ std::string default_title(const ReportInput& input) {
                      input.gears[1]->spec.teeth);
 }
 
-std::string kind_of(const ReportInput& input) {
-  const bool helical = input.gears[0]->spec.helix_angle.rad() != 0.0;
-  if (input.pair && input.pair->arcs()) return "Circular-arc gear pair on parallel axes";
-  if (input.pair) {
-    if (input.pair->crossed()) {
-      return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°",
-                         input.pair->shaft_angle().deg());
-    }
-    return fmt::format("{} gear pair on parallel axes{}", helical ? "Helical" : "Spur",
-                       input.pair->kind() == PairKind::parallel_internal ? ", internal" : "");
-  }
-  if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
-  return fmt::format("{} {}{}", helical ? "Helical" : "Spur",
-                     input.gears[0]->involute() ? "" : "circular-arc ",
-                     input.gears[0]->internal() ? "internal gear" : "gear");
+bool helical(const Gear& gear) { return gear.spec.helix_angle.rad() != 0.0; }
+
+std::string kind_of(const ArcPair&) { return "Circular-arc gear pair on parallel axes"; }
+
+std::string kind_of(const CrossedPair& pair) {
+  return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°", pair.shaft_angle.deg());
 }
 
-// Worst first, as the verdict has them.
-std::string finding_list(const ReportInput& input) {
-  std::string text;
-  for (const Finding& f : input.verdict.findings) {
-    const auto [name, word] = f.level == Level::red     ? std::pair{"problem", "Problem"}
-                              : f.level == Level::amber ? std::pair{"caution", "Caution"}
-                                                        : std::pair{"note", "Note"};
-    const std::string where =
-        f.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", f.gear);
-    text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n", name,
-                        word, where, with_symbols(f.whole()));
-  }
-  return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
+std::string kind_of(const ParallelPair& pair) {
+  return fmt::format("{} gear pair on parallel axes{}", helical(pair.gears[0]) ? "Helical" : "Spur",
+                     pair.margins ? ", internal" : "");
+}
+
+std::string kind_of(const ReportInput& input) {
+  if (input.pair) return input.pair->visit([](const auto& pair) { return kind_of(pair); });
+  if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
+  return fmt::format("{} {}{}", helical(*input.gears[0]) ? "Helical" : "Spur",
+                     input.gears[0]->involute() ? "" : "circular-arc ",
+                     input.gears[0]->internal() ? "internal gear" : "gear");
 }
 
 std::string definitions(const ReportInput& input) {
@@ -90,7 +78,7 @@ std::string few_teeth_section(const ReportInput& input) {
   }
   const std::string table = few_teeth_table(input.gears);
   if (table.empty() && pictures == 0) return {};
-  // One picture has the table beside it, two stand side by side above it.
+  // One picture has the table next to it; two are side by side above it.
   const std::string first = pictures == 0 ? table
                             : pictures == 1 && !table.empty()
                                 ? in_columns(roots, table)
@@ -105,51 +93,11 @@ std::string gear_section(const ReportInput& input) {
   }
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
-    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures + solid_figure(input)) +
-           "</section>\n";
+    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures) + "</section>\n";
   }
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + table + "</section>\n";
 }
 
-std::string crossed_section(const InvolutePair& pair) {
-  const auto if_they_meet = [&](std::string (*figures)(const InvolutePair&)) {
-    return pair.flanks_meet() ? figures(pair) : std::string();
-  };
-  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_figures(pair) +
-         in_columns(pair_table(pair) + interference_table(pair),
-                    section_figure(pair) + if_they_meet(face_use_figure) +
-                        if_they_meet(speed_figures) + path_table(pair)) +
-         "<h3>Other places for these gears</h3>\n" +
-         in_columns(range_figure(pair), face_width_figure(pair)) + min_distance_part(pair) +
-         "</section>\n";
-}
-
-std::string pair_section(const InvolutePair& pair) {
-  if (pair.crossed()) return crossed_section(pair);
-  const bool meet = pair.flanks_meet();
-  const std::string path =
-      meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
-           : path_table(pair);
-  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
-                     mesh_figures(pair, kShapes, meet ? ratio_figure(pair) : std::string()),
-                     pair_table(pair), interference_table(pair), path, centrode_figures(pair));
-}
-
-std::string file_section(const std::vector<ReportFile>& files) {
-  if (files.empty()) return {};
-  std::string text =
-      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
-      "File</th><th scope=\"col\">What it is</th><th "
-      "scope=\"col\">Note</th></tr></thead>\n<tbody>\n";
-  for (const ReportFile& file : files) {
-    text += fmt::format(
-        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td></tr>\n",
-        file_link(file.name), escaped(file.name), escaped(file.what), escaped(file.note));
-  }
-  return text + "</tbody></table></div>\n</section>\n";
-}
-
-// What a drawing's corner says, in the words of the spec.
 std::string title_block(const DrawingInput& drawing) {
   if (!drawing.given()) return {};
   std::string rows;
@@ -183,12 +131,62 @@ std::string foot(const ReportInput& input) {
                 "line of action."
               : "",
       kLengthDigits, kAngleDigits, kOutlineTolerance,
-      input.load ? " and, but for the part under load, load, deflection and"
+      input.load ? " and, except in the part under load, load, deflection and"
                  : ", load, deflection and",
-      input.rating ? " but for what the rating says" : ", nor is strength");
+      input.rating ? ", except in the rating" : ", nor is strength");
 }
 
 }  // namespace
+
+std::string finding_list(const Verdict& verdict, std::string_view whole) {
+  std::string text;
+  for (const Finding& f : verdict.findings) {
+    const auto [name, word] = f.level == Level::red     ? std::pair{"problem", "Problem"}
+                              : f.level == Level::amber ? std::pair{"caution", "Caution"}
+                                                        : std::pair{"note", "Note"};
+    const std::string where = f.gear == 0 ? std::string(whole) : fmt::format("Gear {}", f.gear);
+    text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n", name,
+                        word, where, with_symbols(f.whole()));
+  }
+  return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
+}
+
+std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes) {
+  const bool meet = pair.flanks_meet();
+  const std::string path =
+      meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
+           : path_table(pair);
+  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
+                     mesh_figures(pair, shapes, meet ? ratio_figure(pair) : std::string()),
+                     pair_table(pair), interference_table(pair), path, centrode_figures(pair));
+}
+
+std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&) {
+  const auto if_they_meet = [&](std::string (*figures)(const CrossedPair&)) {
+    return pair.flanks_meet() ? figures(pair) : std::string();
+  };
+  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_figures(pair) +
+         in_columns(pair_table(pair) + interference_table(pair),
+                    section_figure(pair) + if_they_meet(face_use_figure) +
+                        if_they_meet(speed_figures) + path_table(pair)) +
+         "<h3>Other places for these gears</h3>\n" +
+         in_columns(range_figure(pair), face_width_figure(pair)) + min_distance_part(pair) +
+         "</section>\n";
+}
+
+std::string file_section(const std::vector<ReportFile>& files) {
+  if (files.empty()) return {};
+  std::string text =
+      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
+      "File</th><th scope=\"col\">What it is</th><th "
+      "scope=\"col\">Note</th></tr></thead>\n<tbody>\n";
+  for (const ReportFile& file : files) {
+    text += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td></tr>\n",
+        file_link(file.name), escaped(file.name), escaped(file.what), escaped(file.note));
+  }
+  return text + "</tbody></table></div>\n</section>\n";
+}
 
 std::string report_html(const ReportInput& input) {
   GW_EXPECTS(input.gears.size() == 1 || input.gears.size() == 2);
@@ -202,26 +200,25 @@ std::string report_html(const ReportInput& input) {
       "{}</p>\n{}{}{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
-      key_figures(input), finding_list(input), picture_hint());
-  // What decides comes first; data sheets of the gears follow.
+      key_figures(input), finding_list(input.verdict, input.pair ? "Pair" : ""), picture_hint());
+  // The decisive parts come first; data sheets of the gears follow.
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(
-        Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
-                   [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
+        Overloaded{[](const ArcPair& pair) { return arc_pair_section(pair, kShapes); },
+                   [](const auto& pair) { return pair_section(pair, kShapes); }});
   }
   if (input.contact) sections += contact_section(*input.contact);
   if (input.load) sections += load_section(*input.load, kShapes);
   if (input.compensate) sections += compensate_section(*input.compensate);
+  if (input.scatter) sections += scatter_section(*input.scatter);
   if (input.rating) sections += rating_section(*input.rating);
   sections += gear_section(input) + few_teeth_section(input) +
               measure_section(input.measures, input.measure_ends, input.k_diagrams);
-  if (input.gears.size() > 1) sections += solid_section(input);
   sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
-  page +=
-      fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(), page_script(),
-                  turn_script(), input.solid.empty() ? std::string_view() : solid_script());
+  page += fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
+                      zoom_script(), page_script(), turn_script());
   return page;
 }
 

@@ -1,5 +1,5 @@
-// One HTML page about the gears and their pair, for people: words, tables and pictures in one file
-// that needs nothing else and can be handed on.
+// One HTML page about the gears and their pair, for users: words, tables and pictures in one
+// self-contained file.
 //
 // The page is a function of its input alone: no clock, no random number, no path of a machine.
 // Every number it shows is read from the gears and the pair, rounded to the digits of a drawing.
@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -21,7 +22,7 @@
 
 namespace gearwright {
 
-/// A file that was written beside the report.
+/// A file that was written together with the report.
 struct ReportFile {
   std::string name;  ///< relative to the report, "gear1.step"
   std::string what;  ///< "STEP AP242 solid of gear 1"
@@ -29,7 +30,7 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;                   ///< empty: one is made from the tooth numbers
+  std::string title;                   ///< empty: a title is made from the tooth numbers
   DrawingInput drawing;                ///< the title block; may be empty
   std::vector<const Gear*> gears;      ///< one or two, with a pair its gears
   std::optional<Pair> pair;            ///< none: the gears are not mounted
@@ -37,15 +38,14 @@ struct ReportInput {
   std::vector<ValueRecord> measures;   ///< of the gears; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty
   std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
-  const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
-  const LoadScene* load = nullptr;             ///< null: the spec asks for no load
-  const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
-  const RatingView* rating = nullptr;          ///< null: the spec asks for no rating
+  const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
+  const LoadScene* load = nullptr;             ///< null if the spec requests no load
+  const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
+  const ScatterView* scatter = nullptr;        ///< null: the spec has no [scatter]
+  const RatingView* rating = nullptr;          ///< null if the spec requests no rating
   Verdict verdict;                             ///< over gears, pair and contact
-  std::string solid;                           ///< bytes of a GLB file of all gears; may be empty
-  double solid_tolerance = 0.0;                ///< mm, of its mesh
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; empty: left out
+  std::string spec_text;  ///< the spec, verbatim; empty: omitted
   std::string version;    ///< of the program
 };
 
@@ -54,7 +54,7 @@ struct ReportInput {
 ///   Laws      (1) same input, same bytes
 ///             (2) no request leaves the page: style, script and pictures are in it
 ///             (3) title, spec, findings and file names are text, whatever they contain
-/// Units     shown lengths mm to 0.1 µm, angles degrees to 0.00001°; what does not exist is “–”
+/// Units     shown lengths mm to 0.1 µm, angles degrees to 0.00001°; missing values are “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in report/gear_shape.hpp)
 /// Domain    one or two gears, none null; with a pair two (contract)
 std::string report_html(const ReportInput& input);

@@ -21,7 +21,7 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
 }
 
-// Of an aim under load, at the torque that is worst before.
+// The result of an aim under load, at the torque that is worst before correction.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;
   const auto aimed = [&](const LoadedScore& s) {
@@ -40,11 +40,10 @@ std::string finding_under_load(const CompensateView& v) {
 
 std::string finding(const CompensateView& v) {
   if (v.nothing_to_correct)
-    return fmt::format(
-        "Nothing to correct: none of these within reach makes the pair better by {}.",
-        least_gain(v.aim));
+    return fmt::format("Nothing to correct: none of these corrections improves the pair by {}.",
+                       least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
-  // The pattern's place is that along the face, else along the profile.
+  // The pattern's position along the face, or otherwise along the profile.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
   const auto place = [&](const ContactScore& s) {
     return percent(face ? s.along_face : s.along_profile);
@@ -60,18 +59,17 @@ std::string finding(const CompensateView& v) {
 const char* aim_words(CompensateAim aim) {
   switch (aim) {
     case CompensateAim::loaded_transmission_error:
-      return "What counts is the transmission error of the loaded teeth, at the worst of the "
+      return "The objective is the transmission error of the loaded teeth, at the worst of the "
              "torques.";
     case CompensateAim::pressure:
-      return "What counts is the greatest pressure on the flanks, at the worst of the torques.";
+      return "The objective is the greatest pressure on the flanks, at the worst of the torques.";
     case CompensateAim::transmission_error: break;
   }
-  return "The transmission error counts first; of what is equally quiet, that whose contact lies "
-         "in "
-         "the middle of the flank.";
+  return "The objective is the transmission error and, if it is equal, the contact nearest to the "
+         "middle of the flank.";
 }
 
-// "crossing_deg = -0.01, axial_1_mm = 2" in a reader's words; "as given" stays.
+// "crossing_deg = -0.01, axial_1_mm = 2" in words for the user; "as given" is unchanged.
 std::string in_words(std::string_view errors) {
   std::string text;
   while (!errors.empty()) {
@@ -94,7 +92,7 @@ std::string in_words(std::string_view errors) {
 }
 
 std::string corrections(const CompensateView& v) {
-  TableBuilder t("Corrections", {"On top of the drawing"});
+  TableBuilder t("Corrections", {"In addition to the drawing"});
   for (const FoundCorrection& c : v.corrections)
     t.row(capitalised(c.words), "", c.shown_unit, {fixed(c.value, kLengthDigits)});
   return t.str();
@@ -126,7 +124,7 @@ std::string scores(const CompensateView& v) {
   return t.str();
 }
 
-// The answers in closed form that circular-arc teeth have besides.
+// The additional results in closed form for circular-arc teeth.
 std::string closed_forms(const CompensateView& v) {
   if (!v.setting && !v.lead) return {};
   TableBuilder t("In closed form, one by one", {"Value"});
@@ -148,7 +146,7 @@ std::string finding(const Rating& r) {
 }
 
 std::string table(const RatingView& view) {
-  TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Place in the standard, branch"});
+  TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Clause of the standard, branch"});
   const auto& quantities = rating_quantities();
   for (const TextGroup& group : text_groups(quantities.table(), {quantities.of(view)}, kPage)) {
     t.group(group.title.empty() ? "Standard" : group.title);
@@ -171,7 +169,7 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
   const auto groups = text_groups(measure_quantities().table(), measures, kPage);
   if (groups.empty()) return {};
   const std::vector<std::string> columns = gear_headings(measures.size());
-  TableBuilder table("What is measured, thickness allowances included", columns);
+  TableBuilder table("Inspection dimensions, thickness allowances included", columns);
   table.groups(groups);
   std::string text = table.str();
   for (std::size_t i = 0; i < std::min(ends.size(), columns.size()); ++i) {
@@ -187,8 +185,8 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
 std::string compensate_section(const CompensateView& view) {
   GW_EXPECTS(!view.before.nothing_touches() && !view.corrections.empty());
   const std::string what = fmt::format(
-      "\n<p>What a workshop can change so that this pair bears its errors. {} <code>gearwright "
-      "compensate --take</code> prints the specification with the corrections in it.</p>\n"
+      "\n<p>Changes for the workshop that compensate the errors of this pair. {} <code>gearwright "
+      "compensate --take</code> prints the specification with the corrections.</p>\n"
       "<p><strong>{}</strong></p>\n{}",
       aim_words(view.aim), finding(view), corrections(view));
   return "<section class=\"compensate\">\n<h2>Corrections</h2>\n" +

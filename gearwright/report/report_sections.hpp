@@ -4,19 +4,32 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
+#include "gearwright/report/report.hpp"
 
 namespace gearwright {
 
-/// What a workshop measures. A column per gear, records of catalogue/measure_quantities.hpp; of gears
-/// with tolerances their two ends; the designs of flanks that have one. Empty without any.
+/// The findings, worst first; `whole` names what a finding without a gear is about.
+std::string finding_list(const Verdict& verdict, std::string_view whole);
+
+/// A pair of involute gears: pictures, numbers, interference.
+std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes);
+std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes);
+
+/// The files beside the page; empty without any.
+std::string file_section(const std::vector<ReportFile>& files);
+
+/// The inspection dimensions. A column per gear, with records of catalogue/measure_quantities.hpp,
+/// their two ends for gears with tolerances, and the K-diagrams of flanks. Empty without any.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
                             const std::vector<KDiagram>& diagrams);
@@ -24,29 +37,34 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
 /// A pair of circular-arc gears: its numbers, and each contact in the transverse section through it.
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
 
-/// Where the gears are turned to in the section through a contact, rad counter-clockwise: the
-/// angles of their x axes.
+/// The rotations of the gears in the section through a contact, rad counter-clockwise: the angles
+/// of their x axes.
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact);
 
-/// Tooth contact: pictures, and words for readers without experience of such an analysis.
+/// Tooth contact: pictures, and text for users without experience of such an analysis.
 ///
 /// Domain    two gears with teeth; results of the same positions over one pitch, one at least with
 ///           contact; rasters of 2 × 2 or more (contract)
 std::string contact_section(const ContactReport& report);
 
-/// Teeth under load, one paragraph and its pictures for each thing.
+/// Teeth under load, with one paragraph and its pictures for each subject.
 ///
 /// Domain    at least one torque; positions evenly over one pitch, some of which touch (contract)
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
-/// Its stress at the roots, along the drawn fillet of each gear and over the face; empty where there is
-/// none.
+/// The root stress, along the drawn fillet of each gear and over the face; empty if there is none.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
 /// Corrections: the changes for a workshop, and their effect on each of the aims.
 ///
 /// Domain    `before` of a pair that touches somewhere (contract)
 std::string compensate_section(const CompensateView& view);
+
+/// Effect of tolerances on the pair: percentiles, figures of the distributions, the share of each
+/// tolerance.
+///
+/// Domain    a scatter with samples (contract)
+std::string scatter_section(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses, safeties, each with its place in the standard, as licences
 /// print them.

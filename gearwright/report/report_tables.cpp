@@ -21,16 +21,16 @@ std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDi
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
-// A factor as given: no digit more than the input had.
+// A factor as given, with no more digits than the input.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
-constexpr int kRackDigits = 6;  // of arcs, in modules or degrees
+constexpr int kRackDigits = 6;  // for arcs, in modules or degrees
 
 std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
-// Rows that no rack has a number for are left out. A gear that a pinion has cut has no rack.
+// Rows without a number for any rack are omitted. A gear that a pinion has cut has no rack.
 void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
@@ -110,7 +110,7 @@ std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears) {
   return text_groups(gear_quantities().table(), records, kPage);
 }
 
-// What was looked at, where nothing was found.
+// The checked parts, if no interference was found.
 std::string nothing_strikes(const InvolutePair& p) {
   if (p.overlap) {
     return fmt::format(
@@ -125,7 +125,7 @@ std::string nothing_strikes(const InvolutePair& p) {
   return fmt::format(
       "<p>No interference was found: tips keep clear of roots, and {}. The internal gear’s root "
       "fillet is not checked.</p>\n",
-      lost ? "where an undercut took the flank nothing strikes"
+      lost ? "nothing collides where undercut removed the flank"
            : "none reaches below the mating gear’s usable flank");
 }
 
@@ -159,7 +159,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// Without the rows that the overlap already has.
+// The rows without those that the overlap already has.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;
@@ -234,24 +234,23 @@ std::string path_table(const InvolutePair& p) {
     const char* words;
     double rho1;
   };
-  // Along the line of action: crossed lines leave the transverse section at the angle β_b1.
-  const double cosine = p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
+  const bool crossed = p.crossed();
   const std::array<Mark, 5> marks{
       {{"A", "tip of gear 2 comes in", m.rho1_A},
-       {"B", p.crossed() ? "one pitch before E" : "one base pitch before E", m.rho1_B},
-       {"C", p.crossed() ? "pitch point of gear 1" : "pitch point", m.rho1_C},
-       {"D", p.crossed() ? "one pitch after A" : "one base pitch after A", m.rho1_D},
+       {"B", crossed ? "one pitch before E" : "one base pitch before E", m.rho1_B},
+       {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
+       {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
        {"E", "tip of gear 1 goes out", m.rho1_E}}};
   std::vector<std::vector<std::string>> rows;
   for (const Mark& mark : marks) {
     const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
     rows.push_back({fmt::format("<strong>{}</strong> {}", mark.letter, mark.words),
-                    length((mark.rho1 - m.rho1_C) / cosine), length(mark.rho1),
+                    length((mark.rho1 - m.rho1_C) / m.line_cosine), length(mark.rho1),
                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
-  return value_table(p.crossed() ? "Points of the line of action; ζ: mm of sliding per mm that the "
-                                   "contact runs over the flank"
-                                 : "Points of the path of contact",
+  return value_table(crossed ? "Points of the line of action; ζ: mm of sliding per mm that the "
+                               "contact runs over the flank"
+                             : "Points of the path of contact",
                      {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
                       symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},
                      rows);

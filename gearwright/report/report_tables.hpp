@@ -14,8 +14,8 @@ std::vector<std::string> gear_headings(std::size_t gears);
 /// Gears side by side: the data of the drawing, the derived values, and how they were cut.
 std::string gear_table(const std::vector<const Gear*>& gears);
 
-/// What gears with few teeth have beyond other gears: the points F, C and J, and circular fillets
-/// (symbols: gear_figures.hpp); empty when no gear has any of it.
+/// Additional data of gears with few teeth: the points F, C and J, and circular fillets (symbols:
+/// gear_figures.hpp); empty if no gear has any.
 std::string few_teeth_table(const std::vector<const Gear*>& gears);
 
 /// The catalogue's quantities of a pair, under their headings.

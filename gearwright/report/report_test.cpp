@@ -95,7 +95,7 @@ TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
 }
 
 TEST(Report, IsWellFormedAndReachesForNothing) {
-  for (const InvolutePair& pair : {helical_pair(), undercut_pair(), internal_pair()}) {
+  for (const ParallelPair& pair : {helical_pair(), undercut_pair(), internal_pair()}) {
     expect_sound_page(report_html(report_input(pair)));
   }
   for (const Gear& gear :
@@ -111,7 +111,7 @@ TEST(Report, SameInputSameBytes) {
 }
 
 TEST(Report, GearNumbersAreTheGears) {
-  const InvolutePair pair = helical_pair();
+  const ParallelPair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
   // d = z m_n/cos β and d_b = d cos α_t by hand, the rest as the gears have it.
   const double pi = std::numbers::pi;
@@ -136,7 +136,7 @@ TEST(Report, GearNumbersAreTheGears) {
 }
 
 TEST(Report, PairNumbersAreThePairs) {
-  const InvolutePair pair = helical_pair();
+  const ParallelPair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
   const Mesh<double>& m = pair.mesh;
   const double degree = 180 / std::numbers::pi;
@@ -167,7 +167,7 @@ TEST(Report, PairNumbersAreThePairs) {
 }
 
 TEST(Report, CrossedPairNumbersAreThePairs) {
-  const InvolutePair pair = crossed_pair();
+  const CrossedPair pair = crossed_pair();
   const std::string page = report_html(report_input(pair));
   const Mesh<double>& m = pair.mesh;
   // Shaft angle, least distance and contact ratio of the example, to the digits of its reference
@@ -177,8 +177,8 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   EXPECT_EQ(row(page, "Working normal pressure angle"), (Values{"18.68383"}));
   EXPECT_EQ(row(page, "Length of path of contact"), (Values{printed(pair.path_length(), 4)}));
   EXPECT_EQ(row(page, "Minimum face width, one flank"),
-            (Values{printed(pair.face_widths->one_flank[0], 4),
-                    printed(pair.face_widths->one_flank[1], 4)}));
+            (Values{printed(pair.face_widths.one_flank[0], 4),
+                    printed(pair.face_widths.one_flank[1], 4)}));
   const std::string least = page.substr(page.find("Minimum centre distance, free of backlash"));
   EXPECT_EQ(row(least, "Shaft angle"), (Values{"90.01272"}));
   // The path's points are told along the line, which leaves the transverse section at β_b1.
@@ -198,7 +198,7 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
 }
 
 TEST(Report, CrossedPairsSayWhatTheyAre) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     const std::string page = report_html(report_input(pair));
     expect_sound_page(page);
     EXPECT_NE(page.find("Crossed helical gear pair, shaft angle "), page.npos);
@@ -214,11 +214,11 @@ TEST(Report, CrossedPairsSayWhatTheyAre) {
     EXPECT_EQ(page.find("nan"), page.npos);
     EXPECT_EQ(page.find("inf\""), page.npos);
   }
-  const InvolutePair undercut =
+  const CrossedPair undercut =
       testing::crossed_sample_pair(sample_gear(9, 2, 20, 0), sample_gear(24, 2, 35, 0), 55);
   const std::string page = report_html(report_input(undercut));
   EXPECT_NE(page.find("tips keep clear of roots and fillets"), page.npos);
-  const InvolutePair pair = crossed_pair();
+  const CrossedPair pair = crossed_pair();
   EXPECT_NE(report_html(report_input(pair)).find("tips keep clear of roots and fillets"),
             std::string::npos);
   EXPECT_NE(report_html(report_input(pair)).find("pair, shaft angle 90°"), std::string::npos);
@@ -234,7 +234,7 @@ TEST(Report, WhatDoesNotExistIsADash) {
 }
 
 TEST(Report, TextIsText) {
-  const InvolutePair pair = helical_pair();
+  const ParallelPair pair = helical_pair();
   ReportInput input = report_input(pair);
   const std::string evil = "<script>alert(1)</script>\"'&\x01";
   input.title = evil;
@@ -259,11 +259,11 @@ TEST(Report, PicturesThatApply) {
   const auto ids = [](const ReportInput& input) {
     return StrictHtml::read(report_html(input)).ids;
   };
-  const InvolutePair helical = helical_pair();
+  const ParallelPair helical = helical_pair();
   for (const char* id : {"tooth-gear1", "tooth-gear2", "mesh", "whole", "path", "ratios"}) {
     EXPECT_EQ(ids(report_input(helical)).count(id), 1u) << id;
   }
-  const InvolutePair internal = internal_pair();
+  const ParallelPair internal = internal_pair();
   EXPECT_EQ(ids(report_input(internal)).count("tooth-gear2"), 0u);
   EXPECT_EQ(ids(report_input(internal)).count("mesh"), 1u);
   EXPECT_NE(report_html(report_input(internal)).find("The internal gear has no outline"),
@@ -274,7 +274,7 @@ TEST(Report, PicturesThatApply) {
 }
 
 TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
-  const InvolutePair sixty = testing::two_and_sixty();
+  const ParallelPair sixty = testing::two_and_sixty();
   const std::string page = report_html(report_input(sixty));
   expect_sound_page(page);
   const auto ids = StrictHtml::read(page).ids;
@@ -289,7 +289,7 @@ TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
   EXPECT_EQ(row(page, "Root fillet radius"), (Values{"0.3", "–"}));
   EXPECT_LT(page.size(), 200'000u);
 
-  const InvolutePair ring = testing::pinion_in_cut_ring();
+  const ParallelPair ring = testing::pinion_in_cut_ring();
   const std::string in_ring = report_html(report_input(ring));
   expect_sound_page(in_ring);
   EXPECT_EQ(StrictHtml::read(in_ring).ids.count("tooth-gear2"), 1u);
@@ -299,7 +299,7 @@ TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
 }
 
 TEST(Report, OrdinaryPairsHaveNoneOfThat) {
-  const InvolutePair pair =
+  const ParallelPair pair =
       sample_pair(sample_gear(17, 2, 0, 0.1), sample_gear(43, 2, 0, -0.1), 60);
   const std::string page = report_html(report_input(pair));
   for (const char* words : {"Roots and tips", "Centrodes", "pinion cutter", "id=\"root-"}) {
@@ -322,7 +322,7 @@ TEST(Report, GearsThatDoNotExistSayWhy) {
 }
 
 TEST(Report, StaysSmall) {
-  const InvolutePair pair =
+  const ParallelPair pair =
       sample_pair(sample_gear(60, 2, 0, 0, 0.3), sample_gear(60, 2, 0, 0, 0.3), 120);
   const std::size_t size = report_html(report_input(pair)).size();
   EXPECT_GT(size, 20'000u);

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/report/free_labels.hpp"
+#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -17,8 +17,8 @@ namespace {
 constexpr double kWidth = 520.0;
 constexpr double kHeight = 400.0;
 constexpr double kPlotWidth = 400.0;  // the rest is for labels
-constexpr double kMargin = 22.0;      // px around what must be seen
-constexpr int kFewTeeth = 12;         // beyond, a root without undercut looks like any other
+constexpr double kMargin = 22.0;      // px around the essential part
+constexpr int kFewTeeth = 12;  // with more teeth, a root without undercut looks like any other
 
 // Points are marked on the right of the tooth, which is the side y < 0 of the gear frame: mirrored.
 
@@ -38,14 +38,14 @@ Vec2 root_center(const Gear& gear) {
   return center_of(*gear.tooth->root_fillet, -std::numbers::pi / gear.spec.teeth);
 }
 
-// Beyond the middle of the space F lies in the neighbour.
+// Beyond the middle of the space, F lies in the neighbouring tooth.
 bool shows_limit(const Gear& gear) {
   return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
          std::numbers::pi / gear.spec.teeth;
 }
 
-// What must be seen, mm: the whole tooth where its tip is part of the story, else the root on the
-// right, a little higher than the flank's start.
+// The essential part, mm: the whole tooth if its tip matters, otherwise the root on the right,
+// slightly higher than the flank's start.
 std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
   const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
   const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));
@@ -77,7 +77,7 @@ Viewport window(const Gear& gear, const std::optional<Gear>& rack) {
   return {kWidth, kHeight, (box.lo + box.hi) / 2 - Vec2(0.0, shift), scale, true};
 }
 
-// The flank that an undercut took away: from the base circle to where the flank now starts.
+// The flank that undercut removed: from the base circle to the present start of the flank.
 void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
   const Involute flank(gear.base_radius(),
                        gear.reference().base_tooth_thickness / gear.reference().base_diameter);
@@ -92,7 +92,7 @@ void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
   }
 }
 
-// The circle that an arc is part of, with its centre and the radius to where it touches the flank.
+// The circle of an arc, with its centre and the radius to the point at which it touches the flank.
 void draw_fillet(Svg& svg, const Viewport& view, const FilletArc& arc, const Vec2& center,
                  const Vec2& touch, const char* symbol) {
   const Vec2 c = view.px(center);
@@ -100,7 +100,7 @@ void draw_fillet(Svg& svg, const Viewport& view, const FilletArc& arc, const Vec
   svg.circle(c, arc.radius * view.scale, "thin dot");
   svg.line(c, p, "thin");
   svg.dot(c, 2.2, "mark hollow");
-  if ((p - c).norm() < 34.0) return;  // no room beside so short a line
+  if ((p - c).norm() < 34.0) return;  // no room next to so short a line
   svg.text((c + p) / 2, symbol_svg(symbol), Anchor::middle, "halo", {0.0, -6.0});
 }
 
@@ -135,9 +135,10 @@ std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const st
                      const std::string& name) {
   const Viewport view = window(gear, rack);
   const Vec2 axis = view.px(Vec2::Zero());
-  Svg svg("root-" + shape, kWidth, kHeight, name + ": the root as it is and as the rack cuts it",
-          "The tooth in the transverse section with its arcs in colours; dashed behind it what the "
-          "rack alone would leave, the base circle, and the points F, C and J on the flank.");
+  Svg svg(
+      "root-" + shape, kWidth, kHeight, name + ": the root as it is and as the rack cuts it",
+      "The tooth in the transverse section with its arcs in colours; dashed behind it the root "
+      "that the rack alone would leave, the base circle, and the points F, C and J on the flank.");
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
   svg.use(shape, axis, view.scale * outline_unit_mm(gear), 90.0, "neighbour");
   svg.line({axis.x(), 0}, {axis.x(), kHeight}, "thin dashdot");

@@ -81,7 +81,7 @@ TEST(RootPicture, EveryNumberOfTeeth) {
 }
 
 TEST(FewTeethTable, HasWhatThePaperHas) {
-  const InvolutePair pair = testing::two_and_sixty();
+  const ParallelPair pair = testing::two_and_sixty();
   const std::string table = few_teeth_table({&pair.gears[0], &pair.gears[1]});
   for (const char* value :
        {">0.2359<", ">0.2459<", ">1.0454<", ">60.13603<", ">0.3320<", ">26.68714<", ">1.9008<"}) {

@@ -1,7 +1,7 @@
-// The pictures of a design search: the designs by their objectives, the room of their profile
-// shifts, and what tooth numbers allow.
+// The pictures of a design search: the designs by their objectives, the regions of their profile
+// shifts, and the limits for each tooth number.
 //
-//   front    the designs that no other betters in every objective, joined as a staircase
+//   front    the designs that no other dominates, joined as a staircase
 //   x1 to the right, x2 up, normal modules, one scale for both: lines Σx = const fall at 45°
 //   lo, hi   middles of the slices at the least and the greatest Σx
 //                                              theory: docs/theory/09-design-search.md
@@ -16,24 +16,24 @@
 
 namespace gearwright {
 
-inline constexpr std::size_t kMaxDots = 2000;  ///< of one picture: more are no longer told apart
+inline constexpr std::size_t kMaxDots = 2000;  ///< of one picture: more cannot be distinguished
 
-/// The corners of the staircase through the points that none of them betters in both values: the
-/// border between the designs found and those out of reach. `greater`: for each axis, whether more
-/// is better.
+/// The corners of the staircase through the points that no other point dominates, which is the
+/// border between the designs found and those out of reach. `greater` is true for an axis on which
+/// more is better.
 ///
 /// Laws   (1) no given point lies beyond it   (2) along it one value gets worse as the other gets
 ///        better
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
-/// By the first two objectives; one alone over the centre distance, over the ratio where the
-/// distance is given. The first kMaxDots designs and the whole front. Each dot shows its design
-/// where the pointer rests on it. Empty without designs.
+/// The designs by the first two objectives. A single objective is shown over the centre distance,
+/// or over the ratio if the distance is given. The first kMaxDots designs and the whole front are
+/// drawn. Each dot shows its design at the pointer. Empty without designs.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer);
 
-/// The s1–s2 graph of one pair of tooth numbers, which profile shifts its limits leave, with everything
-/// named. The window follows the region: the whole rectangle of shift limits where the region fills a
-/// fair part of it, else the region with a small map of the whole in a corner.
+/// The s1–s2 graph of one pair of tooth numbers, the profile shifts within its limits, with all
+/// names. The window is the whole rectangle of shift limits if the region fills a fair part of it,
+/// otherwise the region with a small map of the whole in a corner.
 ///
 /// Domain    the design's region exists (contract), here and below
 std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row);
@@ -44,10 +44,10 @@ std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row
 
 inline constexpr int kChartMin = 7, kChartMax = 100;  ///< teeth
 
-/// Between which profile shifts a gear can be made, over the tooth number on a logarithmic axis:
-/// undercut limit, limits of the tip thicknesses 0, 0.2, 0.4 modules and, filled, the range that the
-/// problem itself leaves gear 1; rack and helix are those of the trial, with the design's shifts marked
-/// when there is one.
+/// The range of possible profile shifts over the tooth number on a logarithmic axis:
+/// undercut limit, limits of the tip thicknesses 0, 0.2, 0.4 modules and, filled, the range of gear
+/// 1 within the limits of the problem. Rack and helix are those of the trial, and the shifts of a
+/// design are marked.
 std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial,
                                 const DesignRow* design);
 

@@ -39,7 +39,8 @@ std::string kind_of(const SearchProblem& problem) {
   return kind;
 }
 
-// "by contact ratio"; of several: "by size, the Pareto front over size and contact ratio first".
+// "by contact ratio"; with several objectives: "by size, the Pareto front over size and contact
+// ratio first".
 std::string order_in_words(const SearchProblem& problem) {
   const auto& objectives = problem.objectives;
   std::string text = fmt::format("by {}", words_of(objectives[0]).name);
@@ -131,7 +132,7 @@ std::string thumbnail_section(const SearchReport& report) {
 std::string chart_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
-  Trial trial;  // of the first rack and helix, when there is no design
+  Trial trial;  // of the first rack and helix, if there is no design
   trial.helix = {problem.helix.front(), Angle()};
   if (best != nullptr) trial = best->trial;
   return "<section>\n<h2>What tooth numbers allow</h2>\n" + (best ? "" : picture_hint()) +
@@ -193,8 +194,8 @@ std::string search_report(const SearchReport& report) {
       escaped(kind_of(problem)), escaped(title), search_verdict(report));
   page += with_contents(search_sections(report) + spec_section(report.spec_text)) + "</main>\n" +
           foot(report);
-  page += fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", figure_script(), page_script(),
-                      sort_script());
+  page += fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
+                      zoom_script(), page_script(), sort_script());
   return page;
 }
 

@@ -1,5 +1,5 @@
-// One HTML page about a design search, for people: what was tried, the best designs in a table that
-// sorts, and pictures of their objectives and of the room their profile shifts have.
+// One HTML page about a design search, for users: the tried candidates, the best designs in a
+// sortable table, and pictures of their objectives and of the regions of their profile shifts.
 //
 // As the report of a pair (report/report.hpp): a function of its input alone, in one file that
 // needs nothing else.
@@ -13,12 +13,13 @@
 namespace gearwright {
 
 struct SearchReport {
-  std::string title;      ///< empty: one is made from the ratio band
-  std::string spec_text;  ///< the spec, verbatim; empty: left out
+  std::string title;      ///< empty: a title is made from the range of ratios
+  std::string spec_text;  ///< the spec, verbatim; empty: omitted
   const Search& search;
   const SearchAnswer& answer;
-  std::vector<std::string> reasons;  ///< plain text: why nothing fits, what would help, warnings
-  std::size_t rows = 200;            ///< how many designs the table shows
+  std::vector<std::string> reasons;  ///< plain text: reasons if nothing fits, changes that would
+                                     ///< help, warnings
+  std::size_t rows = 200;            ///< number of designs in the table
   std::string version;               ///< of the program
 };
 
@@ -36,7 +37,7 @@ std::string search_sections(const SearchReport& report);
 ///             (2) no request leaves the page
 ///             (3) title, spec and reasons are text, whatever they contain
 ///             (4) without script the table and all pictures are there
-/// Units     mm, degrees; shifts and regions in normal modules; what does not exist is “–”
+/// Units     mm, degrees; shifts and regions in normal modules; missing values are “–”
 std::string search_report(const SearchReport& report);
 
 }  // namespace gearwright

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: which design, its rank, its values. With the meaning of
-// a column, where the page has room for less than the documents, or knows more.
+// The quantities in the order of the page: the design, its rank, its values. They include the
+// meaning of a column if the text for the page differs from that for documents.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;
@@ -48,17 +48,17 @@ constexpr Entry kEntries[] = {
     {"S_H", ""},
     {"S_F", ""},
     {"mass_kg", {}},
-    {"area", "in modules²: how much room the limits leave the profile shifts"}};
+    {"area", "in modules²: size of the region of profile shifts within the limits"}};
 
 struct Cell {
   std::string text;
-  std::optional<double> key;  // what the column sorts by; none comes last
+  std::optional<double> key;  // value by which the column is sorted; none comes last
 };
 
 struct Column {
   const QuantityInfo* info;
   std::string_view meaning;
-  std::optional<std::size_t> gear;  // of a value per gear
+  std::optional<std::size_t> gear;  // for a value of each gear
 };
 
 Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
@@ -82,7 +82,7 @@ Cell cell_of(const Column& column, const ValueRecord& record) {
   return {text_of(*column.info, v), v.number()};
 }
 
-// Columns that no design has a row for are left out.
+// Columns without a value for any design are omitted.
 std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
   std::vector<Column> columns;
   for (const Entry& entry : kEntries) {
@@ -111,7 +111,7 @@ std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAn
   return records;
 }
 
-// The symbol with the gear's number, or the words of what has no symbol.
+// The symbol with the gear's number, or the words of a quantity without a symbol.
 std::string symbol_of(const Column& c) {
   if (c.info->symbol.empty()) return c.info->key;
   if (!c.gear) return symbol_html(c.info->symbol);

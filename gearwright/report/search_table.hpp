@@ -1,4 +1,4 @@
-// The designs of a search as a table whose columns sort it.
+// The designs of a search as a sortable table.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace gearwright {
 
-/// The first `rows` designs; a row has the id "design-1", … . Columns that say nothing about this
-/// search (helix of spur gears, a front of one objective) are left out.
+/// The first `rows` designs; a row has the id "design-1", … . Columns that have no meaning for this
+/// search (helix of spur gears, a front of one objective) are omitted.
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer,
                          std::size_t rows);
 
-/// What the columns mean, folded.
+/// The meaning of the columns, folded.
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
                              std::size_t rows);
 
-/// Makes the headings of the table buttons; without it the table stands as it is.
+/// Turns the headings of the table into buttons; without it the table is static.
 /// The file report/page/sort_script.js.
 std::string_view sort_script();
 

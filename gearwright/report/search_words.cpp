@@ -12,25 +12,6 @@ namespace gearwright {
 
 namespace {
 
-struct EdgeLook {
-  std::string_view words, style;
-};
-
-// In the order of ShiftEdge.
-constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"gear 1 least shift", "edge-g1"},
-                                                    {"gear 1 greatest shift", "edge-g1 far"},
-                                                    {"gear 2 least shift", "edge-g2"},
-                                                    {"gear 2 greatest shift", "edge-g2 far"},
-                                                    {"least centre distance", "edge-c"},
-                                                    {"greatest centre distance", "edge-c far"},
-                                                    {"contact ratio", "edge-eps"},
-                                                    {"clipped contact ratio", "edge-true"},
-                                                    {"sliding", "edge-slide"},
-                                                    {"clearance", "edge-clear"},
-                                                    {"interference at gear 1", "edge-hit"},
-                                                    {"interference at gear 2", "edge-hit"},
-                                                    {"no working angle", "edge-mesh"}}};
-
 // In the order of Limit.
 constexpr std::array<std::string_view, kLimits> kLimitWords{
     "no profile shift between undercut and a thin tip",
@@ -41,13 +22,10 @@ constexpr std::array<std::string_view, kLimits> kLimitWords{
     "tip clearance too small",
     "interference",
     "safety against pitting too small",
-    "safety against root breakage too small"};
+    "safety against root breakage too small",
+    "a finding of the verdict over the drawing"};
 
 }  // namespace
-
-std::string_view words_of(ShiftEdge edge) { return kEdges[static_cast<std::size_t>(edge)].words; }
-
-std::string_view style_of(ShiftEdge edge) { return kEdges[static_cast<std::size_t>(edge)].style; }
 
 std::string_view words_of(Limit limit) { return kLimitWords[static_cast<std::size_t>(limit)]; }
 
@@ -61,14 +39,14 @@ ObjectiveWords words_of(Objective objective) {
     case Objective::area: return {"area of the region", "", "modules²", true};
     case Objective::sliding: return {"greatest sliding", "ζ", "", false};
     case Objective::mass: return {"mass", "m", "kg", false};
-    case Objective::safety: return {"least safety over that wanted", "", "", true};
+    case Objective::safety: return {"least safety over the required one", "", "", true};
   }
   contract_failed("postcondition", "known objective", __FILE__, __LINE__);
 }
 
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective) {
-  // A cost knows only designs that rank; as a place in a plot any point of a region will do.
+  // Only ranked designs have a cost. For a plot, any point of a region can be used.
   DesignRow any = row;
   any.balanced = true;
   const auto value = cost(problem, any, objective);

@@ -1,4 +1,4 @@
-// What a design search speaks of, in words: limits, edges of the s1–s2 graph, objectives, designs.
+// Words of a design search: limits, objectives, designs.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,13 @@
 
 #include "gearwright/design/design_row.hpp"
 #include "gearwright/design/search_problem.hpp"
-#include "gearwright/design/shift_graph.hpp"
 
 namespace gearwright {
 
-/// "gear 1 least shift", "contact ratio", …
-std::string_view words_of(ShiftEdge edge);
-/// Class of the page's style that colours it, "edge-g1 far".
-std::string_view style_of(ShiftEdge edge);
-
-/// "centre distance out of reach", … : what a rejected trial died of.
+/// "centre distance out of reach", … : the reason for rejecting a trial.
 std::string_view words_of(Limit limit);
 
-/// What an objective counts, for axes and sentences.
+/// The words of an objective, for axes and sentences.
 struct ObjectiveWords {
   std::string_view name;    ///< "contact ratio"
   std::string_view symbol;  ///< "ε_α", as in html_text.hpp; may be empty
@@ -28,7 +22,7 @@ struct ObjectiveWords {
 };
 ObjectiveWords words_of(Objective objective);
 
-/// Its value of a design, whether it ranks or not; none: |ζ| at a base tangent point.
+/// Its value for a design, ranked or not; none: |ζ| at a base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 

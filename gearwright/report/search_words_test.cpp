@@ -5,8 +5,9 @@
 #include <set>
 #include <string>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/markup.hpp"
-#include "gearwright/report/page_parts.hpp"
+#include "gearwright/figure/shift_region.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 
 namespace gearwright {
@@ -14,7 +15,7 @@ namespace {
 
 TEST(SearchWords, EveryEdgeHasWordsOfItsOwnAndAColour) {
   std::set<std::string_view> words;
-  const std::string style(search_style());
+  const std::string style(figure_style());
   for (std::size_t i = 0; i < kShiftEdges; ++i) {
     const auto edge = static_cast<ShiftEdge>(i);
     EXPECT_FALSE(words_of(edge).empty());

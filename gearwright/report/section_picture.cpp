@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/figure/svg.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
-#include "gearwright/report/named_circles.hpp"
 
 namespace gearwright {
 
@@ -30,8 +29,8 @@ Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
   return box;
 }
 
-// Nearly parallel axes have their lines far apart along the teeth: the trailing one is left out
-// where it would make the picture much smaller.
+// With nearly parallel axes, the lines are far apart along the teeth. The trailing one is omitted
+// if it would make the picture much smaller.
 Lines lines_shown(const InvolutePair& pair) {
   const double one = box_of_lines(pair, Lines::leading).size().x();
   return box_of_lines(pair, Lines::both).size().x() > 3 * one ? Lines::leading : Lines::both;
@@ -46,7 +45,7 @@ Viewport window(const InvolutePair& pair) {
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
   const double scale =
       std::min((kWidth - 2 * kMargin - 60) / size.x(), (kTallest - 110) / size.y());
-  // No taller than the lines need, with letters and some of the cylinders.
+  // The height is no more than the lines need, with letters and a part of the cylinders.
   return {kWidth, std::max(220.0, scale * size.y() + 110.0), (box.lo + box.hi) / 2, scale};
 }
 
@@ -59,15 +58,15 @@ bool inside(const Viewport& view, const Vec2& px) {
          px.y() <= view.height - 4;
 }
 
-// Where the ellipse, followed from the mesh to the `side` (+1 right), leaves the plot, px; nothing
-// when it passes the plot by.
+// The point at which the ellipse, followed from the mesh to the `side` (+1 right), leaves the plot,
+// px; none if it does not meet the plot.
 std::optional<Vec2> leaves_at(const SectionEllipse& e, const Viewport& view, bool below,
                               double side) {
   constexpr int kSteps = 2000;
   std::optional<Vec2> last;
   for (int k = 0; k <= kSteps; ++k) {
     const double from_top = 0.5 * std::numbers::pi * k / kSteps;
-    const double up = below ? 1.0 : -1.0;  // gear 1 lies below the mesh, its top is there
+    const double up = below ? 1.0 : -1.0;  // gear 1 lies below the mesh, with its top there
     const Vec2 p = view.px(on_ellipse(e, up * (0.5 * std::numbers::pi - side * from_top)));
     if (inside(view, p))
       last = p;
@@ -94,7 +93,7 @@ void draw_cylinders(Svg& svg, const Viewport& view, const InvolutePair& pair, st
     if (const auto end = leaves_at(e, view, i == 0, side)) {
       ends.push_back(*end);
       wanted.push_back(end->y());
-      symbols.push_back(cut.symbol);
+      symbols.push_back(symbol_of(cut, i));
     }
   }
   svg.end_group();

@@ -16,7 +16,7 @@ double level(const SectionEllipse& e, const Vec2& p) {
 }
 
 TEST(SectionPicture, LineOfActionAtItsTrueLengthAndAngle) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     const Mesh<double>& m = pair.mesh;
     const Point<Housing> from = pair.on_line_of_action(m.rho1_A);
     const Point<Housing> to = pair.on_line_of_action(m.rho1_E);
@@ -29,7 +29,7 @@ TEST(SectionPicture, LineOfActionAtItsTrueLengthAndAngle) {
 // Cylinders are cut where they are: the tips pass through A and E, and the line touches the base
 // cylinders at T_1 and T_2.
 TEST(SectionPicture, CylindersPassThroughTheEndsOfTheLine) {
-  for (const InvolutePair& pair : testing::crossed_pairs()) {
+  for (const CrossedPair& pair : testing::crossed_pairs()) {
     const Mesh<double>& m = pair.mesh;
     const auto at = [&](double rho1) { return in_section(pair, pair.on_line_of_action(rho1)); };
     const auto tip = [&](std::size_t i) {

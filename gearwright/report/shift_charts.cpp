@@ -24,7 +24,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The shifts that the problem leaves, a piece for each run of tooth numbers with a shift at all.
+// The shifts within the limits of the problem, a piece for each run of tooth numbers with possible
+// shifts.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -85,8 +86,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     std::vector<Vec2> points;
     for (const ShiftLimits& row : chart)
       points.push_back(std::isfinite(of(row)) ? Vec2(row.teeth, of(row)) : kNewPiece);
-    f.line(std::move(points), std::string("curve ") + style, name);
-    f.keys.push_back({std::string("line ") + style, name});
+    f.line(std::move(points), fmt::format("curve {}", style), name);
+    f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
   constexpr std::array kTipStyles{"limit-tip dot", "limit-tip", "limit-tip dash"};
@@ -97,7 +98,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   for (std::size_t i = 0; i < kChartTips.size(); ++i) {
     const auto meet = where_limits_meet(chart, i);
     if (!meet) continue;
-    // One above the other, where undercut leaves nothing else to draw.
+    // The labels are stacked where undercut leaves nothing else to draw.
     const double level = f.y.lo + (0.05 + 0.09 * static_cast<double>(i)) * (f.y.hi - f.y.lo);
     f.line({{meet->teeth, meet->shift}, {meet->teeth, level}}, "thin dash");
     f.dot({meet->teeth, meet->shift}, 4.0, "mark");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gearwright/figure/shift_region.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/search_words.hpp"
 #include "gearwright/report/testing/page_text.hpp"
@@ -83,7 +84,8 @@ TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
     const std::string figure = figure_of(sample, row);
     for (const char* words : {"least centre distance", "greatest centre distance",
                               "gear 1 least shift", "gear 2 least shift"})
-      EXPECT_EQ(count_of(figure, words), 2u) << words;  // beside the edge and in the key
+      EXPECT_EQ(count_of(figure, std::string(">") + words + "<"), 2u)
+          << words;  // beside the edge and in the key
     EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 2u);
     return;
   }
@@ -93,9 +95,9 @@ TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
 TEST(ShiftRegionPicture, OneExactDistanceIsALine) {
   const SearchSample sample = testing::exact_search();
   const std::string figure = figure_of(sample, sample.answer->designs.front());
-  EXPECT_EQ(count_of(figure, "exact centre distance"), 2u);
-  EXPECT_EQ(figure.find("least centre distance"), figure.npos);
-  EXPECT_EQ(figure.find("greatest centre distance"), figure.npos);
+  EXPECT_EQ(count_of(figure, ">exact centre distance<"), 2u);
+  EXPECT_EQ(figure.find(">least centre distance<"), figure.npos);
+  EXPECT_EQ(figure.find(">greatest centre distance<"), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 1u);
   EXPECT_NE(figure.find("without area"), figure.npos);
 }
@@ -138,7 +140,7 @@ TEST(ShiftRegionPicture, ARegionInTwoPieces) {
   ASSERT_EQ(shift_region(sample.search->graph(row.trial))->sums.size(), 2u);
   const std::string figure = figure_of(sample, row);
   expect_sound_figure(figure, "design-");
-  EXPECT_EQ(count_of(figure, "<polygon class=\"region\""), 2u);
+  EXPECT_EQ(count_of(figure, "<path class=\"region\""), 2u);
 }
 
 TEST(ShiftRegionPicture, ThumbnailsHaveNoLabelsAndLeadToTheirRow) {

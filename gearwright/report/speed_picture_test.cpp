@@ -13,8 +13,8 @@ namespace {
 // At X = 0 the contact passes the common pitch point, where gears only slide along the teeth:
 // r_w1 ω_1 sin β_1 + r_w2 ω_2 sin β_2, the screws' speeds over each other.
 TEST(SpeedPicture, AtThePitchPointTheScrewsSlideAlongTheTeeth) {
-  const InvolutePair pair = testing::crossed_sample_pair(testing::sample_gear(20, 2, 45, 0.2),
-                                                         testing::sample_gear(30, 2, 40, -0.2), 85);
+  const CrossedPair pair = testing::crossed_sample_pair(testing::sample_gear(20, 2, 45, 0.2),
+                                                        testing::sample_gear(30, 2, 40, -0.2), 85);
   ASSERT_NEAR(pair.mesh.pitch_plane_distance, 0.0, 1e-9);
   const auto& sides = pair.mesh.rack.sides;
   const double along = sides[0].pitch_radius * std::sin(sides[0].helix_angle) +

@@ -12,7 +12,7 @@ namespace gearwright {
 
 class TableBuilder {
  public:
-  /// Caption and headings are plain text. `columns` head the values.
+  /// Caption and headings are plain text. `columns` are the headings of the values.
   TableBuilder(std::string_view caption, const std::vector<std::string>& columns);
 
   void group(std::string_view title);
@@ -20,18 +20,19 @@ class TableBuilder {
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
   void row(const QuantityInfo& info, const std::vector<std::string>& values);
-  /// One value that belongs to all columns, or to all but the last, which then holds a note.
+  /// One value common to all columns, or to all except the last, which then contains a note.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
   void common(const QuantityInfo& info, const std::string& value,
               const std::optional<std::string>& note = {});
   /// The rows of the catalogue, without the group's heading: a value per column, or one that is common
-  /// to all. The table has as many columns as there are records, or two beside one record (a pair).
+  /// to all. The table has as many columns as there are records, or two for one record (a pair).
   void rows(const TextGroup& group);
   /// The same under their headings.
   void groups(const std::vector<TextGroup>& groups);
 
-  /// A long table is folded behind its caption and its first values; on paper it is open.
+  /// Returns the table. A long table is folded behind its caption and its first values, and
+  /// unfolded on paper.
   std::string str() const;
 
  private:
@@ -39,7 +40,7 @@ class TableBuilder {
   void cell(const std::string& value, std::size_t columns);
 
   static constexpr int kLong = 10;  ///< rows; a table with more is folded
-  static constexpr int kFirst = 3;  ///< values beside the caption of a folded table
+  static constexpr int kFirst = 3;  ///< values next to the caption of a folded table
 
   std::string caption_;
   std::string first_;  ///< values, HTML

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/figure/svg.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/named_circles.hpp"
 
 namespace gearwright {
 
@@ -36,25 +37,25 @@ std::vector<NamedCircle> circles_of(const Gear& gear) {
   return circles;
 }
 
-// One tooth and a quarter pitch on both sides, with some body behind its root. An internal gear's
-// hangs down.
+// One tooth and a quarter pitch on both sides, with a part of the body behind its root. An internal
+// gear's tooth points down.
 Viewport window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
   const double m = gear.spec.normal_module;
-  const double out = gear.internal() ? -1.0 : 1.0;  // from root to tip
+  const double out = gear.side();  // from root to tip
   const double pitch = gear.transverse_module * std::numbers::pi;
   const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
   const double scale = std::min(kHeight / tall, kPlotWidth / (1.5 * pitch));
-  // The window's middle is the plot's middle, left of the picture's.
+  // The middle of the window is that of the plot, which is left of the picture's.
   const double shift = (kWidth - kPlotWidth) / 2 / scale;
   const double spare = kHeight / scale - tall;
   const double middle = (r_a + out * 0.5 * m + r_f - out * body) / 2 - out * 0.3 * spare;
   return {kWidth, kHeight, Vec2(middle, -shift), scale, true};
 }
 
-// As many digits as the room beside the plot holds on a narrow screen; the table has them all.
+// The number of digits fits next to the plot on a narrow screen. The table has all digits.
 std::string shown_diameter(double d) {
   const int before = d < 1000.0 ? 3 : static_cast<int>(std::log10(d)) + 1;
   return fixed(d, std::max(0, std::min(kLengthDigits, 7 - before)));
@@ -67,7 +68,7 @@ void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
   for (const NamedCircle& c : circles_of(gear)) {
     svg.circle(axis, c.radius * view.scale, std::string("thin") + c.style);
     const Vec2 end = leaves_right(axis, c.radius * view.scale, kPlotWidth);
-    if (end.y() > kHeight || end.y() < 0.0) continue;  // outside the window; the table has it
+    if (end.y() > kHeight || end.y() < 0.0) continue;  // outside the window, but in the table
     leaders.push_back({end, symbol_svg(c.symbol) + " " + shown_diameter(2 * c.radius)});
   }
   svg.end_group();
@@ -100,7 +101,7 @@ std::string why_no_outline(const Gear& gear) {
 
 constexpr int kMaxTeeth = 8;
 constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
-constexpr double kSameShift = 1e-6;  // a shift this near to one of them is that one
+constexpr double kSameShift = 1e-6;  // shifts within this difference are equal
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallHeight = 230.0;
 constexpr double kMargin = 12.0;
@@ -115,7 +116,7 @@ std::vector<Vec2> tooth_points(const Gear& gear) {
   return points;
 }
 
-// One window for all, mm: from the lowest root to the highest tip, and as wide as the widest.
+// One window for all, mm: from the lowest root to the highest tip, with the width of the widest.
 Viewport window(const std::vector<ShiftedTooth>& teeth) {
   double half = 0.0;
   double low = std::numeric_limits<double>::infinity();
@@ -148,7 +149,7 @@ void draw_arc(Svg& svg, const Viewport& view, const Gear& gear, const Arc& arc, 
   }
 }
 
-// The tooth on its own pitch, filled down to the axis.
+// The tooth over its own pitch, filled down to the axis.
 void fill_slice(Svg& svg, const Viewport& view, const Gear& gear) {
   const std::vector<Vec2> side = tooth_points(gear);
   std::vector<Vec2> slice{view.px(Vec2::Zero())};
@@ -166,7 +167,7 @@ std::string tooth_svg(const ShiftedTooth& t, const Viewport& view, const std::st
   if (rounded || cut) fill_slice(svg, view, rounded ? *t.rounded : t.rack_cut);
   svg.circle(axis, t.rack_cut.base_radius() * view.scale, "thin dash");
   svg.line({axis.x(), 0}, {axis.x(), kSmallHeight}, "thin dashdot");
-  // What both have in common covers the dashes.
+  // Their common part covers the dashes.
   if (cut) {
     for (const Arc& arc : t.rack_cut.tooth->outline.arcs)
       draw_arc(svg, view, t.rack_cut, arc, "before");
@@ -221,7 +222,7 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
                   "reference, {}tip, root and form circles.",
                   z, gear.involute() ? "base, " : ""));
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  // The gear frame's x axis points up here: a quarter turn. At least three teeth are seen.
+  // The gear frame's x axis points up here, a quarter turn. At least three teeth are visible.
   svg.use(shape, axis, unit, 90.0, "neighbour");
   svg.line({axis.x(), 0}, {axis.x(), kHeight}, "thin dashdot");
   svg.end_group();
@@ -274,7 +275,7 @@ std::vector<ShiftedTooth> shifted_teeth(const Gear& gear) {
     if (!cut) continue;  // beyond the limits of a spec
     ShiftedTooth t{x, x == own, std::move(cut).take(), std::nullopt};
     spec.root_fillet = gear.spec.root_fillet.value_or(RootFilletSpec{});
-    // With its own tip where that fits, else with the rack's.
+    // With its own tip if that fits, otherwise with that of the rack.
     spec.tip_fillet = gear.spec.tip_fillet;
     auto rounded = make_gear(spec);
     if (!rounded && spec.tip_fillet) {

@@ -1,35 +1,22 @@
-// The gears of a picture that a reader can turn: what the page's script needs to know.
+// The control that turns the gears of a picture (figure/mesh.hpp), and its script.
 //
-//   t    how far gear 1 has turned out of the drawn position, in its pitches, 0 … 1: a pitch later
-//        the next tooth stands where the first one stood, and the picture begins anew
+//   t    rotation of gear 1 from the drawn position, in its pitches, 0 … 1: after a pitch the next
+//        tooth is in the place of the first one, and the picture repeats
 //
-// Without the script, and on paper, the picture stands still at t = 0.
+// Without the script, and on paper, the picture is static at t = 0.
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "gearwright/figure/svg.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
-/// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch, clockwise
-/// positive, as SVG has it.
-///
-/// Formula   360/z_1, −σ 360/|z_2|   Domain  parallel axes (contract)
-double turn_per_pitch(const InvolutePair& pair, std::size_t i);
-
-/// The same as the attribute of a shape that turns.
-std::string turn_attribute(const InvolutePair& pair, std::size_t i);
-
-/// Internal gears where flanks touch in this section, one for each tooth that passes the usable
-/// path within a pitch. They appear once the gears have turned.
-void draw_touches(Svg& svg, const Viewport& view, const InvolutePair& pair);
-
 /// Button and slider (HTML), for the pictures in the same group of figures; the script shows it.
 std::string turn_control(const InvolutePair& pair);
 
-/// The script's part for it: report/page/turn_script.js.
+/// Its part of the script: report/page/turn_script.js.
 std::string_view turn_script();
 
 }  // namespace gearwright

@@ -62,7 +62,7 @@ double Distribution::at(double u) const {
       break;
     case Kind::normal: {
       const double v = from_ + u * (to_ - from_);
-      // A range far out on one side leaves Φ = 1 to rounding.
+      // If the range is far out on one side, Φ = 1 within rounding.
       if (v >= 1.0) return h;
       x = mean_ + sigma_ * normal_quantile(v);
       break;

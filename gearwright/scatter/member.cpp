@@ -8,6 +8,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/continuous.hpp"
+#include "gearwright/scatter/long_period.hpp"
 
 namespace gearwright {
 
@@ -15,9 +16,10 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTouching = 1e-12;                // rad: teeth without backlash do not jam
-constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a peak to peak below is the rounding of 0
+constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
+                                                   // of 0
 
-// The setup of the member: the drawing's, unless its modifications differ.
+// The setup of the member, which is that of the drawing unless its modifications differ.
 class MemberSetup {
  public:
   MemberSetup(const ContactSetup& setup, const Deviation& deviation) : drawn_(setup) {
@@ -33,10 +35,7 @@ class MemberSetup {
   std::optional<ContactSetup> own_;
 };
 
-double span_of(Transmission& transmission, const std::vector<PairTouch>& touches) {
-  const double span = continuous_extremes(transmission, touches).span();
-  return span < kNoAngle ? 0.0 : span;
-}
+double without_rounding(double span) { return span < kNoAngle ? 0.0 : span; }
 
 }  // namespace
 
@@ -83,7 +82,12 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   if (m.lost) return m;
   set(Q::along_face, curve.score.along_face);
   if (request.profile.width > Angle()) set(Q::along_profile, curve.score.along_profile);
-  set(Q::peak_to_peak, span_of(transmission, touches));
+  set(Q::peak_to_peak, without_rounding(continuous_extremes(transmission, touches).span()));
+  if (deviation.uneven_pitch()) {
+    const auto teeth = [&](int which) { return std::abs((*setup).gear(which).spec.teeth); };
+    set(Q::long_period,
+        long_period_span(transmission, touches, {teeth(1), teeth(2)}, deviation.pitch));
+  }
   // Each flank of a tooth takes half of the change of its thickness.
   std::vector<double> te;
   double sum = 0.0;
@@ -99,15 +103,20 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   return m;
 }
 
-double continuous_peak_to_peak(const ContactSetup& drawn, const Deviation& deviation,
-                               const MemberRequest& request) {
+MemberSpan continuous_peak_to_peak(const ContactSetup& drawn, const Deviation& deviation,
+                                   const MemberRequest& request,
+                                   std::span<const Influence> influences) {
   const MemberSetup setup(drawn, deviation);
   const ContactPair driving = (*setup).pair(deviation.errors, request.gear2_drives);
   Transmission transmission(driving);
   const auto touches = one_pitch(transmission, -0.5 * driving.pitch(), request.positions);
   for (const PairTouch& t : touches)
-    if (!t.found()) return kNan;
-  return span_of(transmission, touches);
+    if (!t.found()) return {kNan, std::vector<double>(influences.size(), 0.0)};
+  const CurveExtremes extremes = continuous_extremes(transmission, touches);
+  MemberSpan span{without_rounding(extremes.span()), {}};
+  for (const Influence& i : influences)
+    span.slope.push_back(span.value > 0.0 ? span_slope(transmission, extremes, i) : 0.0);
+  return span;
 }
 
 }  // namespace gearwright

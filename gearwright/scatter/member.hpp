@@ -1,15 +1,18 @@
 // One member of the family: its contact over a pitch in a few numbers.
 //
-//   ΔE_sn   change of the tooth thickness      s   what it takes from the play, as an angle of gear 2
-//                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
+//   ΔE_sn   change of the tooth thickness      s   its reduction of the backlash, as an angle of
+//                                    gear 2 theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
 // The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
 // continuous curve.
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "gearwright/contact/contact_score.hpp"
+#include "gearwright/contact/sensitivity.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright {
@@ -24,12 +27,13 @@ enum class ScatterQuantity {
   along_profile,  ///< the same along the profile; circular-arc teeth
   edge_share,     ///< of the positions, at which an edge touches
   least_play,     ///< rad, of gear 2; < 0: the gears jam
+  long_period,    ///< rad, peak to peak over all tooth pairs; if pitches differ
 };
-constexpr std::size_t kScatterQuantities = 9;
+constexpr std::size_t kScatterQuantities = 10;
 
 struct FamilyMember {
-  std::array<double, kScatterQuantities> value{};  ///< NaN: there is no such number
-  bool lost = false;                               ///< at some position nothing touches
+  std::array<double, kScatterQuantities> value{};  ///< NaN if there is no such number
+  bool lost = false;                               ///< true if nothing touches at some position
 
   double operator[](ScatterQuantity q) const { return value[static_cast<std::size_t>(q)]; }
   bool edge() const { return (*this)[ScatterQuantity::edge_share] > 0.0; }
@@ -42,7 +46,7 @@ struct MemberRequest {
   ProfileTarget profile{};
 };
 
-/// The play that thicker teeth take, as an angle of gear 2, rad.
+/// The reduction of the backlash by thicker teeth, as an angle of gear 2, rad.
 ///
 /// Formula   [T14.13], exact for involutes
 /// Domain    involute teeth, or no change (contract)
@@ -55,8 +59,16 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve alone, rad; NaN where contact is lost.
-double continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
-                               const MemberRequest& request);
+/// Peak to peak of the continuous curve alone, rad, and its slope by each influence, rad per mm or rad.
+struct MemberSpan {
+  double value;  ///< NaN where contact is lost
+  std::vector<double> slope;
+};
+
+/// Domain    as member_at(); removed material on a gear whose modification is an influence (contract)
+/// Accuracy  as continuous_extremes() and span_slope()
+MemberSpan continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
+                                   const MemberRequest& request,
+                                   std::span<const Influence> influences = {});
 
 }  // namespace gearwright

@@ -8,6 +8,8 @@
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/math/sobol.hpp"
+#include "gearwright/scatter/loosening.hpp"
+#include "gearwright/scatter/sample_points.hpp"
 #include "gearwright/scatter/worst_case.hpp"
 
 namespace gearwright {
@@ -15,7 +17,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kBlock = 64;  // samples that a thread takes at once
-// Below these standard deviations a quantity varies by rounding only.
+// A quantity with a smaller standard deviation varies by rounding only.
 constexpr double kRoundingAngle = 1e-12;  // rad
 constexpr double kRoundingShare = 1e-9;
 
@@ -25,60 +27,26 @@ bool is_share(std::size_t quantity) {
          q == ScatterQuantity::edge_share;
 }
 
-// Points and members of the samples.
-class Sampler {
- public:
-  Sampler(const ContactSetup& setup, const ScatterTask& task)
-      : setup_(setup), task_(task), points_(2 * coordinates_of(task.tolerances)) {}
-
-  std::vector<double> at(int replicate, std::uint32_t n, bool other_half) const {
-    const int d = coordinates_of(task_.tolerances);
-    std::vector<double> u;
-    for (int j = other_half ? d : 0; j < (other_half ? 2 * d : d); ++j) {
-      const std::uint64_t key = scramble_key(task_.seed, replicate, j);
-      u.push_back(task_.sampling == Sampling::random
-                      ? random_unit(key, n)
-                      : unit_interval(owen_scrambled(points_.bits(n, j), key)));
-    }
-    std::vector<double> x;
-    std::size_t from = 0;
-    for (const ScatterTolerance& t : task_.tolerances) {
-      const auto count = static_cast<std::size_t>(t.coordinates());
-      const auto value = t.at(std::span<const double>(u).subspan(from, count));
-      x.insert(x.end(), value.begin(), value.begin() + t.coordinates());
-      from += count;
-    }
-    return x;
-  }
-
-  FamilyMember member(const std::vector<double>& x) const {
-    return member_at(setup_, deviation_at(setup_, task_.tolerances, x), task_.member);
-  }
-
-  // Members of all samples, by a function of replicate and n that gives x.
-  template <class F>
-  std::vector<ScatterSample> all(const F& x_at) const {
-    const auto n = static_cast<std::size_t>(task_.samples);
-    std::vector<ScatterSample> samples(n * static_cast<std::size_t>(task_.replicates));
-    parallel_for((samples.size() + kBlock - 1) / kBlock,
-                 [&](std::size_t block) {
-                   const std::size_t end = std::min(samples.size(), (block + 1) * kBlock);
-                   for (std::size_t i = block * kBlock; i < end; ++i) {
-                     samples[i].x =
-                         x_at(static_cast<int>(i / n), static_cast<std::uint32_t>(i % n));
-                     samples[i].member = member(samples[i].x);
-                     count_step(task_.progress);
-                   }
-                 },
-                 task_.threads);
-    return samples;
-  }
-
- private:
-  const ContactSetup& setup_;
-  const ScatterTask& task_;
-  SobolPoints points_;
-};
+// Members of all samples, by a function of replicate and n that gives x.
+template <class F>
+std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTask& task,
+                                      const F& x_at) {
+  const auto n = static_cast<std::size_t>(task.samples);
+  std::vector<ScatterSample> samples(n * static_cast<std::size_t>(task.replicates));
+  parallel_for((samples.size() + kBlock - 1) / kBlock,
+               [&](std::size_t block) {
+                 const std::size_t end = std::min(samples.size(), (block + 1) * kBlock);
+                 for (std::size_t i = block * kBlock; i < end; ++i) {
+                   ScatterSample& sample = samples[i];
+                   sample.x = x_at(static_cast<int>(i / n), static_cast<std::uint32_t>(i % n));
+                   sample.member = member_at(setup, deviation_at(setup, task.tolerances, sample.x),
+                                             task.member);
+                   count_step(task.progress);
+                 }
+               },
+               task.threads);
+  return samples;
+}
 
 // x of A with the coordinates of a group from B.
 std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
@@ -94,8 +62,8 @@ std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
   return a;
 }
 
-// The values of one quantity, of replicate r or (r < 0) of all, of the samples that keep contact, with
-// their places.
+// The values of one quantity and their indices, for replicate r or (r < 0) all of them, of the
+// samples that keep contact.
 struct Values {
   std::vector<double> value;
   std::vector<std::size_t> sample;
@@ -176,7 +144,7 @@ Probability probability_of(const std::vector<ScatterSample>& samples, double con
           probability_interval(count, of, confidence)};
 }
 
-// One quantity of one replicate; a sample that loses contact has none.
+// One quantity of one replicate. A sample that loses contact has no value.
 std::vector<double> column(const std::vector<ScatterSample>& samples, std::size_t quantity,
                            std::size_t from, std::size_t count) {
   std::vector<double> v;
@@ -223,11 +191,11 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
                                SobolPoints::kMaxDimensions / 2));
   }
   if (auto error = check_ends(setup, task.tolerances)) return *error;
-  const Sampler sampler(setup, task);
+  const SamplePoints points(task);
   const auto all = static_cast<std::int64_t>(task.samples) * task.replicates;
   begin_stage(task.progress, "samples", all);
   Scatter s;
-  s.samples = sampler.all([&](int r, std::uint32_t n) { return sampler.at(r, n, false); });
+  s.samples = members_of(setup, task, [&](int r, std::uint32_t n) { return points.at(r, n); });
   const auto nowhere = [](const ScatterSample& sample) {
     return sample.member[ScatterQuantity::edge_share] == 0.0 && sample.member.lost &&
            std::isnan(sample.member[ScatterQuantity::least_play]);
@@ -243,11 +211,12 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   if (task.indices) {
     begin_stage(task.progress, "samples for the indices",
                 all * static_cast<std::int64_t>(task.groups.size() + 1));
-    const auto other = sampler.all([&](int r, std::uint32_t n) { return sampler.at(r, n, true); });
+    const auto other =
+        members_of(setup, task, [&](int r, std::uint32_t n) { return points.of_other_half(r, n); });
     std::vector<std::vector<ScatterSample>> mixed_samples;
     for (const ToleranceGroup& group : task.groups) {
-      mixed_samples.push_back(sampler.all([&](int r, std::uint32_t n) {
-        return mixed(task, group, sampler.at(r, n, false), sampler.at(r, n, true));
+      mixed_samples.push_back(members_of(setup, task, [&](int r, std::uint32_t n) {
+        return mixed(task, group, points.at(r, n), points.of_other_half(r, n));
       }));
     }
     for (std::size_t q = 0; q < kScatterQuantities; ++q)
@@ -257,6 +226,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
     s.worst_peak_to_peak = worst_member(setup, task, s.samples, ScatterQuantity::peak_to_peak);
     s.worst_least_play = worst_member(setup, task, s.samples, ScatterQuantity::least_play);
   }
+  if (task.loosening) s.loosening = loosening_of(setup, task);
   return s;
 }
 

@@ -1,7 +1,11 @@
 #include "gearwright/scatter/tolerance.hpp"
 
+#include <cmath>
+
 #include "gearwright/base/overloaded.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/scatter/uneven_teeth.hpp"
 
 namespace gearwright {
 
@@ -38,7 +42,7 @@ void add_modification(FlankModifications& m, RemovalField::Parameter parameter, 
   }
 }
 
-// [T14.12]: what one bore does, the other one in its place.
+// [T14.12]: the effect of one bore, with the other one at its nominal place.
 void add_bore(ContactErrors& e, const VaryingBore& bore, double x, double y) {
   const double sign = bore.far_end ? 1.0 : -1.0;
   const double in_plane = sign * x / bore.span;
@@ -60,19 +64,51 @@ void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolera
             for (auto& flank : d.modifications[static_cast<std::size_t>(m.gear - 1)])
               add_modification(flank, m.parameter, by);
           },
-          [&](const VaryingBore& b) { add_bore(d.errors, b, by, tolerance.unit * x[1]); }},
+          [&](const VaryingBore& b) { add_bore(d.errors, b, by, tolerance.unit * x[1]); },
+          [&](const VaryingPitch& p) {
+            d.pitch[static_cast<std::size_t>(p.gear - 1)] =
+                uneven_pitch(setup.gear(p.gear), p, by, x[1] * kRadPerDeg, x[2]);
+          },
+          [&](const VaryingWave& w) {
+            d.modified = true;
+            const FormWave wave{w.along_face, static_cast<int>(std::lround(x[0])),
+                                x[1] * kRadPerDeg, tolerance.unit * w.height};
+            add_wave(d.modifications[static_cast<std::size_t>(w.gear - 1)],
+                     flank_extent(setup.gear(w.gear)), wave);
+          }},
       tolerance.of);
 }
 
 Deviation as_drawn(const ContactSetup& setup) {
-  return {setup.place().errors, setup.modifications(), false, {}};
+  return {setup.place().errors, setup.modifications(), false, {}, {}};
 }
 
 }  // namespace
 
-std::array<double, 2> ScatterTolerance::at(std::span<const double> u) const {
-  if (coordinates() == 2) return in_disc(distribution.greatest(), u[0], u[1]);
-  return {distribution.at(u[0]), 0.0};
+int ScatterTolerance::coordinates() const {
+  if (std::holds_alternative<VaryingPitch>(of)) return 3;
+  return bore() || std::holds_alternative<VaryingWave>(of) ? 2 : 1;
+}
+
+std::array<double, 3> ScatterTolerance::at(std::span<const double> u) const {
+  if (bore()) {
+    const auto [x, y] = in_disc(distribution.greatest(), u[0], u[1]);
+    return {x, y, 0.0};
+  }
+  if (std::holds_alternative<VaryingPitch>(of)) return {distribution.at(u[0]), 360.0 * u[1], u[2]};
+  if (const auto* w = std::get_if<VaryingWave>(&of)) {
+    const double choices = w->waves[1] - w->waves[0] + 1;
+    return {w->waves[0] + std::floor(choices * u[0]), 360.0 * u[1], 0.0};
+  }
+  return {distribution.at(u[0]), 0.0, 0.0};
+}
+
+std::array<double, 2> ScatterTolerance::side(int coordinate) const {
+  if (const auto* w = std::get_if<VaryingWave>(&of); w && coordinate == 0)
+    return {static_cast<double>(w->waves[0]), static_cast<double>(w->waves[1])};
+  if (bore() || coordinate == 0) return {distribution.least(), distribution.greatest()};
+  const bool share = std::holds_alternative<VaryingPitch>(of) && coordinate == 2;
+  return {0.0, share ? 1.0 : 360.0};
 }
 
 int coordinates_of(std::span<const ScatterTolerance> tolerances) {
@@ -99,9 +135,9 @@ std::optional<Error> check_ends(const ContactSetup& setup,
     return Error{tolerance.name, format_number(end), "leads to " + error.quoted()};
   };
   for (const ScatterTolerance& t : tolerances) {
-    for (const double end : {t.distribution.least(), t.distribution.greatest()}) {
+    for (const double end : t.side(0)) {
       Deviation d = as_drawn(setup);
-      add(d, setup, t, std::array{end, 0.0});
+      add(d, setup, t, std::array{end, 0.0, 0.0});
       for (const int which : {1, 2}) {
         const Angle lead = d.errors.cutter_lead[static_cast<std::size_t>(which - 1)];
         if (auto error = check_cutter_lead(setup.gear(which), which, lead))

@@ -1,7 +1,7 @@
-// What varies from pair to pair: one toleranced number each, or a bore in its circle.
+// Variations from pair to pair: one toleranced number each, or the place of a bore in a circle.
 //
-//   x   coordinates of a member of the family, one for each number and two for each bore; all 0 is the
-//       pair as drawn, because every x is added to what it has
+//   x   coordinates of a member of the family, one for each number and two for each bore; 0 is the
+//       pair as drawn, because every x is added to the value of the drawing
 //                                    theory: docs/theory/14-scatter.md, [T14.12]
 #pragma once
 
@@ -47,38 +47,66 @@ struct VaryingBore {
   bool far_end;   ///< at z = +L/2, else −L/2
 };
 
+/// The pitches of a gear: an eccentricity and a random walk around it, with a range of at most a
+/// share of F_pT and no step over f_ptT. x: that share, the phase of the eccentricity in degrees,
+/// and the share of the eccentricity. It changes the long period alone.   [T14.20]
+struct VaryingPitch {
+  int gear;
+  double total, single;  ///< F_pT, f_ptT  mm, along the reference circle
+};
+
+/// A wave of the form of both flanks, of the whole height f_f. x: the number of waves, the phase in
+/// degrees.   [T14.21]
+struct VaryingWave {
+  int gear;
+  bool along_face;           ///< over the face, else over the usable profile
+  std::array<int, 2> waves;  ///< least and most
+  double height;             ///< f_fα or f_fβ  mm
+};
+
 struct ScatterTolerance {
-  std::string name;   ///< as the user calls it, "errors.crossing_deg"
-  double unit = 1.0;  ///< rad or mm of one of the user's units, in which the distribution is
-  Distribution distribution;  ///< of a bore that of both coordinates' ends, −R to R
-  std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore> of;
+  std::string name;   ///< name for the user, "errors.crossing_deg"
+  double unit = 1.0;  ///< one unit of the user in rad or mm; the distribution uses the user's unit
+  /// For a bore each coordinate is distributed over −R to R; for a pitch the share; for a wave 0 to
+  /// 1.
+  Distribution distribution;
+  std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
+               VaryingWave>
+      of;
 
-  /// Coordinates of x: 2 of a bore, else 1.
-  int coordinates() const { return std::holds_alternative<VaryingBore>(of) ? 2 : 1; }
+  bool bore() const { return std::holds_alternative<VaryingBore>(of); }
+  /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
+  int coordinates() const;
   /// Its coordinates from as many numbers in (0, 1), in the user's units.
-  std::array<double, 2> at(std::span<const double> u) const;
+  std::array<double, 3> at(std::span<const double> u) const;
+  /// Least and greatest value of a coordinate.
+  std::array<double, 2> side(int coordinate) const;
 };
 
-/// A member of the family: what is added to the pair as drawn, in mm and rad.
+/// A member of the family: its difference from the pair as drawn, in mm and rad.
 struct Deviation {
-  ContactErrors errors;               ///< of the member, those of the drawing included
+  ContactErrors errors;               ///< of the member, including those of the drawing
   PairModifications modifications;    ///< likewise
-  bool modified = false;              ///< they are not the drawing's
+  bool modified = false;              ///< true if they differ from those of the drawing
   std::array<double, 2> thickness{};  ///< ΔE_sn  mm
+  /// ε of each tooth of a gear, rad, > 0: ahead in the driving direction; empty: equal pitches.
+  std::array<std::vector<double>, 2> pitch;
+
+  bool uneven_pitch() const { return !pitch[0].empty() || !pitch[1].empty(); }
 };
 
-/// The member at x, whose coordinates follow each other as the tolerances do.
+/// The member at x, whose coordinates are in the order of the tolerances.
 ///
 /// Domain    as many coordinates as the tolerances have (contract)
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 
-/// Coordinates of all together.
+/// The number of coordinates of all tolerances.
 int coordinates_of(std::span<const ScatterTolerance> tolerances);
 
-/// The teeth and their modifications exist at both ends of each tolerance.
+/// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, of the first tolerance that leads there; its name is the field
+/// Errors    as ContactSetup::of, for the first tolerance that causes it; its name is the field
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 

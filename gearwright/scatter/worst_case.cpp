@@ -19,27 +19,30 @@ constexpr std::size_t kStartSamples = 16;  // and the worst samples
 constexpr int kDirections = 8;             // places of a bore on its circle that count as corners
 constexpr double kFirstStep = 0.25;        // of a range
 constexpr double kLastStep = 1e-4;         // of a range
-constexpr double kAtEnd = 1e-9;            // of a range: this near, a place is at its end
+constexpr double kAtEnd = 1e-9;            // relative to a range: this near, a place is at its end
 
 class Box {
  public:
   Box(const ContactSetup& setup, const ScatterTask& task, ScatterQuantity quantity)
       : setup_(setup), task_(task), quantity_(quantity) {
     for (const ScatterTolerance& t : task.tolerances) {
+      // Pitches affect the long period only; here they are nominal.
+      const bool pitch = std::holds_alternative<VaryingPitch>(t.of);
       for (int k = 0; k < t.coordinates(); ++k)
-        sides_.push_back({t.distribution.least(), t.distribution.greatest()});
-      choices_.push_back(!t.distribution.varies() ? 1 : t.coordinates() == 2 ? kDirections : 2);
+        sides_.push_back(pitch ? std::array{0.0, 0.0} : t.side(k));
+      choices_.push_back(pitch || !t.distribution.varies() ? 1 : t.bore() ? kDirections : 2);
     }
   }
 
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // How bad: a peak to peak, or a play with its sign turned. Minus infinity where there is none.
+  // The badness of a member: its peak to peak, or its negative play; minus infinity if there is
+  // none.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
-                             ? continuous_peak_to_peak(setup_, d, task_.member)
+                             ? continuous_peak_to_peak(setup_, d, task_.member).value
                              : -member_at(setup_, d, task_.member)[quantity_];
     count_step(task_.progress);
     return std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
@@ -48,11 +51,11 @@ class Box {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
 
-  // The nearest place of the box; a bore stays in its circle.
+  // The nearest place inside the box. A bore stays in its circle.
   std::vector<double> inside(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
-      if (t.coordinates() == 2) {
+      if (t.bore()) {
         const double away = std::hypot(x[at], x[at + 1]);
         const double radius = t.distribution.greatest();
         if (away > radius) {
@@ -60,7 +63,8 @@ class Box {
           x[at + 1] *= radius / away;
         }
       } else {
-        x[at] = std::clamp(x[at], sides_[at][0], sides_[at][1]);
+        for (std::size_t i = at; i < at + static_cast<std::size_t>(t.coordinates()); ++i)
+          x[i] = std::clamp(x[i], sides_[i][0], sides_[i][1]);
       }
       at += static_cast<std::size_t>(t.coordinates());
     }
@@ -71,9 +75,8 @@ class Box {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
       const double slack = kAtEnd * width(at);
-      const bool end = t.coordinates() == 2
-                           ? std::hypot(x[at], x[at + 1]) >= t.distribution.greatest() - slack
-                           : x[at] <= sides_[at][0] + slack || x[at] >= sides_[at][1] - slack;
+      const bool end = t.bore() ? std::hypot(x[at], x[at + 1]) >= t.distribution.greatest() - slack
+                                : x[at] <= sides_[at][0] + slack || x[at] >= sides_[at][1] - slack;
       if (!end) return false;
       at += static_cast<std::size_t>(t.coordinates());
     }
@@ -113,14 +116,14 @@ class Box {
     for (std::size_t t = 0; t < task_.tolerances.size(); ++t) {
       const ScatterTolerance& tolerance = task_.tolerances[t];
       const int which = choice(t);
-      if (tolerance.coordinates() == 2) {
+      if (tolerance.bore()) {
         const double angle = 2 * std::numbers::pi * which / kDirections;
         const double radius = tolerance.distribution.greatest();
         x.push_back(radius * std::cos(angle));
         x.push_back(radius * std::sin(angle));
       } else {
-        x.push_back(which == 0 ? tolerance.distribution.least()
-                               : tolerance.distribution.greatest());
+        for (int k = 0; k < tolerance.coordinates(); ++k)
+          x.push_back(sides_[x.size()][which == 0 ? 0 : 1]);
       }
     }
     return x;
@@ -138,7 +141,7 @@ struct Place {
   double badness = -std::numeric_limits<double>::infinity();
 };
 
-// Hooke and Jeeves: steps along each coordinate, and on along what they gained together.
+// Hooke and Jeeves: steps along each coordinate, then along their common gain.
 Place climb(const Box& box, Place place) {
   for (double step = kFirstStep; step >= kLastStep;) {
     Place best = place;

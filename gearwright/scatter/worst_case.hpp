@@ -1,7 +1,8 @@
-// The worst member of a family: a search of the whole box of tolerances, not of its corners alone.
+// The worst member of a family: a search of the whole box of tolerances, not only of its corners.
 //
-// Peak to peak TE is the greatest of a curve less its least and as such neither convex nor quasi-convex
-// in the errors: where edges switch, the inside of a box may be worse than every corner.
+// Peak to peak TE is the difference of the greatest and the least value of a curve, and therefore
+// neither convex nor quasi-convex in the errors. If contact changes between edges, the inside of a
+// box may be worse than every corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.15]
 // Internal to scatter/.
 #pragma once
@@ -11,9 +12,9 @@
 namespace gearwright {
 
 /// The greatest peak to peak, or the least play: from the corners of the box and the worst samples, by
-/// steps along the coordinates and along the last gain, halved where nothing is gained.
+/// steps along the coordinates and along the last gain, which are halved if nothing is gained.
 ///
-/// Accuracy  a local worst, the worst that descents from several starts find; no bound
+/// Accuracy  a local maximum, the worst one found from several starts; not a bound
 /// Laws      (1) no sample and no corner that was tried is worse
 std::optional<WorstMember> worst_member(const ContactSetup& setup, const ScatterTask& task,
                                         const std::vector<ScatterSample>& samples,

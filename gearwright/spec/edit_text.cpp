@@ -1,4 +1,4 @@
-// As in spec_text.cpp: toml++'s asserts are not for broken input.
+// As in spec_text.cpp: the asserts of toml++ do not handle broken input.
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -28,8 +28,8 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-// The tree with the value at the path; null takes it out, and tables on the way are made. False: a
-// part of the path is no table.
+// Sets the value at the path in the tree. Null removes it, and missing tables are made. False if a
+// part of the path is not a table.
 bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value) {
   Json* node = &tree;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
@@ -57,9 +57,9 @@ bool has_null(const Json& value) {
   return std::any_of(value.begin(), value.end(), has_null);
 }
 
-// A value as it stands behind "key = ".
+// A value in the form after "key = ".
 std::string value_text(const Json& value) {
-  // As the one element of a list an object stands inline, too.
+  // As the only element of a list, an object is also written inline.
   const std::string line = toml_text({{"k", Json::array({value})}});
   return line.substr(5, line.size() - 7);  // k = [ … ]\n
 }
@@ -116,7 +116,7 @@ class Editor {
     std::size_t from = offset(key->source().begin);
     std::size_t to = range(node->source()).second;
     if (table->is_inline() && depth > 0) {
-      // With one comma: the next, or the one before of the last.
+      // Includes one comma: the next, or the previous one for the last element.
       const std::size_t next = text_.find_first_not_of(" \t", to);
       if (next != std::string::npos && text_[next] == ',') {
         to = text_.find_first_not_of(" \t", next + 1);
@@ -135,7 +135,7 @@ class Editor {
  private:
   struct Found {
     const toml::table* table;
-    std::size_t depth;  // parts that lead to it
+    std::size_t depth;  // number of parts that lead to it
   };
 
   Found deepest(const std::vector<std::string>& parts) const {
@@ -196,7 +196,7 @@ class Editor {
     text_.insert(at, line + "\n");
   }
 
-  // Lines of the headers of a table and of those in it, or of all.
+  // Lines of the headings of a table and of its sub-tables, or of all.
   void headers(const toml::table& table, std::vector<std::size_t>& lines) const {
     for (const auto& [key, node] : table) {
       const toml::table* inner = node.as_table();
@@ -222,7 +222,7 @@ class Editor {
 
   std::string text_;
   toml::table root_;
-  std::vector<std::size_t> lines_;  // where each begins
+  std::vector<std::size_t> lines_;  // beginning of each line
 };
 
 }  // namespace
@@ -252,7 +252,7 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     editor.set(parts, value_text(wished));
   }
   std::string text = std::move(editor).text();
-  // Rare forms, a table in dotted pieces: written anew, without the comments.
+  // Rare forms, such as a table in dotted parts, are written anew, without the comments.
   const bool none = text.find_first_not_of(" \t\r\n") == std::string::npos;
   const auto after = none ? Result<Json>(Json::object()) : parse_spec(text, SpecFormat::toml);
   if (!after || !same(*after, wanted)) return toml_text(wanted);

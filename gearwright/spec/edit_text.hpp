@@ -1,6 +1,7 @@
-// One key of a spec's TOML text set to another value, the rest left as it is: comments, order, blanks.
+// Sets one key of a spec's TOML text to another value and leaves comments, order and blanks
+// unchanged.
 //
-// What a form does to the text beside it, and what a program does to a file that a person keeps.
+// Forms on the page use it for the text, and programs for the files of a user.
 #pragma once
 
 #include <string>
@@ -10,13 +11,14 @@
 
 namespace gearwright {
 
-/// `path` as errors name keys, "gear1.rack.dedendum"; `value` as JSON text, null: the key is taken
-/// out, with its line where it has one of its own.
+/// `path` is that of errors, "gear1.rack.dedendum". `value` is JSON text. Null removes the key,
+/// with its line if it has its own.
 ///
 /// A key that is absent is put at the end of its table; a table that is absent at the end of the
 /// text. Keys inside an inline table { … } are set there.
 ///
-/// Errors    a text that is no TOML; a value that is no JSON; a path through something that is no table
+/// Errors    a text that is not TOML; a value that is not JSON; a path through a value that is not
+///           a table
 Result<std::string> with_key(std::string_view toml, std::string_view path, std::string_view value);
 
 }  // namespace gearwright

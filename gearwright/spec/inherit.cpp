@@ -19,8 +19,8 @@ using Keys = std::vector<std::string>;
 
 const Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
 
-// A new member where the alphabet has it, as the TOML reader orders a table: a spec that is written
-// out and read again is the same tree.
+// A new member is inserted in alphabetic order, as by the TOML reader, so that a spec that is
+// written and read again is the same tree.
 void put(Json& table, const std::string& key, const Json& value) {
   Json::object_t& members = table.get_ref<Json::object_t&>();
   Json::object_t sorted;
@@ -53,7 +53,7 @@ bool parallel(const Json& tree) {
   return !pair->contains("shaft_angle_deg") || number(*pair, "shaft_angle_deg") == 0.0;
 }
 
-// Helix angle and hand; true: they are gear 1's.
+// Copies helix angle and hand. Returns true if they are those of gear 1.
 bool hand_on_helix(const Json& from, Json& to) {
   if (has_any(to, kHelices) || !has_any(from, kHelices)) return false;
   const bool ring = number(to, "teeth").value_or(0.0) < 0.0;
@@ -71,8 +71,8 @@ bool hand_on_helix(const Json& from, Json& to) {
   return true;
 }
 
-// A number of the normal section, by whatever key gear 1 gives it; the helix of gear 2 may be another
-// one.
+// Copies a number of the normal section, in any key of gear 1. The helix of gear 2 may be
+// different.
 void hand_on(const Json& from, Json& to, const std::string& key) {
   const Keys ways = gear_keys().ways(key);
   if (has_any(to, ways)) return;
@@ -89,7 +89,7 @@ void hand_on(const Json& from, Json& to, const std::string& key) {
   }
 }
 
-// The grade of a gear, which may stand among its tolerances.
+// The grade of a gear, which may be among its tolerances.
 const Json* quality_of(const Json& gear) {
   if (const auto own = gear.find("quality"); own != gear.end()) return &*own;
   const auto tolerance = gear.find("tolerance");
@@ -98,7 +98,7 @@ const Json* quality_of(const Json& gear) {
   return grade == tolerance->end() ? nullptr : &*grade;
 }
 
-// The edition that a grade is of.
+// Copies the edition of a grade.
 void hand_on_edition(const Json& from, Json& to) {
   const auto tolerance = from.find("tolerance");
   if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;
@@ -112,7 +112,7 @@ void hand_on_edition(const Json& from, Json& to) {
   }
 }
 
-// Straight flanks and double arcs cut both gears of a pair; F and P cut one each.
+// Straight flanks and double arcs cut both gears of a pair. F and P cut one gear each.
 bool cuts_both(const Json& rack) {
   if (rack.is_string()) return true;
   if (!rack.is_object()) return false;

@@ -13,14 +13,14 @@ namespace gearwright {
 
 using Json = nlohmann::ordered_json;
 
-/// How deep brackets nest in a text, those in strings aside. Who takes a text from outside asks
-/// before it is parsed: trees are written and taken apart level in level.
+/// The nesting depth of brackets in a text, except those in strings. Callers check it before a
+/// foreign text is parsed, because trees are written and destroyed recursively.
 int json_depth(std::string_view text);
 
 /// Throws  nlohmann::json::parse_error
 Json parse_json(std::string_view text);
 
-/// On one line, or with `indent` spaces a level; bytes that are no characters become U+FFFD.
+/// On one line, or with `indent` spaces per level. Bytes that are not characters become U+FFFD.
 std::string json_text(const Json& tree, int indent = -1);
 
 }  // namespace gearwright

@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-// Walks over a text that is JSON: no step looks for what cannot be there.
+// Walks over a text that is valid JSON, so no step checks the syntax.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}
@@ -19,7 +19,7 @@ class Walk {
   }
   /// Past the bracket, comma or colon here.
   void step() { ++at_; }
-  /// Past a string; gives what stands between the quotes, escapes as they are.
+  /// Passes a string; returns the text between the quotes, with escapes unchanged.
   std::string_view quoted() {
     const std::size_t begin = ++at_;
     while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
@@ -66,7 +66,7 @@ TextPlace place_at(std::string_view text, std::size_t at) {
   return place;
 }
 
-// To the value of the member that `path` begins with; false: there is none.
+// Moves to the value of the member at the beginning of `path`; false if there is none.
 bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   walk.step();  // the brace
   while (walk.here() == '"') {
@@ -89,7 +89,7 @@ bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found
   return false;
 }
 
-// To the element of a list that "[2]" names.
+// Moves to the element of a list that "[2]" names.
 bool enter_list(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   const int wanted = std::atoi(path.data() + 1);
   walk.step();

@@ -1,4 +1,4 @@
-// Where a member stands in a JSON text that is known to be one.
+// The position of a member in a valid JSON text.
 //
 // Internal to spec/.
 #pragma once
@@ -10,8 +10,8 @@
 
 namespace gearwright {
 
-/// The place of the key, or of the last table or element on the way to it that is there; none where
-/// the first is not.
+/// The position of the key, or of the last existing table or element on the path; none if the first
+/// does not exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
 
 }  // namespace gearwright

@@ -32,24 +32,27 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   }
   add(missing, missing_for_rating(spec.rating, materials, tables));
   std::erase_if(missing, [&](const Error& e) {
-    // A material that was not read, because something else of its gear is missing.
+    // A material that was not read because other data of its gear are missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
     return of_material && spec.given.contains(e.field);
   });
   return missing;
 }
 
-bool any_tolerance(const ScatterInput& s) {
+bool any_tolerance(const JobSpec& spec) {
+  const ScatterInput& s = spec.scatter;
+  const auto graded = [](const auto& gear) { return gear && gear->tolerance.quality; };
+  if (s.quality || std::any_of(spec.gears.begin(), spec.gears.end(), graded)) return true;
   const auto given = [](const auto& tolerance) { return tolerance.has_value(); };
   const auto of_gear = [&](const ScatterGear& gear) {
-    return gear.thickness ||
+    return gear.thickness || gear.pitch || gear.profile_waves || gear.helix_waves ||
            std::any_of(gear.modifications.begin(), gear.modifications.end(), given);
   };
   return s.bearings || std::any_of(s.errors.begin(), s.errors.end(), given) ||
          std::any_of(s.gears.begin(), s.gears.end(), of_gear);
 }
 
-// Neither arcs nor crossed axes are: why, the rating says itself.
+// Arcs and crossed axes cannot be rated; the rating reports the reason.
 bool can_be_rated(const JobSpec& spec) {
   const bool crossed = spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0;
   return !crossed && std::none_of(spec.gears.begin(), spec.gears.end(), [](const auto& gear) {
@@ -86,7 +89,7 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
       missing.push_back(spelled(material.error()));
     }
   }
-  // What VDI 2736 asks for depends on the materials.
+  // The inputs of VDI 2736 depend on the materials.
   if (known || input.edition != RatingEdition::vdi_2736)
     for (const Error& error : missing_inputs(input)) missing.push_back(spelled(error));
   return missing;
@@ -113,12 +116,13 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (under_torque && !torque)
     missing.push_back(absent_input(
         "load.torque_Nm", ": enter a torque on gear 1, in N m, torque_Nm = 100 for example"));
-  if (use == SpecUse::scatter && !any_tolerance(spec.scatter))
+  if (use == SpecUse::scatter && !any_tolerance(spec))
     missing.push_back(absent_input(
         "scatter.errors",
         ": the verb scatter needs a range of at least one number, [scatter.errors] with "
         "crossing_deg = [-0.02, 0.02] for example, [scatter.bearings] with span_mm and radius_mm, "
-        "or [scatter.gear1] with thickness_allowance_mm = [-0.02, 0.02] or modifications"));
+        "[scatter.gear1] with thickness_allowance_mm = [-0.02, 0.02] or modifications, or a grade, "
+        "quality = 6"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

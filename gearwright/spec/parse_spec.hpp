@@ -1,4 +1,4 @@
-// The tree of tables between the text of a spec and what it says.
+// The tree of tables of a spec, between its text and its data.
 //
 // Internal to spec/, job/ and the programs: public headers show no tree.
 #pragma once
@@ -13,23 +13,23 @@
 
 namespace gearwright {
 
-/// The tables of a spec, where a public header must not show them.
+/// The tables of a spec, hidden from public headers.
 struct SpecTree {
   Json tables;
 };
 
-/// The tree of a spec, members in their order. Nesting is bounded, and every key of a table stands
-/// there once, in JSON too.
+/// The tree of a spec, members in their order. Nesting is bounded, and every key of a table occurs
+/// once, in JSON too.
 ///
-/// Errors    what is wrong, with line and column
+/// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
 
-/// What is wrong with a tree before its keys are looked at: no table at all, or tables too deep in tables.
+/// Checks a tree before its keys are read: it must be a table, with bounded nesting.
 std::optional<Error> check_tree(const Json& tree);
 
-/// The spec of a tree: what read_spec makes of its text.
+/// The spec of a tree, equal to that of read_spec for its text.
 ///
-/// Errors    as read_spec, but for syntax; as check_tree
+/// Errors    as read_spec, except those of syntax; as check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},
                                SpecUse use = SpecUse::geometry);
 

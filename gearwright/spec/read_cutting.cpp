@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// Numbers that a gear, its cutter and its mating gear share: a cutter's table may leave them out.
+// Numbers that a gear, its cutter and its mating gear share. The table of a cutter may omit them.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
@@ -23,7 +23,7 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
     const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
     whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
-  } else if (!has_any(gear, kHelix) && mate) {  // the cutter stands where the mating gear will
+  } else if (!has_any(gear, kHelix) && mate) {  // the cutter replaces the mating gear
     for (const std::string& key : kHelix) {
       if (mate->contains(key)) whole[key] = (*mate)[key];
     }
@@ -31,7 +31,7 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   return whole;
 }
 
-// A cutter reaches as deep as the teeth it is made for need clearance.
+// A cutter reaches deep enough for the clearance of the teeth.
 constexpr double kCutterAddendum = 1.25;
 
 }  // namespace

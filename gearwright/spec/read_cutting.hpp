@@ -1,4 +1,4 @@
-// Reads what replaces the rack of a gear: a pinion cutter.
+// Reads the pinion cutter of a gear, which replaces its rack.
 //
 // Internal to spec/: a part of read_gear.
 #pragma once

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/short_forms.hpp"
+#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -30,7 +31,8 @@ double number_of(const TableReader& t, const std::string& key, const Json& value
   return value.get<double>();
 }
 
-// One number, or a table of numbers by names: `set(name, number)` is false for an unknown name.
+// One number, or a table of numbers by names. `set(name, number)` returns false for an unknown
+// name.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
                 const std::vector<std::string>& known,
                 const std::function<void(const std::string&, double)>& set) {
@@ -72,7 +74,7 @@ void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
   for (const auto& [name, eta] : meshes.each) check(eta);
 }
 
-// A name or a list of names; none: absent.
+// A name or a list of names; none if absent.
 std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key) {
   const Json* value = t.any(key);
   if (!value) return std::nullopt;
@@ -95,7 +97,7 @@ std::vector<double> read_list(TableReader& t, const std::string& key) {
   return numbers;
 }
 
-// Speeds and the torque of the inputs; of several torques the first one counts.
+// Speeds and the torque of the inputs; of several torques the first one is used.
 void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque) {
   speeds = read_list(t, "speed_rpm");
   const std::vector<double> torques = read_list(t, "torque_Nm");
@@ -104,7 +106,7 @@ void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional
   if (!torques.empty()) torque = torques.front();
 }
 
-PlanetarySpec read_set(const Json& node, const std::string& path) {
+PlanetarySpec read_whole_set(const Json& node, const std::string& path) {
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
@@ -119,15 +121,18 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   set.fixed = read_names(t, "fixed");
   set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
   read_input_loads(t, set.speeds_rpm, set.torque_Nm);
+  t.table("material");  // spec/drive_materials.cpp
   t.finish();
   return set;
 }
 
-// Numbers of a stage that a set of its own leaves out.
+// Adds the numbers of a stage that its set omits.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
-  for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
-                          "face_width_mm", "center_distance_mm", "mesh_efficiency"}) {
+  for (const char* key :
+       {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
+        "center_distance_mm", "mesh_efficiency", "thickness_allowance_mm", "friction_coefficient",
+        "speed_rpm", "torque_Nm", "material"}) {
     if (node.contains(key) && !set.contains(key)) set[key] = node[key];
   }
   return set;
@@ -140,17 +145,37 @@ std::array<std::optional<double>, 2> read_two(TableReader& t, const std::string&
   return {list.front(), list.back()};
 }
 
+// Rejects keys that apply to a single gear but not to a drive.
+void refuse_in_drive(const Json& node, const std::string& path) {
+  const auto refuse = [&](const std::string& key, const char* why) {
+    throw SpecError{{path + "." + key, shown(node[key]), why}};
+  };
+  if (node.contains("measured")) refuse("measured", "belongs to a gear that is to be identified");
+  if (node.contains("tip_fillet"))
+    refuse("tip_fillet", "is not part of a drive; compute this mesh as a pair");
+  if (!node.contains("tolerance") || !node["tolerance"].is_object()) return;
+  for (const char* key : {"thickness_series", "span_mm", "over_balls_mm"})
+    if (node["tolerance"].contains(key))
+      throw SpecError{{path + ".tolerance." + key, shown(node["tolerance"][key]),
+                       "is not completed in a drive; give thickness_allowance_mm"}};
+}
+
 void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
                       const std::filesystem::path& folder) {
-  if (!gears.is_array() || gears.size() != 2)
-    t.fail("gears", "must be a list of two tables, each as [gear1]");
+  const bool two =
+      gears.is_array() && gears.size() == 2 && gears[0].is_object() && gears[1].is_object();
+  if (!two) t.fail("gears", "must be a list of two tables, each as [gear1]");
+  // The second gear inherits from the first as gear 2 does from gear 1.
+  const Json both = inherit(Json{{"gear1", gears[0]}, {"gear2", gears[1]}}).tree;
   for (const std::size_t i : {0, 1}) {
-    const GearInput gear =
-        read_gear(gear_keys(), gears[i], fmt::format("{}[{}]", t.name("gears"), i + 1),
-                  &gears[1 - i], folder);
+    const std::string name = i == 0 ? "gear1" : "gear2";
+    const std::string path = fmt::format("{}[{}]", t.name("gears"), i + 1);
+    refuse_in_drive(both[name], path);
+    const GearInput gear = read_gear(stage_gear_keys(), both[name], path, nullptr, folder);
     pair.teeth[i] = gear.cylindrical.teeth;
     pair.specs[i] = gear.cylindrical;
     pair.shifts[i] = gear.profile_shift;
+    pair.modifications[i] = gear.modifications;
   }
 }
 
@@ -186,19 +211,24 @@ StageSpec read_stage(const Json& node, const std::string& path,
   TableReader t(stage_keys(), node, path);
   StageSpec stage;
   if (t.has("planetary")) {
-    stage.planetary = read_set(set_of_stage(t, node), path + ".planetary");
+    stage.planetary = read_whole_set(set_of_stage(t, node), path + ".planetary");
     for (const Key& key : stage_keys().keys) t.any(std::string(key.key));
     t.finish();
     return stage;
   }
   const Json* gears = t.any("gears");
   if (gears) {
-    t.refuse("teeth", "the gears have their own numbers of teeth");
+    for (const char* key :
+         {"teeth", "normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
+          "face_width_mm", "profile_shift", "thickness_allowance_mm", "material"})
+      t.refuse(key, "stands in the tables of the gears, which have all of their own keys");
     read_whole_gears(t, *gears, stage.pair, folder);
   } else {
     read_teeth(t, stage.pair);
   }
   stage.pair.center_distance = t.number("center_distance_mm");
+  stage.friction = t.number("friction_coefficient").value_or(stage.friction);
+  read_input_loads(t, stage.speeds_rpm, stage.torque_Nm);
   const auto eta = read_list(t, "mesh_efficiency");
   if (!eta.empty()) {
     PerMesh meshes{eta.front(), {}};
@@ -262,28 +292,33 @@ void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& na
   }
 }
 
-void read_gears(TableReader& t, DriveGraph& graph, const std::vector<std::string>& bodies) {
+void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
+                     const std::filesystem::path& folder) {
+  TableReader own(drive_gear_keys(), node, path);
+  gear.rack = own.word("form").value_or("gear") == "rack";
+  if (!gear.rack && !own.has("teeth"))
+    own.fail_absent("teeth", ": number of teeth, negative for a ring");
+  refuse_in_drive(node, path);
+  Json whole = node;
+  const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));
+  if (!has_module) whole["normal_module_mm"] = 1.0;  // numbers of teeth alone do not give a size
+  if (!own.has("teeth")) whole["teeth"] = 1;
+  const GearInput given = read_gear(drive_gear_keys(), whole, path, nullptr, folder);
+  gear.name = node["name"].get<std::string>();
+  gear.teeth = gear.rack ? 0 : given.cylindrical.teeth;
+  gear.shift = given.profile_shift;
+  gear.modifications = given.modifications;
+  if (has_module && !gear.rack) gear.spec = given.cylindrical;
+}
+
+void read_gears(TableReader& t, DriveGraph& graph, const std::vector<std::string>& bodies,
+                const std::filesystem::path& folder) {
   const Json& list = list_of(t, "gear");
   for (std::size_t i = 0; i < list.size(); ++i) {
-    TableReader g(drive_gear_keys(), list[i], fmt::format("{}[{}]", t.name("gear"), i + 1));
+    const std::string path = fmt::format("{}[{}]", t.name("gear"), i + 1);
     DriveGear gear;
-    g.read(gear);
-    gear.body = place_of(bodies, text_at(g, "body"), g.name("body"), "body");
-    gear.rack = g.word("form").value_or("gear") == "rack";
-    CylindricalSpec spec;
-    const auto module = g.number("normal_module_mm");
-    spec.teeth = gear.teeth;
-    spec.normal_pressure_angle =
-        Angle::degrees(g.number("normal_pressure_angle_deg").value_or(20.0));
-    spec.helix_angle = Angle::degrees(g.number("helix_angle_deg").value_or(0.0));
-    spec.thickness_allowance = g.number("thickness_allowance_mm").value_or(0.0);
-    spec.face_width = g.number("face_width_mm").value_or(10 * module.value_or(0.0));
-    spec.tip_diameter = g.number("tip_diameter_mm");
-    g.finish();
-    if (module) {
-      spec.normal_module = *module;
-      gear.spec = spec;
-    }
+    read_graph_gear(list[i], path, gear, folder);
+    gear.body = place_of(bodies, list[i]["body"].get<std::string>(), path + ".body", "body");
     graph.gears.push_back(std::move(gear));
   }
   check_names(graph.gears, t.name("gear"));
@@ -308,13 +343,13 @@ void read_graph_meshes(TableReader& t, DriveGraph& graph) {
   check_names(graph.meshes, t.name("mesh"));
 }
 
-DriveGraph read_graph(const Json& node) {
+DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   TableReader t(drive_keys(), node, "drive");
   DriveGraph graph;
   t.read(graph);
   std::vector<std::string> bodies;
   read_bodies(t, graph, bodies);
-  read_gears(t, graph, bodies);
+  read_gears(t, graph, bodies, folder);
   read_graph_meshes(t, graph);
   const auto places = [&](const std::string& key) {
     std::vector<std::size_t> list;
@@ -341,9 +376,14 @@ T taken(Result<T> made, const Json& tree) {
 
 }  // namespace
 
+PlanetarySpec read_set(const Json& node, const std::string& path) {
+  return read_whole_set(node, path);
+}
+
 bool is_drive(const Json& tree) { return has_any(tree, {"planetary", "stage", "drive"}); }
 
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
+  drive_materials(tree);  // only to report errors; a rating reads the materials again
   const char* first = nullptr;
   for (const char* table : {"planetary", "stage", "drive"}) {
     if (!tree.contains(table)) continue;
@@ -354,12 +394,12 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
   if (tree.contains("planetary")) {
     if (!tree["planetary"].is_object())
       throw SpecError{{"planetary", shown(tree["planetary"]), "must be a table, [planetary]"}};
-    return {taken(graph_of(read_set(tree["planetary"], "planetary")), tree)};
+    return {taken(graph_of(read_whole_set(tree["planetary"], "planetary")), tree)};
   }
   if (tree.contains("drive")) {
     if (!tree["drive"].is_object())
       throw SpecError{{"drive", shown(tree["drive"]), "must be a table, [drive]"}};
-    return {read_graph(tree["drive"])};
+    return {read_graph(tree["drive"], folder)};
   }
   std::vector<StageSpec> stages;
   const Json& list = tree["stage"];

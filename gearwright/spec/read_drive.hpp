@@ -4,19 +4,37 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
-#include "gearwright/drive/drive.hpp"
+#include "gearwright/arrange/given_material.hpp"
+#include "gearwright/drive/short_forms.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
-/// The spec has one of the three tables.
+/// True if the spec has one of the three tables.
 bool is_drive(const Json& tree);
 
-/// The graph that they expand to, with the stages of a train.
+/// The graph into which they expand, with the stages of a train.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// An error of a drive's graph with the key of the table that gave it: `drive.fixed` of a set is
+/// The materials of gears that have their own, by the names of the gears; empty for a table that
+/// does not describe a drive.
+std::map<std::string, MaterialInput> drive_materials(const Json& tree);
+
+/// Gives [rating] the speed of the first input where it has none, as a life and a power need one.
+void lend_speed(Json& tree);
+
+/// The set of a table with the keys of [planetary].
+PlanetarySpec read_set(const Json& node, const std::string& path);
+
+/// The spec with its short form replaced by the equivalent [drive].
+///
+/// Domain    a spec with a drive that was read (contract)
+Json expanded_spec(const Json& tree, const DriveInput& drive);
+
+/// An error of a drive's graph with the key of its table: `drive.fixed` of a set is
 /// planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 

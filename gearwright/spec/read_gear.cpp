@@ -37,7 +37,7 @@ std::optional<double> read_helix(TableReader& t) {
   return value;
 }
 
-// What the tolerances repeat of the gear's own keys.
+// Checks tolerances that repeat the gear's own keys.
 void check_tolerance(TableReader& gear, const GearInput& g) {
   const Json* node = gear.table("tolerance");
   if (!node) return;
@@ -56,7 +56,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// The gear as itself takes the place of module, helix and shift, which follow for one rack.
+// The gear by its own dimensions replaces module, helix and shift, which follow for one rack.
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");
@@ -145,8 +145,8 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   c.rack = read_rack(t, module);
   if (keys.find("cut_by")) {
     read_cut_by(t, node, mate, g);
-    g.modifications = read_modifications(t, folder);
   }
+  if (keys.find("modifications")) g.modifications = read_modifications(t, folder);
   check_tolerance(t, g);
   t.table("measured");                                         // spec/read_measured.cpp
   if (keys.find("double_helical")) t.table("double_helical");  // spec/spec.cpp

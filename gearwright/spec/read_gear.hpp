@@ -12,8 +12,8 @@
 namespace gearwright {
 
 /// `keys` are gear_keys() or cutter_keys(); `path` is the table's name, "gear1"; `mate` the other
-/// gear's table, from which a cutter of the gear's own takes the module and angles that it leaves
-/// out. File names start at `folder`.
+/// gear's table, from which a separate cutter takes the module and angles that it omits. File names
+/// are relative to `folder`.
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 

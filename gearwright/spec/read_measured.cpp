@@ -47,7 +47,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std
   if (!node.is_object())
     throw SpecError{{path + ".measured", shown(node), "must be a table, [" + path + ".measured]"}};
   IdentifyProblem p;
-  // Of a known gear the rest is read where gears are.
+  // Other data of a known gear are read with the gears.
   const bool unknown = is_unknown_gear(*gear);
   Json known = Json::object();
   for (const Key& key : unknown_gear_keys().keys) {

@@ -1,4 +1,4 @@
-// Reads [gearN.measured], and the little that is known of a gear beside it.
+// Reads [gearN.measured], and the other known data of the gear.
 // Internal to spec/.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace gearwright {
 
-/// A table of a gear with readings and without a module: identify is to find it.
+/// True for a table of a gear with readings and without a module, which identify has to find.
 bool is_unknown_gear(const Json& gear);
 
-/// The readings of that table of a gear; none: it is not there, or has none.
+/// The readings of that table of a gear; none if the table is absent or has no readings.
 ///
 /// Throws    SpecError
 std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std::string& path);

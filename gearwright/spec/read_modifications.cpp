@@ -22,20 +22,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two lines of a grid nearer to each other than this, over the range, are one line measured twice:
-// the spline between them would make a slope of what is noise.
+// Two lines of a grid closer than this, relative to the range, are one line measured twice. A
+// spline between them would turn noise into a slope.
 constexpr double kMinStep = 1e-4;
 
 constexpr std::array<std::size_t, 2> kFlanks{0, 1};  // right, left
 
-// The key that counts for a flank: its own, or the one of both.
+// The key that applies to a flank: its own, or the one for both.
 std::string key_of(const TableReader& t, std::size_t flank, const std::string& key) {
   const std::string own = std::string(kFlankSides[flank]) + key;
   return t.given(own) ? own : key;
 }
 
-// A key that counts for no flank would be lost without a word. `amount`: the key of the relief that
-// it belongs to; empty: none.
+// Rejects a key that applies to no flank and would otherwise be ignored silently. `amount`: the key
+// of the relief to which it belongs; empty: none.
 void check_used(TableReader& t, const std::string& key, const std::string& amount = "") {
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;
@@ -61,7 +61,10 @@ void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
     const auto reach = t.number(key_of(t, flank, reach_key));
     const auto shape = t.word(key_of(t, flank, name + "_shape"));
     if (!amount) continue;
-    if (*amount > 0.0 && !reach) t.fail_absent(reach_key, ": " + key + " needs it beside it");
+    // A start can be computed from the pair, a length cannot.
+    const bool follows = m.reach == "_start_mm";
+    if (*amount > 0.0 && !reach && !follows)
+      t.fail_absent(reach_key, ": " + key + " needs it beside it");
     to.*(m.relief) = {
         *amount / kUmPerMm, reach,
         shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
@@ -74,7 +77,7 @@ std::string_view trimmed(std::string_view s) {
   return s.substr(begin, s.find_last_not_of(" \t\r") - begin + 1);
 }
 
-// The same in every locale.
+// Converts a number, independently of the locale.
 std::optional<double> number_of(std::string_view cell) {
   std::istringstream in{std::string(cell)};
   in.imbue(std::locale::classic());
@@ -143,7 +146,7 @@ Result<std::vector<Row>> rows_of(std::string_view csv) {
   return rows;
 }
 
-// The different values of a column, growing.
+// The distinct values of a column, ascending.
 std::vector<double> lines_of(const std::vector<Row>& rows, double Row::*column) {
   std::vector<double> x;
   for (const Row& row : rows) x.push_back(row.*column);
@@ -209,7 +212,8 @@ Result<Topography> topography_from_csv(std::string_view csv) {
   Topography t{lines_of(rows, &Row::diameter), lines_of(rows, &Row::z), {}};
   if (auto error = check_lines("diameters", t.diameters)) return *error;
   if (auto error = check_lines("heights z", t.heights)) return *error;
-  // Sorted and each once: the first row that is not the next point of the grid comes after a gap.
+  // The rows are sorted and unique, so the first row that is not the next point of the grid follows
+  // a gap.
   const std::size_t columns = t.heights.size();
   for (std::size_t k = 0; k < t.diameters.size() * columns; ++k) {
     const double d = t.diameters[k / columns];

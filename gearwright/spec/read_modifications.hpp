@@ -1,6 +1,6 @@
-// Reads [gearN.modifications]: what is removed from the right and from the left flank.
+// Reads [gearN.modifications] for the right and the left flank.
 //
-// A key sets both flanks; with right_ or left_ before it one, and there it counts more.
+// A key sets both flanks. With the prefix right_ or left_ it sets one flank and takes precedence.
 //
 // Internal to spec/: throws SpecError, as the readers of single values do.
 #pragma once
@@ -16,15 +16,15 @@ namespace gearwright {
 
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes: 200 000 points
 
-/// The right and the left flank; nothing is removed where the gear has no such table. What needs
-/// the finished gear (make_removal_field) is not checked here.
+/// The right and the left flank; nothing is removed if the gear has no such table. Conditions on
+/// the finished gear are checked by make_removal_field.
 ///
-/// Throws    IoError when a topography's file is there and cannot be read
+/// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,
                                                      const std::filesystem::path& folder);
 
 /// A topography from CSV: rows of diameter_mm, z_mm, removed_um in any order, every diameter with
-/// every z once; a first line with these names, empty lines and lines after # may stand there.
+/// every z once; a first line with these names, empty lines and comments after # are allowed.
 ///
 /// Errors    without a key: line and reason
 Result<Topography> topography_from_csv(std::string_view csv);

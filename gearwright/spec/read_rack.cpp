@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// Keys of an involute gear, which mean nothing here.
+// Rejects keys of an involute gear, which have no meaning here.
 void refuse_involute_keys(TableReader& gear) {
   const std::string why = "cannot be combined with a rack of arcs";
   for (const char* key : {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}) {
@@ -24,7 +24,7 @@ void refuse_involute_keys(TableReader& gear) {
     gear.fail("profile_shift", why + "; the positions of the arc centres determine the depth");
 }
 
-// The one of a key's tables that the word `kind` chooses; none: the first.
+// The table that the word `kind` selects from those of a key; by default the first.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();

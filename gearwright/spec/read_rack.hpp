@@ -13,7 +13,7 @@ namespace gearwright {
 /// [gearN] rack; absent: ISO53-A. `module`, mm, chooses among the racks of GB/T 12759.
 Rack read_rack(TableReader& gear, std::optional<double> module);
 
-/// The same where only straight flanks may stand.
+/// The same if only straight flanks are allowed.
 StraightRack read_straight_rack(TableReader& gear);
 
 }  // namespace gearwright

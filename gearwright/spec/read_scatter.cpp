@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// The distribution, or why there is none; an error is one of the key, `path` if the table has it.
+// Checks the distribution. An error names the key, or `path` if the table has it.
 void check(const TableReader& t, const std::string& key, const DistributionSpec& d,
            const Json& value) {
   const auto made = Distribution::of(d);
@@ -67,7 +67,8 @@ ScatterGear read_gear(const Json& node, const std::string& path) {
           read_tolerance(m, std::string(modification_entries()[i].name) + "_um");
     m.finish();
   }
-  t.finish();
+  gear.pitch = t.word("pitch").has_value();
+  t.read_whole(gear);
   return gear;
 }
 

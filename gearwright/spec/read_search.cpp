@@ -25,7 +25,7 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-constexpr std::size_t kMaxAngles = 100'000;  // of a band with a step
+constexpr std::size_t kMaxAngles = 100'000;  // limit for a range with a step
 
 std::vector<double> read_modules(TableReader& t) {
   const Json& node = *t.any("modules_mm");
@@ -72,7 +72,7 @@ void check_teeth(TableReader& t, SearchProblem& p) {
   if (!t.has("target_ratio")) p.target_ratio = (p.ratio[0] + p.ratio[1]) / 2.0;
 }
 
-// One angle, a band with a step, or a list.
+// One angle, a range with a step, or a list.
 void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   const auto b = t.numbers("helix_angle_deg");
   const auto step = t.number("helix_step_deg");
@@ -89,7 +89,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
                                            "allowed",
                                            count + 1, kMaxAngles));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back(b->front() + i * h);
-    // The band's own end, unless a step has just reached it.
+    // The end of the range, unless a step has just reached it.
     if (degrees.back() < b->back() - 1e-9 * h) degrees.push_back(b->back());
   } else if (step) {
     t.fail("helix_step_deg", "needs a band, helix_angle_deg = [least, greatest]");
@@ -113,7 +113,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
 
 void read_limits(TableReader& t, SearchProblem& p) {
   SearchLimits& l = p.limits;
-  // A search finds pairs that run, unless it is asked for the others too.
+  // By default a search finds only pairs that run.
   const auto word = t.word("interference");
   const auto avoid = t.boolean("avoid_interference");
   if (word && avoid && (*word == "exclude") != *avoid)
@@ -142,7 +142,7 @@ void check_objectives(const TableReader& t, const SearchProblem& p) {
   }
 }
 
-// What a [gearN] of a search may say; its other keys are what the search finds.
+// Keys of a [gearN] of a search that a user may give. The search computes the others.
 struct Blank {
   std::optional<double> alpha_deg, helix_deg, face_mm;
   std::optional<StraightRack> rack;
@@ -151,7 +151,7 @@ struct Blank {
 Blank read_blank(const Json* node, const std::string& path) {
   Blank b;
   if (!node) return b;
-  const bool whole = node->contains("teeth");  // a gear of its own, which the search may start from
+  const bool whole = node->contains("teeth");  // a complete gear, from which the search may start
   if (!whole) {
     for (const Key& key : gear_keys().keys) {
       const std::string name(key.key);
@@ -166,7 +166,7 @@ Blank read_blank(const Json* node, const std::string& path) {
   b.alpha_deg = t.number("normal_pressure_angle_deg");
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.number("face_width_mm");
-  t.table("material");  // of a rated search: read_search_rating
+  t.table("material");  // for a rated search: read_search_rating
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind",
@@ -192,7 +192,7 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
   return rack.dedendum - radius * (1.0 - std::sin(alpha_n));
 }
 
-// The racks to try, each for both gears.
+// The racks to be tried, each for both gears.
 void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
   const auto depth = t.number("undercut_depth");
   const Json* list = t.any("racks");
@@ -257,16 +257,15 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
-  if (!p.face_width && !t.has("face_width_modules")) p.face_width = blanks[0].face_mm;
+  if (!p.face_width && !p.face_modules && !p.face_diameters && blanks[0].face_mm)
+    p.face_width = {*blanks[0].face_mm, *blanks[0].face_mm};
+  const auto one = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
+  if (one(p.face_width) && one(p.face_modules))
+    t.fail("face_width_modules", "contradicts face_width_mm; leave one out");
   const auto mounting = t.word("mounting");
   // An internal pair at the extended distance is tighter than one free of backlash.
   const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
   p.mounting = tight ? Mounting::tight : Mounting::extended;
-  if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
-    t.fail("shorten_tips",
-           "needs mounting = \"tight\" on parallel axes, because the extended centre distance "
-           "keeps the full clearance");
-  }
   read_limits(t, p);
   check_objectives(t, p);
   t.finish();

@@ -1,5 +1,5 @@
-// Reads [search] of a spec, and of [gear1], [gear2] what a search does not choose: pressure angle,
-// rack, helix, face width.
+// Reads [search] of a spec, and the keys of [gear1] and [gear2] that a search does not choose:
+// pressure angle, rack, helix, face width.
 //
 // Internal to spec/: throws SpecError, as the readers of single values do.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// The tables as given; null where the spec has none.
+/// The tables as given; null if the spec has none.
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
 
 /// ISO 54 series I, and II, mm.

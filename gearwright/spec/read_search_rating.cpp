@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// Of a gear's table, with teeth or without; gear 2 without one is of what gear 1 is of.
+// The materials of the gears' tables, with or without teeth. Gear 2 without a material has that of
+// gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -27,7 +28,7 @@ std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable&
   return materials;
 }
 
-// The key of [search] that needs a rating, as far as it can be seen in a table that lacks keys.
+// The key of [search] that needs a rating, as far as an incomplete table shows it.
 std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;
@@ -52,7 +53,7 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
 
 void read_search_rating(const Json& tree, JobSpec& spec) {
   const RatingTable& rating = spec.rating;
-  // What gear 2 has from gear 1 is named where it stands.
+  // Values that gear 2 takes from gear 1 are named in the table of gear 1.
   const std::array<std::string, 2> tables{material_table(spec, 1), material_table(spec, 2)};
   const auto check = [&](const std::array<MaterialInput, 2>& given) {
     const std::vector<Error> missing = missing_for_rating(rating, given, tables);

@@ -1,4 +1,5 @@
-// What a search rates its designs by: [rating] and the materials, where [search] asks for safety.
+// Reads the inputs for rating the designs of a search: [rating] and the materials, if [search]
+// requires safety.
 //
 // Internal to spec/: throws SpecError.
 #pragma once
@@ -8,11 +9,11 @@
 
 namespace gearwright {
 
-/// The search asks for a rating: by a safety, or by mass beside a [rating].
+/// True if the search needs a rating: for a safety, or for mass if [rating] is given.
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 
-/// Completes the problem: densities of the materials, and what a rating needs where one is wanted.
-/// Without a problem, in which something is missing, only what a rating would lack.
+/// Completes the problem with densities of the materials, and with the inputs of a rating if one is
+/// needed. If the problem is incomplete, only the missing inputs of a rating are collected.
 void read_search_rating(const Json& tree, JobSpec& spec);
 
 }  // namespace gearwright

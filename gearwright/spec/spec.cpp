@@ -14,10 +14,12 @@
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/read_drive_search.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_scatter.hpp"
 #include "gearwright/spec/read_search.hpp"
+#include "gearwright/spec/read_search_drawing.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -38,7 +40,7 @@ bool says_thickness(const Json& tolerance) {
          tolerance.contains("over_balls_mm");
 }
 
-// A backlash and the allowances that would make one say the same thing.
+// A backlash and allowances that determine it exclude each other.
 void check_backlash(const Json& tree, const JobSpec& spec) {
   if (!spec.pair.wants_backlash()) return;
   const PairInput& p = spec.pair;
@@ -58,10 +60,10 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
   }
 }
 
-// What the tables of a spec lack, each by itself, as one error.
+// Collects the inputs that the tables of a spec lack, as one error.
 class Lacks {
  public:
-  /// Reads a table; what is missing in it waits for the others.
+  /// Reads a table; its missing inputs are reported with the others.
   template <class F>
   void of(F read) {
     try {
@@ -79,11 +81,11 @@ class Lacks {
       if (known == all_.end()) {
         all_.push_back(error);
       } else {
-        *known = error;  // what a verb needs says more than what a table needs
+        *known = error;  // the inputs of a verb are described in more detail than those of a table
       }
     }
   }
-  /// A spec that lacks the first lacks the second only because of it.
+  /// A spec without the first input lacks the second only for that reason.
   void shared(const std::string& first, const std::string& second) {
     if (!has(all_, first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -103,7 +105,7 @@ class Lacks {
   std::vector<SpecError> caught_;
 };
 
-// What [rating] leaves to the gears, and gears to [rating].
+// Shares materials between [rating] and the gears.
 void share_with_rating(const Json& tree, JobSpec& spec) {
   RatingTable& rating = spec.rating;
   auto& [one, two] = spec.gears;
@@ -117,7 +119,7 @@ void share_with_rating(const Json& tree, JobSpec& spec) {
     rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
 }
 
-// A rack as gear 2. Its pair has the numbers of its place alone.
+// A rack as gear 2. Its pair has only the keys of its position.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
   RackBar bar;
@@ -137,7 +139,7 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
   return bar;
 }
 
-// The two halves of a gear. Nothing that finds gears finds those.
+// The two halves of a gear. Verbs that compute gears do not support them.
 std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::string& path,
                                                  const Json& tree) {
   if (!gear || !gear->contains("double_helical")) return std::nullopt;
@@ -151,7 +153,8 @@ std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::st
 }
 
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
-  const Inherited made = inherit(given);
+  Inherited made = inherit(given);
+  if (is_drive(made.tree)) lend_speed(made.tree);
   const Json& tree = made.tree;
   TableReader t(spec_keys(), tree, "");
   t.refuse_unknown();
@@ -163,7 +166,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
-  // Beside [search] a gear's table without teeth says only what the search does not choose.
+  // With [search], a gear's table without teeth contains only the data that the search does not
+  // choose.
   const auto is_gear = [&](const Json* gear) {
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&
            !(gear == gear_2 && is_rack(*gear));
@@ -188,15 +192,22 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   spec.double_helical = {read_double_helical(gear_1, "gear1", tree),
                          read_double_helical(gear_2, "gear2", tree)};
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
-  lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
+  lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them, gear 2 takes that of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
-  if (search) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
+  const bool drives = search && is_drive_search(*search);
+  if (drives) {
+    for (const char* table : {"gear1", "gear2", "pair"})
+      t.refuse(table, "a search for drives has no pair beside it");
+    lacks.of([&] { read_drive_search(*search); });  // read again when it is used
+  }
+  if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
   if (const Json* scatter = t.table("scatter"))
     lacks.of([&] { spec.scatter = read_scatter(*scatter); });
   for (const Key& key : spec_keys().keys)
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   share_with_rating(tree, spec);
-  if (search) lacks.of([&] { read_search_rating(tree, spec); });
+  if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });
+  if (spec.search) lacks.of([&] { read_search_drawing(*search, *spec.search); });
   t.finish();
   if (!lacks.any()) check_backlash(tree, spec);
   lacks.add(missing_for(use, spec));

@@ -1,6 +1,6 @@
-// toml++ 3.3 answers some broken input ("[" and a newline) with an assert instead of a parse error;
-// the release behaviour of the same code is a clean parse error, so this file takes that in every
-// build.
+// toml++ 3.3 responds to some broken input ("[" and a newline) with an assert instead of a parse
+// error. In release mode the same code gives a clean parse error, so this file is compiled in that
+// mode in every build.
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -26,7 +26,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kDeepest = 32;  // tables in tables; a spec has three
+constexpr int kDeepest = 32;  // nested tables; a spec has three levels
 
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
@@ -37,8 +37,8 @@ Error too_deep() {
                   kDeepest));
 }
 
-// Members are put at the end of an object without a look for their like, which would take a time
-// that grows with the square of their number: both parsers give every key once.
+// Members are appended to an object without a check for duplicates, which would take quadratic
+// time. Both parsers give every key once.
 Json& put(Json& object, std::string key, Json value) {
   return object.get_ref<Json::object_t&>().emplace_back(std::move(key), std::move(value)).second;
 }
@@ -61,8 +61,7 @@ Json to_json(const toml::node& node) {
   return "(a date or time)";
 }
 
-// Builds the tree of a JSON text with its nesting bounded and every key of a table there once, as
-// TOML has it.
+// Builds the tree of a JSON text with bounded nesting and unique keys, as in TOML.
 class TreeBuilder final : public nlohmann::json_sax<Json> {
  public:
   Json tree;
@@ -88,7 +87,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   }
   bool parse_error(std::size_t, const std::string&,
                    const nlohmann::json::exception& error) override {
-    // The library's own words begin with "[json.exception.parse_error.101] ".
+    // Messages of the library begin with "[json.exception.parse_error.101] ".
     const std::string what = error.what();
     const std::size_t at = what.find("] ");
     throw SpecError{
@@ -130,8 +129,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// The first line with more dots outside quotes than tables may nest: the TOML parser calls itself
-// for each part of a dotted name.
+// The first line with more dots outside quotes than the permitted nesting, because the TOML parser
+// recurses for each part of a dotted name.
 std::optional<int> deep_line(std::string_view text) {
   int line = 1;
   int dots = 0;
@@ -146,7 +145,7 @@ std::optional<int> deep_line(std::string_view text) {
     } else if (c == '"' || c == '\'') {
       quote = c;
     } else if (c == ',') {
-      dots = 0;  // the next one of a list
+      dots = 0;  // the next name of a list
     } else if (c == '.' && ++dots > 8 * kDeepest) {
       return line;
     }
@@ -154,7 +153,7 @@ std::optional<int> deep_line(std::string_view text) {
   return std::nullopt;
 }
 
-// "2,5", as half of the world writes numbers, found round the place that the parser stumbled at.
+// Detects "2,5", a number with a decimal comma, near the position of the parser error.
 std::string comma_hint(std::string_view text, const toml::source_position& at) {
   for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
   text = text.substr(0, text.find('\n'));
@@ -174,7 +173,7 @@ TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// The part of `path` that names a member of a table: the longest of its keys that it begins with.
+// The longest key of a table with which `path` begins.
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {
@@ -211,7 +210,7 @@ std::optional<TextPlace> toml_place(const toml::table& root, std::string_view pa
   return place;
 }
 
-// Tables and lists, one in the other; no further than to one too many.
+// The nesting depth of tables and lists, counted up to one too many.
 int depth_of(const Json& tree, int most) {
   int deepest = 0;
   if (!tree.is_structured() || most == 0) return 0;

@@ -1,4 +1,4 @@
-// The text of a spec before it is understood: where it came from, and where in it a key stands.
+// The text of a spec before it is parsed: its origin, and the position of a key in it.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,21 @@ namespace gearwright {
 
 enum class SpecFormat { toml, json };
 
-constexpr std::size_t kMaxSpec = 4 << 20;  ///< bytes: no drawing has that many numbers
+constexpr std::size_t kMaxSpec = 4 << 20;  ///< bytes: more than any spec needs
 
 struct SpecText {
-  std::string name;  ///< as it was asked for; "standard input" of "-"
+  std::string name;  ///< as given by the user; "standard input" for "-"
   std::string text;
   SpecFormat format = SpecFormat::toml;
-  std::filesystem::path folder{};  ///< where file names in it start; empty: the working directory
+  std::filesystem::path folder{};  ///< base of relative file names in it; empty: the working
+                                   ///< directory
 };
 
-/// Reads a file; "-" is standard input. JSON when the name ends in .json; what comes through a pipe
-/// or a device is JSON when it begins with a brace, as no TOML does.
+/// Reads a file; "-" is standard input. The format is JSON if the name ends in .json. Text from a
+/// pipe or a device is JSON if it begins with a brace, which TOML never does.
 ///
-/// Throws    IoError when it cannot be read
-/// Errors    more than kMaxSpec bytes, which are refused unread
+/// Throws    IoError if it cannot be read
+/// Errors    more than kMaxSpec bytes, which are rejected unread
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// Counted from 1, columns in characters.
@@ -33,9 +34,9 @@ struct TextPlace {
   int line = 1, column = 1;
 };
 
-/// Where a key stands, "gear1.rack.arcs[2].radius"; of one that is absent its table. The text is one
-/// that read_spec parsed. None if not even the table is there. An empty key is the place of a syntax
-/// error of TOML.
+/// The position of a key, "gear1.rack.arcs[2].radius", or of its table if the key is absent. The
+/// text must have been parsed by read_spec. None if the table is absent too. An empty key gives the
+/// position of a syntax error of TOML.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 }  // namespace gearwright

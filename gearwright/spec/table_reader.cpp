@@ -32,7 +32,7 @@ std::string shown(const Json& value) {
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
   if (value.is_object()) return "(a table)";
   if (value.is_array()) {
-    // As it was written, if it is short enough for a sentence; JSON has no word for nan and inf.
+    // As it was written, if it is short enough for a message. JSON has no word for nan and inf.
     std::string list;
     for (const Json& item : value) {
       list += list.empty() ? "[" : ", ";

@@ -1,8 +1,8 @@
-// Reads one table of a spec by the catalogue: values within their ranges go to the places of their
-// keys, sub-tables and lists of tables into their structs. An error names the key.
+// Reads one table of a spec by the catalogue: values within their ranges are stored in the places
+// of their keys, sub-tables and lists of tables in their structs. An error names the key.
 //
-// A key that the catalogue does not have, or one of it that was not read, is a mistake of this
-// program and breaks a contract: table and reader cannot drift apart.
+// A key that is not in the catalogue, or one of the catalogue that was not read, is a defect of
+// this program and violates a contract, so table and reader always agree.
 //
 // Internal to spec/: throws SpecError, which read_spec turns into a Result.
 #pragma once
@@ -21,7 +21,7 @@ namespace gearwright {
 
 struct SpecError {
   Error error;
-  std::vector<Error> missing{};  ///< its parts, where that is what it is about
+  std::vector<Error> missing{};  ///< the parts of an error about missing inputs
 };
 
 class TableReader {
@@ -29,12 +29,12 @@ class TableReader {
   /// `path` is the table's dotted name, empty for the file itself.
   TableReader(const KeyTable& keys, const Json& node, std::string path);
 
-  /// Every key that has a place goes there, tables after plain values; absent ones leave what is
-  /// there.
+  /// Reads every key that has a place, tables after plain values. Absent keys leave the members
+  /// unchanged.
   void read(KeyTarget input);
-  /// One key, which has a place.
+  /// Reads one key, which has a place.
   void read(const Key& key, KeyTarget input);
-  /// All of it: read(), finish(), and the rule of the table.
+  /// Reads the whole table: read(), finish(), and the rule of the table.
   void read_whole(KeyTarget input);
 
   bool has(const std::string& key);
@@ -42,27 +42,28 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// Of a key with a list: as many finite numbers as it may have, whose range is not checked.
+  /// For a key with a list: finite numbers, as many as permitted, whose range is not checked.
   std::optional<std::vector<double>> raw_numbers(const std::string& key);
-  /// The same within their range, in their order, whole where they must be.
+  /// The same within their range, in the required order, whole if required.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of whatever type, or null
-  /// In the unit of `key`, by it and its aliases, all of which must agree; `what`: "module".
+  /// The value in the unit of `key`, from the key and its aliases, which must all agree; `what`:
+  /// "module".
   std::optional<double> one_of(const std::string& key, const std::string& what, double cos_beta);
 
-  /// The key's range, of one of its numbers.
+  /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
-  /// Fails if a required key is absent; a misspelt one is named first.
+  /// Fails if a required key is absent; a misspelled one is named first.
   void require_all() const;
   /// The key and its aliases are missing; finish() fails.
   void lacks_one_of(const std::string& key, const std::string& what);
-  /// A key that has no place here: refused in plain words when present.
+  /// Rejects a key that is not allowed here, with the reason.
   void refuse(const std::string& key, const std::string& why);
-  /// Fails because of a key that the table does not have, naming the nearest one; of one that is
-  /// missing, by itself or beside another; of two that exclude each other.
+  /// Fails because of an unknown key, naming the nearest one, because of a missing key, by itself
+  /// or required by another, or because of two keys that exclude each other.
   void finish() const;
-  void refuse_unknown() const;  ///< the first of these alone
+  void refuse_unknown() const;  ///< only the first of these checks
 
   const KeyTable& keys() const { return keys_; }
   const std::string& name() const { return path_; }  ///< of the table
@@ -80,7 +81,7 @@ class TableReader {
   std::optional<int> whole(const std::string& key);
   std::optional<std::vector<int>> words(const Key& key);
   void read_tables(const Key& key, KeyTarget input);
-  /// Whatever the table must have and lacks.
+  /// Fails because of all required keys that are missing.
   [[noreturn]] void fail_missing() const;
 
   const KeyTable& keys_;
@@ -97,11 +98,11 @@ T read_table(const KeyTable& keys, const Json& node, const std::string& path) {
   return input;
 }
 
-constexpr double kSameInput = 1e-9;  ///< two ways to give one number may differ by rounding
+constexpr double kSameInput = 1e-9;  ///< two forms of one number may differ by rounding
 
 bool has_any(const Json& table, const std::vector<std::string>& keys);
 
-/// A value as a person wrote it, cut to a length that fits a sentence.
+/// A value as the user wrote it, cut to a length that fits a message.
 std::string shown(const Json& value);
 
 }  // namespace gearwright

@@ -19,8 +19,9 @@ bool bare(const std::string& key) {
   });
 }
 
-// JSON's escapes are TOML's too, but for characters beyond U+FFFF, whose two halves TOML refuses: all
-// but control characters stand as they are, and DEL, which JSON lets stand, is escaped.
+// JSON's escapes are also valid in TOML, except for characters beyond U+FFFF, whose surrogates TOML
+// rejects. All characters except control characters are therefore written directly, and DEL, which
+// JSON permits, is escaped.
 std::string quoted(const std::string& text) {
   std::string out;
   for (const char c : Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))

@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Numbers read back to the same double; plain values stand before tables.
+/// Numbers read back to the same double. Plain values precede tables.
 ///
 /// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
 std::string toml_text(const Json& tree);

@@ -1,16 +1,12 @@
 #include "gearwright/store/chunk_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -18,6 +14,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/system.hpp"
 
 namespace gearwright {
 
@@ -32,8 +29,12 @@ constexpr std::size_t kHeader = 56;  // without the counts by constraint
 constexpr std::size_t kMaxHeader = kHeader + 8 * kMaxConstraints;
 constexpr auto kStaleAfter = std::chrono::hours(24);
 
+[[noreturn]] void fail(const char* what, const fs::path& path, const std::string& why) {
+  throw IoError(fmt::format("cannot {} {}: {}", what, path.string(), why));
+}
+
 [[noreturn]] void fail(const char* what, const fs::path& path, int error) {
-  throw IoError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)));
+  fail(what, path, std::string(std::strerror(error)));
 }
 
 void append_i64(std::string& out, std::int64_t value) {
@@ -74,53 +75,6 @@ ChunkRead broken(std::string damage) {
   return {ChunkRead::State::damaged, std::move(damage), {}, 0, {}};
 }
 
-// An open file, closed at the end.
-class File {
- public:
-  explicit File(int descriptor) : descriptor_(descriptor) {}
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  int descriptor() const { return descriptor_; }
-  // 0, or the system's error number. Some file systems report a full disk only here.
-  int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
-
- private:
-  int descriptor_;
-};
-
-// 0, or the system's error number.
-int write_all(const File& file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file.descriptor(), bytes.data(), bytes.size());
-    if (written >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
-}
-
-// The next `most` bytes, fewer at the end of the file.
-std::string read_some(const File& file, std::size_t most, const fs::path& path) {
-  std::string bytes(most, '\0');
-  std::size_t have = 0;
-  while (have < most) {
-    const ssize_t got = ::read(file.descriptor(), bytes.data() + have, most - have);
-    if (got == 0) break;
-    if (got > 0) {
-      have += static_cast<std::size_t>(got);
-    } else if (errno != EINTR) {
-      fail("read", path, errno);
-    }
-  }
-  bytes.resize(have);
-  return bytes;
-}
-
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
 // The value of `text`, if the whole text is a number.
@@ -142,14 +96,13 @@ std::vector<fs::path> entries(const fs::path& folder) {
     found.push_back(entry->path());
     entry.increment(error);
   }
-  if (error) fail("read", folder, error.value());
+  if (error) fail("read", folder, error.message());
   return found;
 }
 
-std::string host_name() {
-  char name[256] = {};
-  if (::gethostname(name, sizeof name - 1) != 0) return "unnamed";
-  std::string host(name);
+// The host's name in a form that suits file names.
+std::string host_in_names() {
+  std::string host = host_name();
   std::replace(host.begin(), host.end(), '/', '_');
   return host;
 }
@@ -159,7 +112,7 @@ bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;
   const auto process = number(owner.substr(dot + 1));
-  return process && *process > 0 && ::kill(static_cast<pid_t>(*process), 0) != 0 && errno == ESRCH;
+  return process && *process > 0 && process_has_ended(static_cast<long>(*process));
 }
 
 bool is_old(const fs::path& path) {
@@ -173,7 +126,7 @@ bool is_old(const fs::path& path) {
 bool path_exists(const fs::path& path) {
   std::error_code error;
   const bool found = fs::exists(path, error);
-  if (error && error != std::errc::not_a_directory) fail("read", path, error.value());
+  if (error && error != std::errc::not_a_directory) fail("read", path, error.message());
   return found;
 }
 
@@ -183,7 +136,7 @@ std::uint32_t checksum(std::string_view bytes) {
 }
 
 ChunkFolder::ChunkFolder(fs::path folder, std::uint32_t stamp)
-    : folder_(std::move(folder)), stamp_(stamp), host_(host_name()) {}
+    : folder_(std::move(folder)), stamp_(stamp), host_(host_in_names()) {}
 
 fs::path ChunkFolder::path(std::int64_t chunk) const { return folder_ / name_of(chunk); }
 
@@ -204,16 +157,18 @@ std::vector<std::int64_t> ChunkFolder::list() const {
 
 std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) const {
   const fs::path place = path(chunk);
-  const File file(::open(place.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.descriptor() < 0) {
-    if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
-    fail("read", place, errno);
+  FileHandle file = FileHandle::open_to_read(place);
+  if (!file.is_open()) {
+    if (file.error() == ENOENT || file.error() == ENOTDIR) return std::nullopt;
+    fail("read", place, file.error());
   }
-  struct stat status {};
-  if (::fstat(file.descriptor(), &status) != 0) fail("read", place, errno);
-  const auto length = static_cast<std::size_t>(status.st_size);
-  std::string bytes =
-      read_some(file, depth == Depth::payload ? length : std::min(length, kMaxHeader), place);
+  std::uint64_t length = 0;
+  std::string bytes;
+  int error = file.size(length);
+  if (error == 0)
+    error = file.read(
+        depth == Depth::payload ? length : std::min<std::uint64_t>(length, kMaxHeader), bytes);
+  if (error != 0) fail("read", place, error);
 
   if (bytes.size() < kHeader) return broken(fmt::format("is only {} bytes long", length));
   if (bytes.compare(0, kChunkMagic.size(), kChunkMagic) != 0) return broken("is not a chunk");
@@ -257,30 +212,30 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   // Another thread may write the same chunk, and a dead process may have had the same process id,
   // so the first free name is used.
   std::string part;
-  int descriptor = -1;
-  for (int n = 0; descriptor < 0; ++n) {
-    part = fmt::format("{}.{}{}{}.{}", place.string(), n, kPart, host_, ::getpid());
-    descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno != EEXIST) fail("write", place, errno);
+  FileHandle file;
+  for (int n = 0; !file.is_open(); ++n) {
+    part = fmt::format("{}.{}{}{}.{}", place.string(), n, kPart, host_, process_id());
+    file = FileHandle::create_new(part);
+    if (!file.is_open() && file.error() != EEXIST) fail("write", place, file.error());
   }
-  File file(descriptor);
-  int error = write_all(file, head);
-  if (error == 0) error = write_all(file, payload);
+  int error = file.write(head);
+  if (error == 0) error = file.write(payload);
   // The file is closed first, because only then does a network file system show its bytes to other
   // hosts.
   if (const int closing = file.close(); error == 0) error = closing;
-  if (error == 0 && ::rename(part.c_str(), place.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(part.c_str());
-    fail("write", place, error);
-  }
+  std::error_code renaming, ignored;
+  if (error == 0) fs::rename(part, place, renaming);
+  if (error == 0 && !renaming) return;
+  fs::remove(part, ignored);
+  if (error != 0) fail("write", place, error);
+  fail("write", place, renaming.message());
 }
 
 void ChunkFolder::set_aside(std::int64_t chunk) const {
   const fs::path place = path(chunk);
-  if (::rename(place.c_str(), (place.string() + ".damaged").c_str()) != 0) {
-    fail("rename", place, errno);
-  }
+  std::error_code error;
+  fs::rename(place, place.string() + ".damaged", error);
+  if (error) fail("rename", place, error.message());
 }
 
 void ChunkFolder::remove_stale_parts() const {
@@ -290,7 +245,8 @@ void ChunkFolder::remove_stale_parts() const {
     if (part == std::string::npos || name.find(kEnding) > part) continue;
     const std::string_view owner = std::string_view(name).substr(part + kPart.size());
     // A file that cannot be removed only occupies space.
-    if (owner_is_dead(owner, host_) || is_old(entry)) ::unlink(entry.c_str());
+    std::error_code ignored;
+    if (owner_is_dead(owner, host_) || is_old(entry)) fs::remove(entry, ignored);
   }
 }
 

@@ -39,7 +39,7 @@ struct ChunkRead {
   std::string damage;     ///< "is 12 bytes long, not 96"; empty when whole
   ChunkCounts counts;     ///< when whole
   std::int64_t size = 0;  ///< length of the payload, when whole
-  std::string payload;    ///< when whole and asked for
+  std::string payload;    ///< when whole and requested
 };
 
 class ChunkFolder {
@@ -55,9 +55,9 @@ class ChunkFolder {
   /// The numbers of all chunk files, ascending; none if the folder does not exist.
   std::vector<std::int64_t> list() const;
 
-  /// Empty where there is no such file.
+  /// The chunk; empty if there is no such file.
   std::optional<ChunkRead> read(std::int64_t chunk, Depth depth) const;
-  /// Whole or not at all.
+  /// Writes the whole file or nothing.
   void write(std::int64_t chunk, std::string_view payload, const ChunkCounts& counts) const;
   /// Renames the file so that it no longer counts as a chunk.
   void set_aside(std::int64_t chunk) const;

@@ -80,7 +80,7 @@ class ChunkJournal {
   Statement prepare(const std::string& sql) const;
   void bind(const Statement& statement, int place, std::int64_t value) const;
   void bind(const Statement& statement, int place, const std::string& text) const;
-  bool step(const Statement& statement) const;  // whether there is a row
+  bool step(const Statement& statement) const;  // true if there is a row
   void insert(const char* verb, const ChunkRow& row, const std::string* writer);
 
   std::filesystem::path path_;

@@ -3,15 +3,15 @@
 //   out/chunks/000123.chunk         a finished chunk: header with its counts, bytes
 //   out/chunks/….part.HOST.PID      being written; renamed when it is whole
 //   out/chunks/….chunk.damaged      found broken; counts as missing
-//   out/journal.sqlite              the account: tables `campaign` and `chunks`
+//   out/journal.sqlite              tables `campaign` and `chunks`
 //
 // The chunk files are authoritative, and the journal serves users and progress output. A file is
 // renamed into place before its row is written, so a process that is killed loses only its current
 // chunk. The next process that opens the folder writes the missing rows. Shards, ranks and nodes on
-// one file system may work in one folder at once; they meet in the journal, under SQLite's locks,
-// which the file system must support (Lustre: mounted with flock). Nothing is synced to the
-// platter: after a power cut a file may be short, and its checksum tells, or the journal may be
-// broken, and moving it away costs nothing.
+// one file system may work in one folder at once; they coordinate by the journal and SQLite's
+// locks, which the file system must support (Lustre: mounted with flock). Nothing is synced to the
+// disk. After a power failure a file may be short, which its checksum detects, or the journal may
+// be broken, and can then be moved away without loss.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ namespace gearwright {
 
 /// One search, cut into chunks 0 … chunks − 1.
 struct Campaign {
-  /// Everything that decides the result, as lines "key = value": normalised spec, version of the
+  /// Everything that determines the result, as lines "key = value": normalised spec, version of the
   /// program, size of a chunk. Two campaigns with one text may share their chunks.
   std::string fingerprint;
   std::int64_t chunks = 0;
@@ -58,13 +58,13 @@ class ChunkStore {
   /// aside with a note and counts as missing. Leftovers of processes that are dead on this host,
   /// and any older than a day, are removed. `writer` is the name in the rows of the journal.
   ///
-  /// Errors    key "--out": fresh where a search is already there; resume where none is; a
-  /// fingerprint, number of chunks or list of names that differs, with the first lines that do
+  /// Errors    key "--out": fresh although a search exists; resume although none exists; a
+  /// different fingerprint, number of chunks or list of names, with the first lines that differ
   static Result<ChunkStore> open(const std::filesystem::path& folder, const Campaign& campaign,
                                  const std::vector<std::string>& rejected_names, OpenAs as,
                                  std::string writer);
 
-  /// Whether a campaign has been begun in the folder.
+  /// True if a campaign has begun in the folder.
   static bool is_in(const std::filesystem::path& folder);
 
   ChunkStore(ChunkStore&&) noexcept;
@@ -72,11 +72,11 @@ class ChunkStore {
   ~ChunkStore();
 
   bool done(std::int64_t chunk) const;
-  /// The chunks that nobody has finished yet, ascending.
+  /// The unfinished chunks, ascending.
   std::vector<std::int64_t> missing() const;
 
-  /// Keeps a finished chunk, whole or not at all. One that is there already is replaced: two
-  /// processes that did the same chunk wrote the same bytes.
+  /// Saves a finished chunk, either whole or not at all. An existing one is replaced, because two
+  /// processes write the same bytes for the same chunk.
   ///
   /// Throws    IoError; if it names the journal, the chunk itself is safe and gets its row at the
   ///           next open
@@ -84,12 +84,12 @@ class ChunkStore {
 
   /// The bytes of a finished chunk, checked.
   ///
-  /// Throws    IoError where it is not there, or is broken: it is set aside then and counts as
+  /// Throws    IoError if the chunk is missing or broken. A broken chunk is set aside and counts as
   ///           missing
   std::string get(std::int64_t chunk) const;
   /// The counts of a finished chunk.   Throws  IoError as get()
   ChunkCounts counts(std::int64_t chunk) const;
-  /// The sum over all finished chunks, whoever finished them.   Throws  IoError as get()
+  /// The sum over all finished chunks of all processes.   Throws  IoError as get()
   ChunkCounts totals() const;
 
   /// The repairs made by open(), one sentence each.
@@ -101,8 +101,8 @@ class ChunkStore {
   std::unique_ptr<Impl> impl_;
 };
 
-/// In what two campaigns differ, of their lines "key = value": "search.contact_ratio_min was 1.2, is
-/// 1.3; search.m_max was 5, is not set now", the first three of them.
+/// The first three differences of two campaigns in their lines "key = value":
+/// "search.contact_ratio_min was 1.2, is 1.3; search.m_max was 5, is not set now".
 std::string campaign_differences(const std::string& was, const std::string& is);
 
 }  // namespace gearwright

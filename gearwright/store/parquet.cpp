@@ -6,13 +6,10 @@
 // Thrift structs; the numbers that name fields, types and encodings are those of parquet.thrift.
 #include "gearwright/store/parquet.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <zstd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -20,6 +17,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/system.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/store/parquet_column.hpp"
 #include "gearwright/store/thrift.hpp"
@@ -37,12 +35,12 @@ constexpr std::size_t kUtf8 = 0;
 // 6 0.39 s 20.1 MB.
 constexpr int kLevel = 3;
 constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // bytes of one text
-// A page's size is an int32: all texts of a group but the last, the last, a length before each,
-// levels.
+// The size of a page is an int32. A page contains all texts of a group but the last, the last text,
+// a length before each, and levels.
 static_assert(ParquetWriter::kGroupTextBytes + kTextLimit + 5 * ParquetWriter::kGroupRows <
               std::numeric_limits<std::int32_t>::max());
 
-// Whole characters, none in more bytes than it needs, no surrogates, nothing above U+10FFFF.
+// True for whole characters in their shortest form, without surrogates, up to U+10FFFF.
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
@@ -74,7 +72,7 @@ struct ParquetWriter::State {
   std::vector<ColumnChunk> chunks = {};  // of the group being filled
   std::vector<std::pair<std::string, std::string>> key_values = {};
   std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> zstd{ZSTD_createCCtx(), ZSTD_freeCCtx};
-  int file = -1;                   // open as long as rows may come
+  FileHandle file;                 // open as long as rows may come
   std::size_t position = 0;        // bytes written
   std::size_t rows = 0;            // of the group being filled
   std::size_t text_bytes = 0;      // of all its texts
@@ -89,29 +87,19 @@ struct ParquetWriter::State {
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() {
-    if (file >= 0) ::close(file);
-  }
 
   [[noreturn]] void fail(int error) {
-    if (file >= 0) ::close(std::exchange(file, -1));
+    file.close();
     throw IoError("cannot write " + path.string() + ": " + std::strerror(error));
   }
 
   void write(std::string_view bytes) {
     position += bytes.size();
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(file, bytes.data(), bytes.size());
-      if (written >= 0) {
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-      } else if (errno != EINTR) {
-        fail(errno);
-      }
-    }
+    if (const int error = file.write(bytes)) fail(error);
   }
 
   ColumnChunk& chunk_to_set(std::size_t column) {
-    GW_EXPECTS(file >= 0);
+    GW_EXPECTS(file.is_open());
     GW_EXPECTS(column < chunks.size());
     ColumnChunk& chunk = chunks[column];
     GW_EXPECTS(!chunk.is_set);
@@ -123,7 +111,9 @@ struct ParquetWriter::State {
     std::string bytes(ZSTD_compressBound(page.size()), '\0');
     const std::size_t size =
         ZSTD_compress2(zstd.get(), bytes.data(), bytes.size(), page.data(), page.size());
-    if (ZSTD_isError(size)) throw std::bad_alloc();  // the room suffices: nothing else can fail
+    if (ZSTD_isError(size))
+      throw std::bad_alloc();  // the buffer is large enough, so nothing else
+                               // can fail
     bytes.resize(size);
     return bytes;
   }
@@ -133,7 +123,7 @@ struct ParquetWriter::State {
   std::string footer() const;
 };
 
-// Writes a chunk and its entry in the group's; gives its size as it would be without compression.
+// Writes a chunk and its entry in the metadata of the group. Returns its size without compression.
 std::size_t ParquetWriter::State::write_chunk(const ColumnChunk& chunk, Thrift& group) {
   const ParquetColumn& column = chunk.column;
   const std::string page = page_of(chunk, rows);
@@ -257,8 +247,8 @@ ParquetWriter::ParquetWriter(const std::filesystem::path& part_file,
   GW_EXPECTS(std::adjacent_find(names.begin(), names.end()) == names.end());
   for (const auto& [key, value] : key_values) GW_EXPECTS(is_utf8(key) && is_utf8(value));
   s.key_values = std::move(key_values);
-  s.file = ::open(part_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (s.file < 0) s.fail(errno);
+  s.file = FileHandle::create(part_file);
+  if (!s.file.is_open()) s.fail(s.file.error());
   s.write(kParquetMagic);
 }
 
@@ -293,7 +283,7 @@ void ParquetWriter::set(std::size_t column, std::string_view value) {
 
 void ParquetWriter::end_row() {
   State& s = *state_;
-  GW_EXPECTS(s.file >= 0);
+  GW_EXPECTS(s.file.is_open());
   for (ColumnChunk& chunk : s.chunks) gearwright::end_row(chunk, s.rows);
   ++s.rows;
   if (s.rows == kGroupRows || s.text_bytes >= kGroupTextBytes) s.write_group();
@@ -301,7 +291,7 @@ void ParquetWriter::end_row() {
 
 void ParquetWriter::close() {
   State& s = *state_;
-  GW_EXPECTS(s.file >= 0);
+  GW_EXPECTS(s.file.is_open());
   for (const ColumnChunk& chunk : s.chunks) GW_EXPECTS(!chunk.is_set);
   if (s.rows > 0) s.write_group();
   std::string end = s.footer();
@@ -309,7 +299,7 @@ void ParquetWriter::close() {
   append_bytes(end, static_cast<std::uint32_t>(end.size()));
   end += kParquetMagic;
   s.write(end);
-  if (::close(std::exchange(s.file, -1)) != 0) s.fail(errno);
+  if (const int error = s.file.close()) s.fail(error);
 }
 
 std::optional<std::string> parquet_note(const fs::path& file, std::string_view key) {

@@ -1,17 +1,17 @@
 // Result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and MATLAB read.
 //
-// A table is flat: named columns, each of one type, rows written one after another. Rows are held
-// back until a row group is full, then go out column by column; memory is that of one group,
-// independent of the length of the table, but for some 100 bytes of footer for a group's column.
+// A table is flat: named columns, each of one type, rows written one after another. Rows are kept
+// until a row group is full and are then written column by column. Memory is that of one group,
+// independent of the length of the table, plus some 100 bytes of footer for each column of a group.
 //
 //   int32, int64   PLAIN
 //   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
 //                  places similar exponents next to each other
 //   text           PLAIN, UTF-8
 //
-// Everything is compressed by zstd, with its checksum: a reader notices a damaged file. Chunks
-// carry their least and greatest value (not of text), so that readers skip groups that a query
-// cannot need. The same rows give the same bytes, as long as zstd's version stays.
+// Everything is compressed by zstd with its checksum, so a reader detects a damaged file. Chunks
+// contain their least and greatest value (not of text), so readers can skip groups that a query
+// does not need. The same rows and the same version of zstd give the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ enum class ParquetType { int32, int64, float64, text };
 struct ParquetColumn {
   std::string name;  ///< UTF-8, unique in its table regardless of the case of a to z
   ParquetType type;
-  bool optional = false;  ///< a row may leave it out: null
+  bool optional = false;  ///< a row may omit it, which gives null
 };
 
 /// Writes one table. Values are set in any order, then end_row() takes the row:
@@ -43,12 +43,12 @@ struct ParquetColumn {
 ///     table.close();
 ///
 /// Throws    IoError naming the path and the system's reason, from the constructor, end_row() and
-///           close(); the writer is then of no more use and the file is not a table
+///           close(); the writer is then unusable and the file is not a table
 class ParquetWriter {
  public:
   static constexpr std::size_t kGroupRows = 65'536;
-  /// A group also ends with the row that brings its texts to this many bytes: long texts do not
-  /// add up to more memory, or to a page beyond the format's 2 GiB.
+  /// A group also ends with the row at which its texts reach this many bytes. This limits memory
+  /// for long texts and keeps a page within the format's 2 GiB.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
   /// Opens exactly `part_file`, which the caller renames when it is whole (write_file_by in
@@ -58,7 +58,7 @@ class ParquetWriter {
   ParquetWriter(const std::filesystem::path& part_file, std::vector<ParquetColumn> columns,
                 std::vector<std::pair<std::string, std::string>> key_values = {});
 
-  /// Without close() the file has no footer, and no reader takes it.
+  /// Without close() the file has no footer, and readers reject it.
   ~ParquetWriter();
   ParquetWriter(const ParquetWriter&) = delete;
   ParquetWriter& operator=(const ParquetWriter&) = delete;
@@ -72,12 +72,12 @@ class ParquetWriter {
   void set(std::size_t column, std::int32_t value) { set(column, std::int64_t{value}); }
   void set(std::size_t column, std::string_view value);
 
-  /// Takes the row. An optional column that was not set is null.
+  /// Ends the row. An optional column that was not set is null.
   ///
   /// Domain    every other column was set (contract)
   void end_row();
 
-  /// Writes what is held and the footer; the table is whole once this has returned.
+  /// Writes the remaining rows and the footer, which completes the table.
   ///
   /// Domain    no row begun and not ended (contract)
   void close();
@@ -90,7 +90,7 @@ class ParquetWriter {
 /// The value of a key in the footer of a table made by ParquetWriter; none if there is no such
 /// table or key.
 ///
-/// Throws    IoError where the file is there and cannot be read
+/// Throws    IoError if the file exists and cannot be read
 std::optional<std::string> parquet_note(const std::filesystem::path& file, std::string_view key);
 
 }  // namespace gearwright

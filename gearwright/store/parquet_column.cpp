@@ -15,9 +15,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Definition levels, 1 for a value and 0 for null, as the hybrid of runs and bits with its length
-// before it. Without nulls, or with nulls alone, it is one run of all rows; else one run of bits,
-// 8 kB before compression, which in the worst pattern is a sixteenth of what runs would take.
+// Definition levels, 1 for a value and 0 for null, in the format's hybrid of runs and bits,
+// preceded by its length. If there are no nulls, or only nulls, it is one run of all rows.
+// Otherwise it is one run of bits, 8 kB before compression, which is a sixteenth of the size of
+// runs in the worst pattern.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {

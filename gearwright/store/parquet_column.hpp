@@ -1,4 +1,4 @@
-// The values of one column of a row group, and how Parquet writes them down.
+// The values of one column of a row group, and their encoding in Parquet.
 // Internal to store/.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// Numbers that parquet.thrift gives to what is used here.
+/// The numbers in parquet.thrift of the encodings and types used here.
 enum ParquetEncoding : std::size_t { kPlain = 0, kRle = 3, kByteStreamSplit = 9 };
 std::size_t physical_type(ParquetType type);
 ParquetEncoding encoding_of(ParquetType type);
@@ -32,7 +32,7 @@ struct ColumnChunk {
 /// Ends row number `row` of the group, whose value was set or is null.
 void end_row(ColumnChunk& chunk, std::size_t row);
 
-/// The data page, before compression: definition levels where nulls may be, then the values.
+/// The data page, before compression: definition levels if nulls are possible, then the values.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
 /// Fields of the struct Statistics: the number of nulls, and of numbers the range.

@@ -1,4 +1,4 @@
-// Structs in Thrift's compact protocol, written: what the headers and the footer of Parquet are.
+// A writer of structs in Thrift's compact protocol, which headers and footer of Parquet use.
 //
 // Integers are zigzag varints; a field is named by its distance from the one before it in the same
 // struct; a struct ends with a zero. Fields are given in rising order, as the protocol numbers
@@ -47,7 +47,7 @@ class Thrift {
   /// Ends the struct that was opened last.
   void close() { bytes_ += '\0', last_.pop_back(); }
 
-  /// Ends the outermost struct and gives its bytes.
+  /// Ends the outermost struct and returns its bytes.
   std::string whole() {
     close();
     GW_EXPECTS(last_.empty());

@@ -23,7 +23,7 @@ struct ArcRack {
   double center_b = 0.0;                  ///< b*
   std::optional<Angle> pressure_angle{};  ///< ψ_c from the drawing, used as a check only
   double addendum = 0.9;                  ///< of the gear's tooth above the pitch cylinder
-  double dedendum = 0.3;                  ///< how deep the cutter goes
+  double dedendum = 0.3;                  ///< depth of the cutter below the datum line
   double root_fillet_radius = 0.35;       ///< the cutter's tip rounding; 0 is a sharp corner
 };
 

@@ -112,7 +112,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
                    "greater `convex_offset` would help");
   }
 
-  const double depth = r.concave_height + r.dedendum;  // of the tip under the concave arc's centre
+  const double depth = r.concave_height + r.dedendum;  // depth of the tip below the concave arc's
+                                                       // centre
   d.root_radius =
       (r.concave_radius * r.concave_radius - depth * depth - d.concave_offset * d.concave_offset) /
       (2 * (r.concave_radius - depth));

@@ -31,12 +31,12 @@ struct DoubleArcRack {
   double space_width = 1.1773;                ///< e_f*
   double step_height = 0.16;                  ///< h_ja*
   double step_depth = 0.2;                    ///< h_jf*
-  bool named = false;                         ///< of the standard, by its module
+  bool named = false;                         ///< true if taken from the standard by its module
 };
 
 /// GB/T 12759-1991 for this module: 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50 mm.
 ///
-/// Errors    `rack` for a module outside them, with the table that takes its place
+/// Errors    `rack` for a module outside these ranges, with the table to write instead
 Result<DoubleArcRack> gbt12759_rack(double normal_module);
 
 /// Derived values, in modules. [T7.6]…[T7.9]
@@ -51,7 +51,7 @@ struct DoubleArcDerived {
   Angle concave_end;             ///< δ_2
 };
 
-/// Errors    the member, a number that leaves no such rack, `rack.step_depth` and so on
+/// Errors    `rack.step_depth` and so on: the number that allows no such rack
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
 /// Full-radius tip, concave arc, step, and convex arc up to the point where both sides meet.

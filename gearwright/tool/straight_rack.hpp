@@ -21,7 +21,7 @@ struct StraightRack {
   double root_fillet_radius = 0.38;           ///< ρ_fP*  the cutter's tip rounding
   double tip_fillet_radius = 0.0;             ///< ρ_1*   the cutter's bottom rounding
   std::optional<double> tool_addendum{};      ///< end of the straight flank above the datum line
-  std::optional<Angle> semi_topping_angle{};  ///< pressure angle of the ramp instead
+  std::optional<Angle> semi_topping_angle{};  ///< pressure angle of a ramp instead of the rounding
   double protuberance = 0.0;                  ///< pr_P*
   Angle protuberance_angle = Angle::degrees(10);  ///< α_pr
   bool named = false;  ///< true for ISO 53: a radius that does not fit becomes the full one

@@ -27,7 +27,7 @@ constexpr Margin kTip{WarningCode::tip_margin,
                       "The clearance of the tip of gear {} to the root of its mating gear",
                       kMarginTip};
 
-// "0.1500 mm", below a micrometre "0.021 µm", which would be 0.0000 mm.
+// "0.1500 mm", or below a micrometre "0.021 µm" instead of 0.0000 mm.
 std::string millimetres(double mm) {
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }
@@ -68,7 +68,8 @@ std::vector<Finding> margin_findings(const Pair& pair) {
     if (p == nullptr) continue;
     // There is no flank past an undercut, and `undercut` and `contact_lost` report it.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
-    judge(findings, kFillet, which, p->fillet_clearance[i], m);
+    if (const ParallelPair* parallel = pair.parallel())
+      judge(findings, kFillet, which, parallel->fillet_clearance[i], m);
   }
   return findings;
 }

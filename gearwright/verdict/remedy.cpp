@@ -82,7 +82,7 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
                                   TryDepth depth) {
   const double step = lever.step();
   const double begin = lever.now / step;
-  const auto steps_for = [&](double offset) {  // at least one step away from today's value
+  const auto steps_for = [&](double offset) {  // at least one step away from the present value
     const double to = begin + lever.direction * std::max(offset / step, 0.0);
     const double whole = lever.direction > 0 ? std::ceil(to - 1e-9) : std::floor(to + 1e-9);
     return std::abs(whole - begin) < 1e-9 ? whole + lever.direction : whole;
@@ -130,28 +130,6 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
 }
 
 }  // namespace
-
-std::optional<double> tip_that_clears(const InvolutePair& pair, int tip) {
-  const auto t = static_cast<std::size_t>(tip - 1);
-  const auto other = 1 - t;
-  const auto start = [&](std::size_t i) {
-    const auto form = pair.gears[i].root_form_radius();
-    const double base = pair.gears[i].base_radius();
-    return form && *form > base ? std::sqrt(*form * *form - base * base) : 0.0;
-  };
-  const auto& mesh = pair.mesh;
-  const double rho = tip == 2 ? mesh.rho2(start(0))
-                              : leaf::rho_1_where(mesh.base_tangent_distance, mesh.sigma,
-                                                  start(1) / mesh.base_cosine_ratio);
-  if (!(rho > 0.0)) return std::nullopt;
-  const double radius = std::hypot(pair.gears[t].base_radius(), rho);
-  const double now = pair.gears[t].actual_tip_radius();
-  const bool shorter = pair.gears[t].internal() ? radius > now : radius < now;
-  // An internal gear without an outline has no start of the flank.
-  if (!shorter || (pair.gears[other].internal() && !pair.gears[other].root_form_radius()))
-    return std::nullopt;
-  return 2 * radius;
-}
 
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt) {
   const std::vector<Finding> before = findings;

@@ -3,8 +3,8 @@
 // For each code a table names the numbers of the spec that can help and in which direction. For
 // each number, the least change is computed that removes the finding and adds or worsens no other.
 // Of several changes, the one with the fewest remaining findings is used. The remedy states the
-// number that was tried, with the digits that were tried. A finding that no single change takes
-// away has none.
+// number that was tried, with the digits that were tried. A finding that no single change removes
+// has no remedy.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,8 @@
 
 namespace gearwright::detail {
 
-/// The tip diameter of gear `tip` (1 or 2) at which its contact ends just where the mating gear's
-/// usable flank begins (on its base circle where no flank is known), mm; none where the tip need
-/// not be turned down or the mating flank has no such end. A greatest one; of an internal gear the
-/// least.
-std::optional<double> tip_that_clears(const InvolutePair& pair, int tip);
-
-/// Fills `remedy` of the findings, worst first, and `change` of those of the worst level: the others
-/// come after.
+/// Fills `remedy` of the findings, worst first, and `change` of the findings of the worst level
+/// only, because the others are treated after them.
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);
 
 }  // namespace gearwright::detail

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/pair/clearing_tip.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
@@ -139,7 +140,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     return *judged.gears[static_cast<std::size_t>(n - 1)];
   };
   const double m = gear(1).spec.normal_module;
-  const double outward = which > 0 && gear(which).internal() ? -1.0 : 1.0;
+  const double outward = which > 0 ? gear(which).side() : 1.0;
   const InvolutePair* p = judged.pair ? judged.pair->involute() : nullptr;
   Lever lever{means.what, which, 0.0, means.direction, 0.0, 2};
   switch (means.what) {
@@ -177,7 +178,8 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       lever.now = b;
       lever.span = std::max(4 * b, 20 * m);
       lever.digits = digits_for(m, 1);
-      if (which == 0 && p) lever.hint = face_width_needed(*p);
+      if (which == 0 && judged.pair && judged.pair->parallel())
+        lever.hint = face_width_needed(*judged.pair->parallel());
       return lever;
     }
     case A::bore:
@@ -196,7 +198,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     case A::center_distance:
       if (!judged.pair || judged.distance_sets_shifts) return std::nullopt;
       lever.now = judged.pair->center_distance();
-      if (judged.pair->kind() == PairKind::parallel_internal) lever.direction *= -1;
+      lever.direction *= static_cast<int>(judged.pair->mounted().side());
       lever.span = m;
       lever.digits = digits_for(m, 3);
       if (p) lever.hint = p->backlash_free_center_distance;
@@ -261,8 +263,8 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
     then = fmt::format(fmt::runtime(cure.then), finding.gear);
   }
   std::string because;
-  const InvolutePair* p = judged.pair ? judged.pair->involute() : nullptr;
-  if (judged.shifts_follow && p && !p->crossed() && change.what == A::center_distance) {
+  const ParallelPair* p = judged.pair ? judged.pair->parallel() : nullptr;
+  if (judged.shifts_follow && p && change.what == A::center_distance) {
     because = fmt::format(
         "The centre distance {:.6g} mm requires a sum of profile shifts of {:.4f}; the reference "
         "centre distance is {:.6g} mm. ",

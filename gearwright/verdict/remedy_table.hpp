@@ -19,7 +19,8 @@ enum class Whose { own, mate, first, second, pair };
 struct Means {
   Adjustable what;
   Whose whose;
-  int direction;  ///< +1: more shift, a longer tooth, thicker, more teeth, wider, further apart; −1
+  int direction;  ///< +1: more shift, a longer tooth, thicker, more teeth, wider, further apart;
+                  ///< −1: less
 };
 
 struct Cure {

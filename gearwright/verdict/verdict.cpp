@@ -14,8 +14,6 @@
 
 namespace gearwright {
 
-namespace {
-
 Level level_of(Severity severity) {
   switch (severity) {
     case Severity::problem: return Level::red;
@@ -24,6 +22,12 @@ Level level_of(Severity severity) {
   }
   return Level::amber;
 }
+
+double recommended_backlash(double center_distance, double normal_module) {
+  return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
+}
+
+namespace {
 
 // The clauses of these findings of one level, each once, worst first, from the place `first` on.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
@@ -45,12 +49,6 @@ std::string joined(const std::vector<std::string>& list) {
     text += list[i];
   }
   return text;
-}
-
-// The least normal backlash of gears and housing of iron or steel below 15 m/s, mm.
-// Source  ISO/TR 10064-2:1996, annex A: 2/3 (0.06 + 0.0005 a + 0.03 m_n)
-double recommended_backlash(double center_distance, double normal_module) {
-  return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
 }
 
 // A backlash shown as 0.0000 mm counts as no backlash, which is correct for nominal teeth but not
@@ -77,21 +75,31 @@ bool uncut_ring(const Gear* gear) { return gear->internal() && !gear->tooth; }
 constexpr const char* kNoCutter =
     " The cutter of the internal gear is not given, so its root fillet is not checked.";
 
-std::string running(const InvolutePair& p) {
-  const std::optional<double> face = face_width_needed(p);
-  const std::string contact =
-      face
-          ? fmt::format(
-                "The pair runs only as a helical gear pair: transverse contact ratio {:.3f}, total "
-                "{:.3f}; it needs b ≥ {:.2f} mm. There is",
-                p.mesh.true_ratio, p.contact_ratio_true(), *face)
-          : fmt::format("The pair runs: contact is continuous ({}contact ratio {:.3f}), there is",
-                        p.crossed() ? "" : "total ", p.contact_ratio_true());
+std::string running(const InvolutePair& p, const std::string& contact) {
   const bool nothing_strikes = p.interference.empty() && p.beyond_flank.empty();
   return fmt::format(
       "{} {}{}.{}", contact,
       backlash_words(p.mesh.backlash.normal, p.center_distance, p.gears[0].spec.normal_module),
       nothing_strikes ? " and no interference" : "", uncut_ring(&p.gears[1]) ? kNoCutter : "");
+}
+
+std::string running(const ParallelPair& p) {
+  if (const auto face = face_width_needed(p)) {
+    return running(
+        p, fmt::format(
+               "The pair runs only as a helical gear pair: transverse contact ratio {:.3f}, total "
+               "{:.3f}; it needs b ≥ {:.2f} mm. There is",
+               p.mesh.true_ratio, p.contact_ratio_true(), *face));
+  }
+  return running(
+      p, fmt::format("The pair runs: contact is continuous (total contact ratio {:.3f}), there is",
+                     p.contact_ratio_true()));
+}
+
+std::string running(const CrossedPair& p) {
+  return running(
+      p, fmt::format("The pair runs: contact is continuous (contact ratio {:.3f}), there is",
+                     p.contact_ratio_true()));
 }
 
 std::string gears_alone(const Judged& judged) {
@@ -126,7 +134,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
     return "The pair does not withstand its load. " + worst.whole();
   std::string text = fmt::format("The pair does not run as specified: {}.", against);
   if (!worst.at.empty()) return text + " " + worst.whole();
-  const InvolutePair* p = judged.pair->involute();
+  const ParallelPair* p = judged.pair->parallel();
   const auto face = p ? face_width_needed(*p) : std::nullopt;
   if (face && p->contact_ratio_true() < 1.0) {
     text += fmt::format(
@@ -177,20 +185,17 @@ std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if (w.code == WarningCode::no_tip_clearance)
     return {{"clearance", mounted.tip_clearance[i], true}};
   if (w.code == WarningCode::contact_ratio || w.code == WarningCode::no_contact)
-    return {{"contact_ratio", true_contact_ratio(*judged.pair), false}};
-  if (const ArcPair* arcs = judged.pair->arcs()) {
-    if (w.code == WarningCode::negative_backlash)
-      return {{"backlash", arcs->backlash_normal, true}};
-    return {};
-  }
-  const InvolutePair& p = *judged.pair->involute();
-  if (w.code == WarningCode::negative_backlash) return {{"backlash", p.mesh.backlash.normal, true}};
-  for (const Interference& found : p.interference) {
+    return {{"contact_ratio", judged.pair->contact_ratio_true(), false}};
+  if (w.code == WarningCode::negative_backlash)
+    return {{"backlash", judged.pair->normal_backlash(), true}};
+  const InvolutePair* p = judged.pair->involute();
+  if (!p) return {};
+  for (const Interference& found : p->interference) {
     const double* amount = std::get_if<double>(&found.amount);
     if (amount && found.code == w.code && found.gear == w.gear)
       return {{"clearance", *amount, true}};
   }
-  for (const Collision& collision : p.beyond_flank) {
+  for (const Collision& collision : p->beyond_flank) {
     if (w.code == WarningCode::beyond_flank && collision.gear == w.gear)
       return {{"early", -collision.depth, true}};
   }
@@ -243,11 +248,6 @@ bool before(const Finding& a, const Finding& b) {
 }
 
 }  // namespace
-
-double true_contact_ratio(const Pair& pair) {
-  const InvolutePair* p = pair.involute();
-  return p ? p->contact_ratio_true() : pair.contact_ratio();
-}
 
 bool worse(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;

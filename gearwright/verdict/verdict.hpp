@@ -28,6 +28,14 @@ enum class Level {
   red,    ///< it cannot be made or does not run as specified
 };
 const char* to_string(Level level);
+/// A problem is red, a caution amber, a note green.
+Level level_of(Severity severity);
+
+/// The least normal backlash of gears and housing of iron or steel below 15 m/s.
+///
+/// Formula   2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996, annex A
+/// Units     mm
+double recommended_backlash(double center_distance, double normal_module);
 
 struct FindingValue {
   std::string name;
@@ -54,12 +62,13 @@ struct SpecChange {
   Adjustable what;
   int gear;  ///< 1, 2; 0: of the pair, or of both gears
   double value;
+  std::string path{};  ///< for a drive: the key in its spec, else empty
 };
 
 struct Finding {
   WarningCode code;  ///< of a warning, or of a margin: form_margin, fillet_margin, tip_margin,
                      ///< edge_contact, contact_place, root_safety, flank_safety
-  Level level;       ///< green: good to know
+  Level level;       ///< green: for information
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< a sentence each; the remedy may be empty
   std::vector<FindingValue> values{};  ///< the first: the number that is too small
@@ -123,10 +132,7 @@ using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, T
 /// Domain    one or two gears, warnings (contract)
 std::vector<Finding> findings_of(const Judged& judged);
 
-/// Over the usable flanks and the whole face.
-double true_contact_ratio(const Pair& pair);
-
-/// Whether `a` is worse than `b`, both of one code and gear: by level, then by the first value.
+/// True if `a` is worse than `b`, both of one code and gear: by level, then by the first value.
 bool worse(const Finding& a, const Finding& b);
 
 /// The verdict over these findings of what is judged.

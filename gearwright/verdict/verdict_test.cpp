@@ -13,7 +13,6 @@
 namespace gearwright {
 namespace {
 
-using testing::crossed_pair;
 using testing::helical_pair;
 using testing::report_input;
 using testing::sample_gear;
@@ -21,19 +20,19 @@ using testing::sample_pair;
 using testing::undercut_pair;
 
 TEST(Verdict, FollowsTheFacts) {
-  const InvolutePair good = helical_pair();
+  const ParallelPair good = helical_pair();
   EXPECT_NE(report_input(good).verdict.headline.find("The pair runs"), std::string::npos);
-  const InvolutePair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
+  const ParallelPair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
   ASSERT_LT(tight.mesh.backlash.normal, 0.0);
   EXPECT_NE(report_input(tight).verdict.headline.find("too thick"), std::string::npos);
-  const InvolutePair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
+  const ParallelPair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
   ASSERT_LT(loose.contact_ratio_true(), 1.0);
   EXPECT_NE(report_input(loose).verdict.headline.find("not continuous"), std::string::npos);
 }
 
 TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
   // ε_α = 0.6858, so that (1 − ε_α) p_bt/tan β_b = 3.4548 mm: rounded up.
-  const InvolutePair wide = testing::two_and_sixty();
+  const ParallelPair wide = testing::two_and_sixty();
   EXPECT_EQ(face_width_needed(wide), 3.46);
   const std::string words = report_input(wide).verdict.headline;
   EXPECT_NE(words.find("runs only as a helical gear pair: transverse contact ratio 0.686"),
@@ -47,21 +46,21 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
 
   // At the width itself contact never stops, a hundredth below it does.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
-  const InvolutePair narrow = testing::two_and_sixty(3.45);
+  const ParallelPair narrow = testing::two_and_sixty(3.45);
   ASSERT_LT(narrow.contact_ratio_true(), 1.0);
   const std::string too_narrow = report_input(narrow).verdict.headline;
   EXPECT_NE(too_narrow.find("does not run as specified: contact is not continuous."),
             std::string::npos)
       << too_narrow;
-  EXPECT_NE(too_narrow.find("only for helical gears with b ≥ 3.46 mm"), std::string::npos) << too_narrow;
+  EXPECT_NE(too_narrow.find("only for helical gears with b ≥ 3.46 mm"), std::string::npos)
+      << too_narrow;
 
   EXPECT_FALSE(face_width_needed(helical_pair()));
   EXPECT_FALSE(face_width_needed(undercut_pair()));  // spur: no width helps
-  EXPECT_FALSE(face_width_needed(crossed_pair()));
 }
 
 TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
-  const auto severity = [](const InvolutePair& pair, WarningCode code) {
+  const auto severity = [](const MountedGears& pair, WarningCode code) {
     for (const Warning& w : testing::warnings_of(pair)) {
       if (w.code == code) return severity_of(w);
     }
@@ -71,17 +70,17 @@ TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
   // Gear 1 is undercut and loses contact there; an internal gear's tip below the pinion's base is
   // in the way.
   EXPECT_EQ(severity(undercut_pair(), WarningCode::contact_lost_to_undercut), Severity::caution);
-  const InvolutePair internal =
+  const ParallelPair internal =
       sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
   EXPECT_EQ(severity(internal, WarningCode::base_tangent), Severity::problem);
-  const InvolutePair askew = testing::nearly_parallel_pair();
+  const CrossedPair askew = testing::nearly_parallel_pair();
   EXPECT_EQ(severity(askew, WarningCode::nearly_parallel), Severity::caution);
   EXPECT_EQ(severity(askew, WarningCode::face_width), Severity::caution);
   EXPECT_EQ(severity(askew, WarningCode::no_contact), Severity::problem);
   EXPECT_EQ(severity(testing::worm_pair(), WarningCode::self_locking), Severity::note);
 }
 
-Verdict judged(const InvolutePair& pair) { return report_input(pair).verdict; }
+Verdict judged(const ParallelPair& pair) { return report_input(pair).verdict; }
 
 bool finds(const Verdict& verdict, WarningCode code, Level level) {
   return std::any_of(verdict.findings.begin(), verdict.findings.end(),
@@ -94,7 +93,7 @@ TEST(Verdict, level_is_that_of_the_worst_finding) {
       judged(sample_pair(sample_gear(16, 2, 0, 0), sample_gear(40, 2, 0, 0), 56.1));
   EXPECT_EQ(amber.level, Level::amber);
   EXPECT_EQ(amber.findings.front().level, Level::amber);
-  const InvolutePair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
+  const ParallelPair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
   const Verdict red = judged(tight);
   EXPECT_EQ(red.level, Level::red);
   EXPECT_EQ(red.findings.front().code, WarningCode::negative_backlash);
@@ -106,8 +105,8 @@ TEST(Verdict, level_is_that_of_the_worst_finding) {
 TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
   const double m = 2.0;
   for (double x = -0.1; x < 0.2; x += 0.001) {
-    const InvolutePair pair =
-        testing::taken(mount_involutes(sample_gear(19, m, 0, x), sample_gear(40, m, 0, 0.0), {}));
+    const ParallelPair pair = testing::taken(
+        mount_as<ParallelPair>(sample_gear(19, m, 0, x), sample_gear(40, m, 0, 0.0), {}));
     const Verdict verdict = judged(pair);
     const double form = pair.form_clearance[0].value_or(-1.0);
     EXPECT_EQ(finds(verdict, WarningCode::form_margin, Level::amber),
@@ -120,7 +119,7 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
   }
   CylindricalSpec longer = sample_gear(40, m, 0, 0).spec;
   longer.tip_diameter = 84.0 + 2 * 0.35;
-  const InvolutePair close =
+  const ParallelPair close =
       sample_pair(sample_gear(30, m, 0, 0), testing::taken(make_gear(longer)), 70.0);
   const Verdict verdict = judged(close);
   ASSERT_TRUE(finds(verdict, WarningCode::tip_margin, Level::amber));
@@ -136,7 +135,7 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
 
 // A clearance of nanometres is no 0.0000 mm.
 TEST(Verdict, says_small_clearances_in_micrometres) {
-  InvolutePair pair = helical_pair();
+  ParallelPair pair = helical_pair();
   pair.fillet_clearance[0] = 21e-6;
   bool found = false;
   for (const Finding& f : judged(pair).findings)
@@ -146,7 +145,7 @@ TEST(Verdict, says_small_clearances_in_micrometres) {
 }
 
 TEST(Verdict, edges_and_places_under_errors) {
-  const InvolutePair involutes = helical_pair();
+  const ParallelPair involutes = helical_pair();
   const Pair pair(involutes);
   const std::vector<Warning> none, jams{{WarningCode::jam, "They jam.", 0}};
   ContactResult contact;

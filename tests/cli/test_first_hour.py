@@ -110,7 +110,8 @@ class Slips(Asked):
 
     def test_a_table_is_no_key_of_a_gear(self):
         self.assertEqual(hint("pair", "gear2"), "[pair] is a table of its own, not a part of [gear2]")
-        self.assertTrue(hint("pitch_um", "errors").startswith("known keys here: center_distance_mm"))
+        self.assertTrue(hint("runout_um", "errors").startswith("known keys here: center_distance_mm"))
+        self.assertIn("pitch in [scatter.gear1]", hint("pitch_um", "errors"))
 
     def test_a_sum_of_shifts_is_told_of_the_key_that_was_written(self):
         two = GEAR + "profile_shift = {}\n[gear2]\nteeth = 40\nprofile_shift = {}\n"

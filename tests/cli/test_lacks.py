@@ -163,8 +163,7 @@ class ByName(Asked):
                 (gear + "units = \"inch\"\n", "gear1.units", "mm", "normal_diametral_pitch_per_in"),
                 (gear + "[gear1.rack]\npoints = [[0, 0], [1, 1]]\n", "gear1.rack.points", "not supported", "arcs"),
                 (gear + "internal = true\n", "gear1.internal", "teeth = -61"),
-                (gear + "[gear1.measured]\nhelix_deg = 15\n", "gear1.measured.helix_deg", "helix_angle_deg"),
-                ("[search]\nkind = \"planetary\"\n", "search.kind", "not supported")):
+                (gear + "[gear1.measured]\nhelix_deg = 15\n", "gear1.measured.helix_deg", "helix_angle_deg")):
             for verb in ("gear", "pair", "run"):
                 self.refused(verb, spec, key, *words, none=("did you mean", "nearest", "unknown key", "missing"))
         # What is known keeps its own sentence.

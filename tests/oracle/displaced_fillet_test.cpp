@@ -16,7 +16,7 @@
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/generation/generate.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 #include "gearwright/tool/arc_rack.hpp"
 #include "gearwright/tool/double_arc_rack.hpp"
 #include "gearwright/tool/straight_rack.hpp"

@@ -79,16 +79,17 @@ inline std::optional<ModifiedPair> random_modified(property::Random& random, con
   if (!gears[1].exists() || !gears[0].root_form_radius() || !gears[1].root_form_radius())
     return std::nullopt;
   const double far = 2 * (gears[0].reference_diameter + gears[1].reference_diameter);
-  const auto anywhere = mount_involutes(gears[0], gears[1], {far});
+  const auto anywhere = mount_as<ParallelPair>(gears[0], gears[1], {far});
   if (!anywhere || !anywhere->backlash_free_center_distance) return std::nullopt;
   const double m = specs.first.normal_module;
   auto& place = out.set.mount;
   place.center_distance = *anywhere->backlash_free_center_distance;
   place.gear2_drives = random.chance(0.4);
-  const auto pair = mount_involutes(gears[0], gears[1], {place.center_distance});
-  if (!pair || !(pair->transverse_contact_ratio().value_or(0.0) > 1.05)) return std::nullopt;
+  const auto pair = mount_as<ParallelPair>(gears[0], gears[1], {place.center_distance});
+  if (!pair || !(pair->transverse_contact_ratio() > 1.05)) return std::nullopt;
   if (!pair->interference.empty() || !pair->beyond_flank.empty()) return std::nullopt;
-  if (pair->trimming_margin && pair->trimming_margin->rad() < 0.0) return std::nullopt;
+  if (pair->margins && pair->margins->trimming && pair->margins->trimming->rad() < 0.0)
+    return std::nullopt;
   if (pair->mesh.rho1_true_begin > pair->mesh.rho1_A + 1e-9 ||
       pair->mesh.rho1_true_end < pair->mesh.rho1_E - 1e-9)
     return std::nullopt;

@@ -12,7 +12,7 @@
 
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"
 
 namespace gearwright::oracle {
@@ -161,7 +161,7 @@ inline std::optional<MountedPair> random_mounted_pair(Random& random) {
   const double apart =
       m * (random.chance(0.5) ? random.uniform(0.0, 0.05) : random.uniform(0.0, 0.4));
   if (random.chance(0.7)) a += ring ? -apart : apart;
-  auto pair = mount_involutes(one->gear, two->gear, {a});
+  auto pair = mount_as<ParallelPair>(one->gear, two->gear, {a});
   if (!pair) return std::nullopt;
   return MountedPair{std::move(pair).take(),
                      fmt::format("a = {}\n  gear1: {}\n  gear2: {}", a, one->text, two->text)};

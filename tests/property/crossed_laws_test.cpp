@@ -35,15 +35,15 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
 }
 
 // Rounding of the angles, as lengths: near-parallel axes divide by sin Σ.
-double grain(const InvolutePair& p) {
+double grain(const CrossedPair& p) {
   return 256 * kEps * (p.center_distance + p.input.gears[1].radius) /
          std::abs(std::sin(p.shaft_angle.rad()));
 }
 
 TEST(CrossedLaws, exchanging_the_gears) {
-  over_crossed(401, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
+  over_crossed(401, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     const auto q =
-        mount_involutes(p.gears[1], p.gears[0], {p.center_distance, specs.shaft_angle, 0.05});
+        mount_as<CrossedPair>(p.gears[1], p.gears[0], {p.center_distance, specs.shaft_angle, 0.05});
     ASSERT_TRUE(q) << q.error().message();
     const double tiny = grain(p);
     const auto &m = p.mesh, &n = q->mesh;
@@ -52,8 +52,8 @@ TEST(CrossedLaws, exchanging_the_gears) {
       EXPECT_NEAR(m.rack.sides[i].pitch_radius, n.rack.sides[1 - i].pitch_radius, tiny);
       EXPECT_NEAR(m.rack.sides[i].helix_angle, n.rack.sides[1 - i].helix_angle, 1e-13);
       EXPECT_NEAR(m.backlash.rotation[i], n.backlash.rotation[1 - i], tiny);
-      EXPECT_NEAR(p.face_widths->one_flank[i], q->face_widths->one_flank[1 - i], tiny * 4);
-      EXPECT_NEAR(p.face_widths->both_flanks[i], q->face_widths->both_flanks[1 - i], tiny * 16);
+      EXPECT_NEAR(p.face_widths.one_flank[i], q->face_widths.one_flank[1 - i], tiny * 4);
+      EXPECT_NEAR(p.face_widths.both_flanks[i], q->face_widths.both_flanks[1 - i], tiny * 16);
     }
     EXPECT_NEAR(m.pitch_plane_distance, n.pitch_plane_distance, tiny);
     EXPECT_NEAR(m.path_ratio, n.path_ratio, tiny);
@@ -66,20 +66,20 @@ TEST(CrossedLaws, exchanging_the_gears) {
 }
 
 TEST(CrossedLaws, mirroring_both_hands) {
-  over_crossed(402, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
+  over_crossed(402, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     CrossedSpecs other = specs;
     other.first.helix_angle = -specs.first.helix_angle;
     other.second.helix_angle = -specs.second.helix_angle;
     other.shaft_angle = -specs.shaft_angle;
     const auto g1 = make_gear(other.first), g2 = make_gear(other.second);
     ASSERT_TRUE(g1 && g2);
-    const auto q = mount_involutes(*g1, *g2, {p.center_distance, other.shaft_angle, 0.05});
+    const auto q = mount_as<CrossedPair>(*g1, *g2, {p.center_distance, other.shaft_angle, 0.05});
     ASSERT_TRUE(q) << q.error().message();
     EXPECT_EQ(p.mesh.path_ratio, q->mesh.path_ratio);
     EXPECT_EQ(p.mesh.backlash.normal_base, q->mesh.backlash.normal_base);
     EXPECT_EQ(p.mesh.rack.sides[0].helix_angle, -q->mesh.rack.sides[0].helix_angle);
     EXPECT_EQ(p.mesh.line_offset, -q->mesh.line_offset);
-    EXPECT_EQ(p.face_widths->both_flanks, q->face_widths->both_flanks);
+    EXPECT_EQ(p.face_widths.both_flanks, q->face_widths.both_flanks);
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r;
     const Vec3 B = q->on_line_of_action(q->mesh.rho1_A).r;
     EXPECT_EQ(A.x(), B.x());
@@ -89,7 +89,7 @@ TEST(CrossedLaws, mirroring_both_hands) {
 }
 
 TEST(CrossedLaws, scaling_by_two_is_exact) {
-  over_crossed(403, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
+  over_crossed(403, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     CrossedSpecs twice = specs;
     for (CylindricalSpec* s : {&twice.first, &twice.second}) {
       s->normal_module *= 2;
@@ -97,7 +97,8 @@ TEST(CrossedLaws, scaling_by_two_is_exact) {
     }
     const auto g1 = make_gear(twice.first), g2 = make_gear(twice.second);
     ASSERT_TRUE(g1 && g2);
-    const auto q = mount_involutes(*g1, *g2, {2 * p.center_distance, specs.shaft_angle, 0.05});
+    const auto q =
+        mount_as<CrossedPair>(*g1, *g2, {2 * p.center_distance, specs.shaft_angle, 0.05});
     ASSERT_TRUE(q);
     EXPECT_EQ(q->mesh.pitch_plane_distance, 2 * p.mesh.pitch_plane_distance);
     EXPECT_EQ(q->mesh.path_length, 2 * p.mesh.path_length);
@@ -119,7 +120,7 @@ double line_to_axis(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& axi
 
 // The line touches both base cylinders; its ends lie on the tip cylinders.
 TEST(CrossedLaws, line_of_action) {
-  over_crossed(404, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
+  over_crossed(404, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     if (!(p.mesh.path_length > 0.05 * p.mesh.step)) return;
     const double tiny = 64 * grain(p) / std::abs(std::sin(p.shaft_angle.rad()));
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r, E = p.on_line_of_action(p.mesh.rho1_E).r;
@@ -142,11 +143,11 @@ TEST(CrossedLaws, line_of_action) {
 
 // Backlash is linear in a, and nothing at the backlash-free distance.
 TEST(CrossedLaws, backlash) {
-  over_crossed(405, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random& random) {
+  over_crossed(405, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random& random) {
     ASSERT_TRUE(p.backlash_free_center_distance);
     const double more = random.uniform(-0.2, 0.5);
-    const auto q = mount_involutes(p.gears[0], p.gears[1],
-                                   {*p.backlash_free_center_distance + more, specs.shaft_angle});
+    const auto q = mount_as<CrossedPair>(
+        p.gears[0], p.gears[1], {*p.backlash_free_center_distance + more, specs.shaft_angle});
     ASSERT_TRUE(q);
     EXPECT_NEAR(q->mesh.backlash.normal_base, 2 * more * p.mesh.rack.angles.sin_alpha, grain(p));
     EXPECT_EQ(q->mesh.rack.normal_pressure_angle, p.mesh.rack.normal_pressure_angle);
@@ -165,7 +166,7 @@ using Dual = boost::math::differentiation::autodiff_fvar<double, 1>;
 
 // c(α_n) by dual numbers: its slope is −X/tan α_n, nothing at the least distance, where it turns.
 TEST(CrossedLaws, the_slope_of_the_distance) {
-  over_crossed(406, 5.0, [](const CrossedSpecs&, const InvolutePair& p, Random&) {
+  over_crossed(406, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
     BasePair<Dual> dual;
     for (int i : {0, 1}) {
@@ -194,7 +195,7 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
 
 // dΣ moves a by z_L/tan α_n, to the first order.
 TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
-  over_crossed(407, 10.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
+  over_crossed(407, 10.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
     constexpr double kStep = 1e-5;
     const auto distance = [&](double sigma) {
@@ -203,8 +204,8 @@ TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
     const double numeric =
         (distance(specs.shaft_angle.rad() + kStep) - distance(specs.shaft_angle.rad() - kStep)) /
         (2 * kStep);
-    const auto tight = mount_involutes(p.gears[0], p.gears[1],
-                                       {*p.backlash_free_center_distance, specs.shaft_angle});
+    const auto tight = mount_as<CrossedPair>(p.gears[0], p.gears[1],
+                                             {*p.backlash_free_center_distance, specs.shaft_angle});
     ASSERT_TRUE(tight);
     const double slope =
         tight->mesh.line_offset * p.mesh.rack.angles.cos_alpha / p.mesh.rack.angles.sin_alpha;
@@ -214,7 +215,7 @@ TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
 
 // Both places of a distance above the least are places of it.
 TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
-  over_crossed(408, 5.0, [](const CrossedSpecs&, const InvolutePair& p, Random& random) {
+  over_crossed(408, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random& random) {
     const BasePair<double>& g = p.input.gears;
     const double a = p.min_distance->center_distance * (1 + 0.02 * random.unit());
     const auto places = transverse_angles_at_distance(g, a);
@@ -234,7 +235,7 @@ TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
 // ε = 1 at the ends of the interval, more inside, less outside.
 TEST(CrossedLaws, range_of_the_contact_ratio) {
   int ends = 0;
-  over_crossed(409, 5.0, [&](const CrossedSpecs&, const InvolutePair& p, Random&) {
+  over_crossed(409, 5.0, [&](const CrossedSpecs&, const CrossedPair& p, Random&) {
     const auto ratio_at = [&](const CrossedPlace& place) {
       MeshInput<double> in = p.input;
       in.shaft_angle = place.shaft_angle.rad();

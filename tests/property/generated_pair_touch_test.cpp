@@ -146,8 +146,8 @@ bool meets_long_enough(const InvolutePair& pair) {
 void expect_overlap_when_closer(const InvolutePair& pair) {
   ASSERT_TRUE(pair.backlash_free_center_distance);
   const double a = *pair.backlash_free_center_distance;
-  const auto closer = mount_involutes(pair.gears[0], pair.gears[1],
-                                      {pair.gears[1].internal() ? a + kCloser : a - kCloser});
+  const auto closer = mount_as<ParallelPair>(
+      pair.gears[0], pair.gears[1], {pair.gears[1].internal() ? a + kCloser : a - kCloser});
   ASSERT_TRUE(closer) << closer.error().message();
   const TurnedOutlines outlines(*closer);
   const double half = -half_gap(*closer);
@@ -224,7 +224,7 @@ TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
     if (!gear || !gear->exists()) continue;
     const bool ring = gear->internal();
     const double e = wanted->distance;
-    const auto pair = mount_involutes(*cutter, *gear, {e});
+    const auto pair = mount_as<ParallelPair>(*cutter, *gear, {e});
     if (!pair || !meets_long_enough(*pair)) continue;
     SCOPED_TRACE(describe(spec) + "; " + oracle::describe(*wanted));
     ++found;
@@ -232,7 +232,7 @@ TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
     PitchTurn{*pair};
     expect_tip_clearance(*pair);
     expect_overlap_when_closer(*pair);
-    const auto with_play = mount_involutes(*cutter, *gear, {e + (ring ? -kPlay : kPlay)});
+    const auto with_play = mount_as<ParallelPair>(*cutter, *gear, {e + (ring ? -kPlay : kPlay)});
     if (!with_play || !meets_long_enough(*with_play)) continue;
     if (!with_play->interference.empty() || !with_play->beyond_flank.empty()) continue;  // said
     ++apart;

@@ -46,7 +46,7 @@ inline Gear gear_cut(const Gear& cutter, int teeth, double e,
 }
 
 inline InvolutePair mounted_at(const Gear& one, const Gear& two, double a) {
-  return testing::taken(mount_involutes(one, two, {a}));
+  return testing::taken(mount_as<ParallelPair>(one, two, {a}));
 }
 
 inline CylindricalSpec spec_of(int teeth, double m, double beta_deg, double x) {

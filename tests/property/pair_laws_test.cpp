@@ -35,7 +35,7 @@ int over_spec_pairs(std::uint64_t seed, Law law) {
 
 // (1) j_bn = 0 at the backlash-free distance: what inv and its inverse round, over the base circles
 TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
-  const int held = over_spec_pairs(201, [](const SpecPair&, const InvolutePair& p, Random&) {
+  const int held = over_spec_pairs(201, [](const SpecPair&, const ParallelPair& p, Random&) {
     EXPECT_NEAR(p.mesh.backlash.normal_base, 0.0,
                 64 * kEps * (p.input.gears[0].radius + p.input.gears[1].radius));
     for (const Warning& w : p.warnings) EXPECT_NE(w.code, WarningCode::negative_backlash);
@@ -45,7 +45,7 @@ TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
 
 // (2) without allowances that is the distance of the shifts, and the shifts follow from it again
 TEST(PairLaws, shifts_and_distance_are_inverse) {
-  over_spec_pairs(202, [](const SpecPair& specs, const InvolutePair&, Random&) {
+  over_spec_pairs(202, [](const SpecPair& specs, const ParallelPair&, Random&) {
     SpecPair nominal = specs;
     nominal.first.thickness_allowance = nominal.second.thickness_allowance = 0.0;
     const auto p = mounted(nominal);
@@ -84,7 +84,7 @@ TEST(PairLaws, shifts_and_distance_are_inverse) {
 // (3) at the extended distance the tips have the racks' clearance, allowances set aside
 TEST(PairLaws, extended_distance_gives_the_standard_clearance) {
   int held = 0;
-  over_spec_pairs(203, [&](const SpecPair& specs, const InvolutePair& tight, Random&) {
+  over_spec_pairs(203, [&](const SpecPair& specs, const ParallelPair& tight, Random&) {
     SpecPair nominal = specs;
     nominal.first.thickness_allowance = nominal.second.thickness_allowance = 0.0;
     const auto p = mounted(nominal, tight.extended_center_distance);
@@ -103,8 +103,8 @@ TEST(PairLaws, extended_distance_gives_the_standard_clearance) {
 
 // (4) exchanging the two gears of an external pair exchanges everything that has an index
 TEST(PairLaws, exchanging_the_gears) {
-  over_spec_pairs(204, [](const SpecPair& specs, const InvolutePair& tight, Random& random) {
-    if (tight.kind == PairKind::parallel_internal) return;
+  over_spec_pairs(204, [](const SpecPair& specs, const ParallelPair& tight, Random& random) {
+    if (tight.side() < 0.0) return;
     const double a = tight.center_distance + 0.1 * specs.first.normal_module * random.unit();
     const auto p = mounted(specs, a), q = mounted(SpecPair{specs.second, specs.first}, a);
     ASSERT_TRUE(p && q);
@@ -128,8 +128,8 @@ TEST(PairLaws, exchanging_the_gears) {
 
 // (5) backlash: the linear facts, and that it grows with the distance
 TEST(PairLaws, backlash) {
-  over_spec_pairs(205, [](const SpecPair& specs, const InvolutePair& tight, Random& random) {
-    const bool external = tight.kind == PairKind::parallel_external;
+  over_spec_pairs(205, [](const SpecPair& specs, const ParallelPair& tight, Random& random) {
+    const bool external = tight.side() > 0.0;
     const double step =
         0.2 * specs.first.normal_module * (0.05 + random.unit()) * (external ? 1 : -1);
     const auto p = mounted(specs, tight.center_distance + step);
@@ -156,7 +156,7 @@ TEST(PairLaws, backlash) {
 
 // (6) A … E in order; sliding: dedendum dragged (< 0), addendum ahead (> 0), none at C
 TEST(PairLaws, path_of_contact) {
-  over_spec_pairs(206, [](const SpecPair& specs, const InvolutePair& p, Random&) {
+  over_spec_pairs(206, [](const SpecPair& specs, const ParallelPair& p, Random&) {
     const auto& m = p.mesh;
     const double p_bt = p.gears[0].reference().base_pitch_transverse;
     EXPECT_NEAR(m.rho1_D - m.rho1_A, p_bt, 16 * kEps * (std::abs(m.rho1_A) + p_bt));
@@ -182,7 +182,7 @@ TEST(PairLaws, path_of_contact) {
 
 // (7) the line of action touches both base circles; its ends lie on the tip circles
 TEST(PairLaws, line_of_action) {
-  over_spec_pairs(207, [](const SpecPair&, const InvolutePair& p, Random&) {
+  over_spec_pairs(207, [](const SpecPair&, const ParallelPair& p, Random&) {
     const double a = p.center_distance, scale = 64 * kEps * (a + p.input.tip_form_radius[1]);
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r, E = p.on_line_of_action(p.mesh.rho1_E).r;
     if ((E - A).norm() < 1e-3 * a) return;  // no direction to speak of
@@ -201,7 +201,7 @@ TEST(PairLaws, line_of_action) {
 
 // (8) doubling every length doubles every length of the mesh, exactly, and keeps every number
 TEST(PairLaws, scaling_by_two_is_exact) {
-  over_spec_pairs(208, [](const SpecPair& specs, const InvolutePair& p, Random&) {
+  over_spec_pairs(208, [](const SpecPair& specs, const ParallelPair& p, Random&) {
     SpecPair twice = specs;
     for (CylindricalSpec* s : {&twice.first, &twice.second}) {
       s->normal_module *= 2;
@@ -222,7 +222,7 @@ TEST(PairLaws, scaling_by_two_is_exact) {
 
 // (9) spur is the limit of helical
 TEST(PairLaws, spur_is_the_limit_of_helical) {
-  over_spec_pairs(209, [](const SpecPair& specs, const InvolutePair&, Random&) {
+  over_spec_pairs(209, [](const SpecPair& specs, const ParallelPair&, Random&) {
     SpecPair spur = specs, helical = specs;
     spur.first.helix_angle = spur.second.helix_angle = Angle();
     helical.first.helix_angle = Angle::radians(1e-9);

@@ -32,7 +32,7 @@ CylindricalSpec random_mate(Random& random, const CylindricalSpec& spec, bool in
 bool finite(const std::optional<double>& v) { return !v || std::isfinite(*v); }
 
 // The sentence that says what is not a number, empty when all are.
-std::string not_finite(const InvolutePair& p) {
+std::string not_finite(const ParallelPair& p) {
   const auto& m = p.mesh;
   const double plain[] = {m.rack.sides[0].transverse_angle,
                           m.rack.normal_pressure_angle,
@@ -66,9 +66,11 @@ std::string not_finite(const InvolutePair& p) {
       return "form clearance";
     if (!finite(p.fillet_clearance[i])) return fmt::format("fillet clearance {}", i);
   }
-  if (!finite(p.involute_margin)) return "a margin of the internal pair";
-  for (const auto& margin : {p.trochoid_margin, p.trimming_margin}) {
-    if (margin && !std::isfinite(margin->rad())) return "a margin of the internal pair";
+  if (p.margins) {
+    if (!finite(p.margins->involute)) return "a margin of the internal pair";
+    for (const auto& margin : {p.margins->trochoid, p.margins->trimming}) {
+      if (margin && !std::isfinite(margin->rad())) return "a margin of the internal pair";
+    }
   }
   if (!finite(p.backlash_free_center_distance)) return "backlash-free distance";
   for (const SpecificSliding<double>& s : {p.sliding_A, p.sliding_E}) {
@@ -98,7 +100,7 @@ void check_pairs(std::uint64_t seed, int n) {
       default: break;
     }
     at_hand = fmt::format("\n  gear1: {}\n  gear2: {}\n  a = {}", describe(one), describe(two), a);
-    const auto pair = mount_involutes(*g1, *g2, {a});
+    const auto pair = mount_as<ParallelPair>(*g1, *g2, {a});
     if (!pair) {
       ++refused;
       if (pair.error().message().find(pair.error().field) == std::string::npos) {

@@ -52,15 +52,15 @@ inline CrossedSpecs random_crossed(Random& random, double least, bool racks = tr
 }
 
 /// Mounted `play` mm further apart than without backlash; nothing when a gear cannot be.
-inline std::optional<InvolutePair> mounted(const CrossedSpecs& s, double play = 0.0) {
+inline std::optional<CrossedPair> mounted(const CrossedSpecs& s, double play = 0.0) {
   auto g1 = make_gear(s.first);
   auto g2 = make_gear(s.second);
   if (!g1 || !g2 || !g1->exists() || !g2->exists()) return std::nullopt;
   const auto tight =
       complete_place(nominal_base_pair(s.first, s.second), std::nullopt, s.shaft_angle);
   if (!tight) return std::nullopt;
-  auto pair = mount_involutes(std::move(g1).take(), std::move(g2).take(),
-                              {tight->center_distance + play, tight->shaft_angle, 0.05});
+  auto pair = mount_as<CrossedPair>(std::move(g1).take(), std::move(g2).take(),
+                                    {tight->center_distance + play, tight->shaft_angle, 0.05});
   if (!pair) return std::nullopt;
   return std::move(pair).take();
 }

@@ -42,7 +42,7 @@ inline SpecPair random_pair(Random& random, bool internal) {
 
 /// Both gears mounted at `a`, at the backlash-free distance without it; nothing when they cannot
 /// be.
-inline std::optional<InvolutePair> mounted(const SpecPair& specs,
+inline std::optional<ParallelPair> mounted(const SpecPair& specs,
                                            std::optional<double> a = std::nullopt) {
   auto g1 = make_gear(specs.first);
   auto g2 = make_gear(specs.second);
@@ -50,11 +50,11 @@ inline std::optional<InvolutePair> mounted(const SpecPair& specs,
   if (!a) {
     const double far = 2 * (std::abs(specs.first.teeth) + std::abs(specs.second.teeth)) *
                        specs.first.normal_module / std::cos(specs.first.helix_angle.rad());
-    const auto anywhere = mount_involutes(*g1, *g2, {far});
+    const auto anywhere = mount_as<ParallelPair>(*g1, *g2, {far});
     if (!anywhere || !anywhere->backlash_free_center_distance) return std::nullopt;
     a = *anywhere->backlash_free_center_distance;
   }
-  auto pair = mount_involutes(std::move(g1).take(), std::move(g2).take(), {*a});
+  auto pair = mount_as<ParallelPair>(std::move(g1).take(), std::move(g2).take(), {*a});
   if (!pair) return std::nullopt;
   return std::move(pair).take();
 }

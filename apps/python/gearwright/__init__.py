@@ -15,17 +15,18 @@ from __future__ import annotations
 
 from . import _plots
 from ._core import (ERRORS, Contact, ContractViolation, FileError, Gear, Loaded, Pair, Rating, Search, __version__,
-                    compensate, fit, load, solve)
+                    compensate, fit, load, scatter, solve)
 from ._doors import identify, measure, search, verify
+from ._drives import Drive, load_drive, planetary, train
 from ._errors import SpecError
 from ._records import Record
 from .closed_forms import (backlash, center_distance, contact_ratio, inverse_involute, involute, pair_table,
                            shift_limits, working_pressure_angle)
 
 __all__ = [
-    "ERRORS", "Contact", "ContractViolation", "FileError", "Gear", "Loaded", "Pair", "Rating", "Record", "Search",
-    "SpecError", "__version__", "backlash", "center_distance", "compensate", "contact_ratio", "fit", "identify",
-    "inverse_involute", "involute", "load", "measure", "pair_table", "search", "shift_limits", "solve", "verify",
-    "working_pressure_angle"]
+    "ERRORS", "Contact", "ContractViolation", "Drive", "FileError", "Gear", "Loaded", "Pair", "Rating", "Record",
+    "Search", "SpecError", "__version__", "backlash", "center_distance", "compensate", "contact_ratio", "fit", "identify",
+    "inverse_involute", "involute", "load", "load_drive", "measure", "pair_table", "planetary", "scatter", "search",
+    "shift_limits", "solve", "train", "verify", "working_pressure_angle"]
 
 _plots.add()

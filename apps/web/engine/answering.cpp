@@ -19,13 +19,11 @@ namespace gearwright::web {
 namespace {
 
 Error too_long(std::size_t bytes) {
-  return {"", "",
-          fmt::format("the spec has {} bytes; one has at most {}, more than any gear needs", bytes,
-                      kMaxSpec)};
+  return {"", "", fmt::format("the spec has {} bytes; at most {} are allowed", bytes, kMaxSpec)};
 }
 
 Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
-  if (verb == "search") {  // the whole of it at once, as the program does it
+  if (verb == "search") {  // the whole search at once, as in the program
     if (!spec.search) return no_search();
     const Search search(*spec.search);
     const auto run = run_search(spec, search, {});
@@ -42,7 +40,7 @@ Result<Json> tree_of(const std::string& text, SpecFormat format) {
   return parse_spec(text, format);
 }
 
-// The path of a null in a tree: TOML has none.
+// The path of a null in a tree, because TOML has no null.
 std::optional<std::string> null_in(const Json& tree, const std::string& path) {
   if (tree.is_null()) return path;
   if (!tree.is_structured()) return std::nullopt;
@@ -77,7 +75,7 @@ std::string answer(std::string_view verb, const std::string& given) {
   const SpecText text = spec_text(given);
   const Verb* const row = find_verb(verb);
   if (verb != "search" && row == nullptr)
-    return refusal({"", std::string(verb), "is no verb that answers a spec with JSON"}, nullptr);
+    return refusal({"", std::string(verb), "is not a verb that returns JSON for a spec"}, nullptr);
   const auto spec = read(text, row ? row->use : SpecUse::geometry);
   if (!spec) return refusal(spec.error(), &text);
   const auto answer = answered(verb, *spec);
@@ -88,7 +86,7 @@ Result<std::string> to_toml(const std::string& json) {
   const auto tree = tree_of(json, SpecFormat::json);
   if (!tree) return tree.error();
   if (const auto path = null_in(*tree, ""))
-    return Error{*path, "null", "is no value of a spec; leave the key out"};
+    return Error{*path, "null", "is not a value of a spec; leave out the key"};
   return toml_text(*tree);
 }
 

@@ -1,7 +1,7 @@
 // The module's functions, one binding each: values in, values out, no exception and no formula.
 //
-// engine.js gives them the shape that engine.d.ts describes: default arguments, and a catch around
-// each call for what only JavaScript sees, a trap.
+// engine.js adapts them to engine.d.ts: default arguments, and a catch around each call for traps,
+// which only JavaScript detects.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -28,7 +28,7 @@ namespace {
 
 using emscripten::val;
 
-// A typed array of JavaScript's own: a copy, which no growth of our memory detaches.
+// A typed array of JavaScript itself: a copy that stays valid when the memory grows.
 template <class T>
 val array_of(const std::vector<std::uint8_t>& bytes) {
   const auto* data = reinterpret_cast<const T*>(bytes.data());
@@ -76,7 +76,7 @@ val failed(const Error& error, const SpecText* text = nullptr, const GivenKeys& 
   return js(refusal(error, text, given));
 }
 
-// What was thrown, inside of a handler.
+// The caught exception as an error, inside a handler.
 Error caught() {
   try {
     throw;
@@ -87,7 +87,7 @@ Error caught() {
   }
 }
 
-// What work gives, or a Failed.
+// Returns the result of the work, or a Failed.
 template <class Work>
 val guarded(const Work& work) {
   try {
@@ -108,7 +108,8 @@ std::string guarded_text(const Work& work) {
 const Session& session_of(const Session& session) { return session; }
 const Session& session_of(const Work& work) { return work.session(); }
 
-// A method of a session or of its work: what it gives, or its error with the line in the spec's text.
+// A method of a session or of its work: returns its result, or its error with the line in the
+// spec's text.
 template <auto method, class Of, class... Arguments>
 val call(Of& of, Arguments... arguments) {
   return guarded([&] {
@@ -138,6 +139,30 @@ Result<Json> contact_figures(Session& session, const val& of) {
   }
   return session.contact_figures(view);
 }
+// [x0, x1, y0, y1]
+std::optional<Bounds> window_of(const val& list) {
+  if (list.isNull()) return std::nullopt;
+  const auto ends = emscripten::convertJSArrayToNumberVector<double>(list);
+  return Bounds{{ends[0], ends[2]}, {ends[1], ends[3]}};
+}
+Result<Json> mesh_figure(const Session& session, const val& of) {
+  MeshView view;
+  const std::string frame = of["frame"].as<std::string>();
+  view.frame = frame == "whole"   ? MeshFrame::whole
+               : frame == "flank" ? MeshFrame::flank
+                                  : MeshFrame::mesh;
+  view.width = of["width"].as<double>();
+  view.height = of["height"].as<double>();
+  view.bodies = of["bodies"].as<bool>();
+  view.name = of["name"].as<std::string>();
+  view.window = window_of(of["window"]);
+  return session.mesh_figure(view);
+}
+Result<Json> shift_region(const Session& session, const val& of) {
+  if (of.isNull()) return session.shift_region(std::nullopt);
+  return session.shift_region(
+      ShiftView{of["width"].as<double>(), of["aspect"].as<double>(), window_of(of["window"])});
+}
 MadeWork pattern(Session& session, int positions, int rows, int columns) {
   return pattern_work(session.shared_from_this(), positions, {rows, columns});
 }
@@ -162,7 +187,7 @@ val work_result(const Work& work) {
   return guarded([&] { return js(work.result()); });
 }
 
-// What a function of a text gives, or its error with the line in the text.
+// Returns the result of a function of a text, or its error with the line in the text.
 template <class T>
 val of_text(const Result<T>& result, const SpecText& text) {
   return result ? js(*result) : failed(result.error(), &text);
@@ -267,6 +292,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("section", &call<&Session::section, Session, int, double>)
       .function("mesh", &call<&Session::mesh, Session, int, double>)
       .function("lines", &call<&Session::lines, Session>)
+      .function("meshFigure", &call<&mesh_figure, const Session, val>)
       .function("pose", &call<&Session::pose, Session, int, double, bool>)
       .function("contactCurve", &call<&Session::contact_curve, Session, int>)
       .function("contactPoint", &call<&Session::contact_point, Session, double>)
@@ -275,7 +301,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("pattern", &call<&pattern, Session, int, int, int>)
       .function("errorMap", &call<&error_map, Session, val, val, int>)
       .function("load", &call<&load, Session, std::string, std::shared_ptr<ToothTables>>)
-      .function("shiftRegion", &call<&Session::shift_region, Session>)
+      .function("shiftRegion", &call<&shift_region, const Session, val>)
       .function("file", &call<&Session::file, Session, std::string, int, double>);
   class_<Work>("Work")
       .smart_ptr<std::shared_ptr<Work>>("WorkHandle")

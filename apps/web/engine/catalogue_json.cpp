@@ -27,7 +27,7 @@ const char* name_of(const Names& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-// How a key ends, and what people read for it: the units of the catalogue, and those that need no
+// The end of a key and its unit for users: the units of the catalogue, and those that need no
 // conversion there.
 struct Ending {
   std::string_view suffix, unit;

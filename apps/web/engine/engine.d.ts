@@ -1,19 +1,20 @@
-// The engine in WebAssembly, as a page or a node program sees it.
+// The engine in WebAssembly, for a page or a node program.
 //
-// No formula lives here: every call hands a spec to the same C++ that `gearwright` is made of and
-// hands back what came out. Rules:
+// It contains no formulas: every call passes a spec to the C++ code of `gearwright` and returns the
+// result. Rules:
 //
-//   * No call throws. What went wrong is `Failed`, in the words and with the line that the program
-//     prints; test `failed(x)` (or look for `error`).
+//   * No call throws. An error is a `Failed` with the message and the line that the program prints;
+//     test `failed(x)` (or look for `error`).
 //   * Lengths mm, angles at this interface degrees, by name. Keys of results are those of
 //     `gearwright … --json` (docs/spec.md); the catalogue has words, symbol, unit and digits.
 //   * Arrays are copies that belong to the caller: transfer them, keep them.
 //   * Calls are synchronous and single-threaded: run the engine in a Web Worker. Long work is a
 //     `Work`: step it for some milliseconds, look at messages, step again; drop it to cancel.
 //   * Everything with `delete()` lives in the module's memory until it is deleted.
-//   * A contract of the core that is broken, a mistake of ours, is a Failed that names it and requests
-//     a report. What the call was made on (a session, a work) is of no more use then; others go on.
-//     Only a trap or too deep a recursion stops the module: load the engine again.
+//   * A violated contract of the core, which is a defect of Gearwright, is a Failed that names it
+//     and requests a report. The object of the call (a session, a work) is then unusable; others
+//     can still be used. Only a trap or too deep a recursion stops the module: load the engine
+//     again.
 //
 // Housing frame, rotations, signs: docs/theory/01-frames.md. Gear 1 turns clockwise seen from +z
 // for growing `rotation1`, gear 2 as it is driven.
@@ -21,13 +22,14 @@
 /** What a refusal looks like: the key of the spec, its value, one sentence. */
 export interface Failed {
   error: {
-    key: string; // "gear1.normal_module_mm", or "" when no key is to blame
+    key: string; // "gear1.normal_module_mm", or "" if the error has no key
     value: string;
     message: string; // the whole sentence, with key and value
     file?: string;
-    line?: number; // counted from 1, where the key (or its table) stands in the text
+    line?: number; // counted from 1, line of the key (or its table) in the text
     column?: number; // in characters, from 1
-    finder?: "search" | "fit" | "identify"; // of `open`: no fault, this verb finds what is missing
+    finder?: "search" | "fit" | "identify"; // of `open`: not an error; this verb computes the
+                                            // missing numbers
   };
 }
 
@@ -45,8 +47,8 @@ export interface InputKey {
   symbol: string; // "β", may be empty
   kind: "number" | "whole" | "boolean" | "text" | "word" | "table" | "any";
   unit: string; // "mm", "°", "µm", "″", "1/min", … of the key's ending; "" of pure numbers
-  suffix: string; // how the key ends: "mm", "deg", "um", ""
-  words: string[]; // of a word: what is allowed; of other kinds: words that will do, too
+  suffix: string; // end of the key: "mm", "deg", "um", ""
+  words: string[]; // permitted words; for other kinds: words that are also allowed
   range: {
     lo: number | null; // null: no end
     hi: number | null;
@@ -56,15 +58,15 @@ export interface InputKey {
     reason: string; // goes on after the range: ", usually 14.5 to 30"
   } | null;
   list: { least: number; most: number; single: boolean } | null; // a list instead of one value
-  form: string; // what may stand there, as part of a sentence: "a number", "true or false"
+  form: string; // the permitted values as part of a sentence: "a number", "true or false"
   required: boolean;
-  needs: string[]; // keys that must stand beside it
-  excludes: string[]; // keys that may not
-  tables: string[]; // of a table: names of the InputTables that it may be
-  fallback: string; // what holds when it is absent: a value as in the file, or words
+  needs: string[]; // keys that must also be given
+  excludes: string[]; // keys that must not also be given
+  tables: string[]; // for a table: names of the possible InputTables
+  fallback: string; // value if the key is absent: a value as in the file, or words
   meaning: string; // one sentence, lower case, without the full stop
-  also: string[]; // what people write for it: "module", "dp"
-  documented: boolean; // false: leave it out of forms
+  also: string[]; // other names that users try: "module", "dp"
+  documented: boolean; // false: omit it from forms
 }
 export interface InputTable {
   name: string; // "gear", "pair", "errors", "rack_circular_arc", …; the file itself is "spec"
@@ -78,19 +80,19 @@ export interface Quantity {
   words: string; // "tip diameter"
   symbol: string; // "d_a", indices after the underscore; may be empty
   unit: string; // "mm", "°", "µm"; "" of pure numbers
-  digits: number; // decimals for people
+  digits: number; // decimals for users
   group: string; // heading; may be empty
   meaning: string;
   type: "number" | "whole" | "index" | "flag" | "word" | "text" | "record" | "map";
   list: number[]; // lengths of nested lists, 0: any; []: one value
-  two: "values" | "gears" | "ends"; // what two values of a list are
+  two: "values" | "gears" | "ends"; // the meaning of two values of a list
   oneOf: string[]; // of a word
-  of: string; // of a record: name of the QuantityTable that it holds; else ""
+  of: string; // for a record: name of its QuantityTable; otherwise ""
   page: boolean; // the report's tables show it
   listing: boolean; // the terminal's
-  percent: boolean; // a share of 1; people read 100 times it
-  nothing: string; // what people read where there is no value; "" means "–"
-  greaterFirst: boolean; // the better are the greater
+  percent: boolean; // a fraction of 1; users see 100 times it
+  nothing: string; // text for users if there is no value; "" means "–"
+  greaterFirst: boolean; // greater values are better
 }
 export interface QuantityTable {
   name: string; // "gear", "pair", "contact", "contact.positions", "search.designs", "verdict", …
@@ -127,7 +129,7 @@ export interface Section {
   /** Circles about the axis that the catalogue names: tip, reference, base, root, form circles,
    *  working pitch. `key` is the quantity's, "base_diameter_mm". */
   circles: { key: string; symbol: string; words: string; radius: number }[];
-  toleranceMm: number; // no chord is farther from the exact curve
+  toleranceMm: number; // greatest distance of a chord from the exact curve
 }
 
 /** A closed mesh in the gear's own frame, for three.js buffers. Normals are the exact surface's. */
@@ -155,23 +157,23 @@ export interface ContactCurve {
   n: number;
   columns: Record<string, Float64Array | string[]>;
   width: Record<string, number>;
-  peakToPeakArcsec: number; // NaN when nothing touches
+  peakToPeakArcsec: number; // NaN if nothing touches
   meanSlope: number;
   harmonicsArcsec: Float64Array;
   contactLost: boolean;
-  words: string; // what it comes to, as in the report
+  words: string; // summary in words, as in the report
 }
 
 /** A flank as a raster: rows are diameters, columns heights z in the gear's own frame. */
 export interface FlankRaster {
   diameter: Float64Array; // mm, growing
   height: Float64Array; // mm, growing
-  gap: Float64Array; // mm, [row * columns + column]; Infinity where the mating gear never is
+  gap: Float64Array; // mm, [row * columns + column]; Infinity where the mating gear never comes
 }
 
 /** The x1–x2 chart of this pair of tooth numbers: exact borders of the search's limits. */
 export interface ShiftRegion {
-  point: [number, number]; // the spec's own shifts
+  point: [number, number]; // the shifts of the spec itself
   inside: boolean;
   /** Distance of the point to the nearest border, modules; < 0 outside. */
   margin: number;
@@ -180,9 +182,10 @@ export interface ShiftRegion {
   area: number; // modules²
   pieces: { border: string; points: Float64Array }[][]; // per piece its borders, x1, x2, …
   borders: Record<string, string>; // words of every border that occurs: "contact ratio 1.2"
-  window: [number, number, number, number]; // x1 lo, x1 hi, x2 lo, x2 hi: floors and ceilings
-  chosen: [number, number] | null; // what the search would take
-  whatKills: string; // the first limit that leaves nothing; "" when there is a region
+  window: [number, number, number, number]; // x1 lo, x1 hi, x2 lo, x2 hi: lower and upper limits
+  chosen: [number, number] | null; // point that the search would choose
+  whatKills: string; // the first limit that leaves no region; "" if there is a region
+  figure: Figure | null; // if a view was given and some shifts are left
 }
 
 // ---------------------------------------------------------------------------------- long work
@@ -206,17 +209,18 @@ export interface SearchResult {
 export interface ErrorMap {
   x: Float64Array; // in the unit of the key
   y: Float64Array;
-  peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN where nothing touches, or not yet done
+  peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN if nothing touches, or if not yet computed
 }
 
 /** Teeth under load. */
 export interface LoadResult {
-  json: string; // what `gearwright load SPEC --json` prints, probes left out
+  json: string; // what `gearwright load SPEC --json` prints, without probes
 }
 
 // ---------------------------------------------------------------------------------- figures
 
-/** A figure as the report has it: its picture and caption, and what its curves are made of. The group
+/** A figure as the report has it: its picture and caption (of gears in section without a caption), and
+ *  what its curves are made of. The group
  *  of class "plot" has the scale in `data-x` and `data-y`, "lo hi from to": values and their px. */
 export interface Figure {
   id: string; // "te", "spectrum", "bearing1", "pressure2"
@@ -227,15 +231,35 @@ export interface Figure {
     x: { words: string; unit: string };
     y: { words: string; unit: string };
     curves: { name: string; points: [number | null, number | null][] }[];
+    circles?: { gear: 0 | 1; name: string; center: [number, number]; radius: number }[];
+    points?: { name: string; at: [number, number] }[]; // letters of a mesh
   };
 }
 /** What is seen of contact. */
 export interface ContactView {
   width: number; // px, of a figure
   positions: number; // per pitch
-  index: number; // of the position whose gap lies on the flanks
+  index: number; // of the position whose gap is shown on the flanks
   patterns: [FlankRaster, FlankRaster] | null; // as `pattern` made them
-  curves: boolean; // false: the flanks alone
+  curves: boolean; // false: only the flanks
+}
+
+/** What is seen of the gears in section. */
+export interface MeshView {
+  frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, the path of contact
+  width: number; // px
+  height: number;
+  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm, in place of the frame's
+  bodies: boolean; // the bodies alone
+  name: string; // of the picture and its shapes, unique in the page
+}
+
+/** What is seen of the chart of profile shifts. */
+export interface ShiftView {
+  width: number; // px
+  aspect: number; // of the plot, width over height
+  window: [number, number, number, number] | null; // visible x1 and x2 range; null: the range of
+                                                   // the region
 }
 
 /** Designs as dots, in their order, over two of their numbers, which are finite. */
@@ -244,7 +268,7 @@ export interface DesignDots {
   tall: number; // height of the plot over its width
   x: { words: string; unit: string; values: number[] };
   y: { words: string; unit: string; values: number[] };
-  styles: string[]; // "dot-front", "dot-design"; of the chosen one " taken" is added
+  styles: string[]; // "dot-front", "dot-design"; " taken" is added for the chosen one
 }
 
 // ---------------------------------------------------------------------------------- a session
@@ -260,6 +284,8 @@ export interface Session {
   /** Solid of gear 1 or 2 (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   lines(): MeshLines | Failed;
+  /** The gears in section, mm. A gear's shapes are `use` elements with `data-gear`, about their place. */
+  meshFigure(view: MeshView): Figure | Failed;
   /** Gear frame → housing, column-major 4×4 as three.js takes it, at a rotation of gear 1, with the
    *  errors of the spec. Gear 2 stands where its working flanks touch; without contact (or when
    *  `nominal`) where the ratio puts it, in the middle of the play at rest. */
@@ -280,7 +306,7 @@ export interface Session {
   /** Teeth under the torques of [load]; `accuracy` in place of the spec's. The teeth's compliance is
    *  kept: the next torque, error or modification takes a fraction of the time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
-  shiftRegion(): ShiftRegion | Failed;
+  shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
   /** A file's bytes: of gear 1 or 2, or (0) of the pair as it is mounted. report, json: gear 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
   delete(): void;

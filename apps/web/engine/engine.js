@@ -3,7 +3,7 @@
 import createCore from "./gearwright.mjs";
 
 const kBroken =
-  "the engine stopped at a mistake of its own, please report the spec; it has to be loaded again: ";
+  "a defect stopped the engine; please report the spec, and load the engine again: ";
 
 const broken = (e) => ({
   error: { key: "", value: "", message: kBroken + (e instanceof Error ? e.message : String(e)) },
@@ -23,6 +23,7 @@ const kDefaults = {
   section: [1, 0.001],
   mesh: [1, 0.02],
   pose: [1, 0, false],
+  shiftRegion: [null],
   contactCurve: [64],
   gapMap: [0, 0, 33, 65],
   pattern: [64, 33, 65],
@@ -30,7 +31,8 @@ const kDefaults = {
   file: ["", 0, 0],
 };
 
-// The module, or an object of it: what a call throws, a trap or too deep a recursion, is a Failed.
+// Catches the exceptions of the module, or of an object of it (a trap or too deep a recursion), as
+// a Failed.
 function guarded(object, defaults) {
   const call = (name) => (...given) => {
     const all = [...given];
@@ -49,6 +51,6 @@ function guarded(object, defaults) {
 
 export default async function createEngine(options = {}) {
   const core = await createCore(options);
-  // Teeth under load keep their compliance from one session to the next.
+  // Teeth under load keep their compliance for the next session.
   return guarded(core, { ...kDefaults, load: ["", new core.ToothTables()] });
 }

@@ -12,7 +12,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/curve/arc_name.hpp"
-#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 
 namespace gearwright::web {
 
@@ -59,39 +59,29 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
     const Vec2& to = b.points[(i + 1) % b.points.size()];
     if (b.bulges[i] == 0.0) {
       append(out, to);
-    } else {  // every curved piece of a bore is one about the axis
+    } else {  // all curved pieces of a bore are circles about the axis
       append_circle(out, Vec2::Zero(), from, to, 4 * std::atan(b.bulges[i]), tolerance);
     }
   }
-  out.resize(out.size() - 2);  // the first point again
+  out.resize(out.size() - 2);  // removes the repeated first point
   return out;
 }
 
 // The diameters of a record, as circles about the axis of a gear.
-void append_circles(Json& circles, const ValueRecord& record, std::size_t gear) {
+void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
+                    std::size_t gear) {
   for (const Member& m : record) {
     const QuantityInfo& info = *m.info;
     if (!info.key.ends_with("_diameter_mm")) continue;
     const ValueList* each = info.two == Two::gears ? m.value.list() : nullptr;
     const auto d = each ? (*each)[gear].number() : m.value.number();
     if (!d) continue;
-    circles.push_back({{"key", info.key},
-                       {"symbol", info.symbol},
-                       {"words", info.words},
-                       {"radius", std::abs(*d) / 2}});
+    circles.push_back({std::string(info.symbol), std::abs(*d) / 2, style_of_circle(info.symbol),
+                       std::string(info.words), std::string(info.key)});
   }
 }
 
 Json pose_row(const Eigen::Isometry3d& x) { return web::row(Numbers(x.data(), x.data() + 16)); }
-
-std::string kind_name(PairKind kind) {
-  switch (kind) {
-    case PairKind::parallel_external: return "parallel_external";
-    case PairKind::parallel_internal: return "parallel_internal";
-    case PairKind::crossed: return "crossed";
-  }
-  return "";
-}
 
 }  // namespace
 
@@ -115,7 +105,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
   std::vector<std::vector<Vec2>> arcs;
   for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
   Numbers out;
-  Json pieces = Json::array(), circles = Json::array();
+  Json pieces = Json::array(), named = Json::array();
   append(out, contour->pieces.front().begin);
   for (const ContourPiece& piece : contour->pieces) {
     const int from = static_cast<int>(out.size() / 2) - 1;
@@ -132,13 +122,46 @@ Result<Json> Session::section(int gear, double tolerance) const {
                       {"to", static_cast<int>(out.size() / 2) - 1}});
   }
   out.resize(out.size() - 2);  // closed: the last point is the first
-  const auto which = static_cast<std::size_t>(gear - 1);
-  append_circles(circles, gear_quantities().of(g), which);
-  if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
+  for (const NamedCircle& c : circles(gear)) {
+    named.push_back(
+        {{"key", c.key}, {"symbol", c.symbol}, {"words", c.words}, {"radius", c.radius}});
+  }
   return Json{{"teeth", contour->teeth}, {"internal", g.internal()},
               {"outline", row(out)},     {"pieces", std::move(pieces)},
-              {"bore", row(*bore)},      {"circles", std::move(circles)},
+              {"bore", row(*bore)},      {"circles", std::move(named)},
               {"toleranceMm", tolerance}};
+}
+
+std::vector<NamedCircle> Session::circles(int gear) const {
+  std::vector<NamedCircle> circles;
+  const auto which = static_cast<std::size_t>(gear - 1);
+  append_circles(circles, gear_quantities().of(job_.gears[which]), which);
+  if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
+  return circles;
+}
+
+Result<Json> Session::mesh_figure(const MeshView& view) const {
+  constexpr double kCoarse = 0.1;  // mm; coarse, because the section is only a preview
+  MeshScene scene;
+  for (int gear = 1; gear <= gears(); ++gear) {
+    if (const auto made = section(gear, kCoarse); !made) return made.error();
+    const auto i = static_cast<std::size_t>(gear - 1);
+    scene.gears.push_back(&job_.gears[i]);
+    scene.shapes[i] = view.name + "-gear" + std::to_string(gear);
+    scene.circles[i] = circles(gear);
+  }
+  if (job_.pair) {
+    scene.pair = &job_.pair->mounted();
+    scene.involute = job_.pair->involute();
+  }
+  const Bounds window =
+      view.window ? *view.window : mesh_window(scene, view.frame, view.width / view.height);
+  Figure figure =
+      view.bodies ? bodies_figure(scene, window) : gearwright::mesh_figure(scene, window);
+  for (std::size_t i = 0; i < scene.gears.size(); ++i)
+    figure.definitions += gear_definition(*scene.gears[i], scene.shapes[i]);
+  figure.id = view.name;
+  return shape(figure, view.width);
 }
 
 Result<Json> Session::mesh(int gear, double tolerance) const {
@@ -170,7 +193,7 @@ Result<Json> Session::lines() const {
   const Pair& pair = *job_.pair;
   Numbers line_of_action, trailing_line, path_of_contact;
   Json points = Json::array();
-  // Circular arcs touch in points that run along the teeth.
+  // Circular arcs touch in points that move along the teeth.
   if (const InvolutePair* p = pair.involute()) {
     const gearwright::Mesh<double>& m = p->mesh;
     for (const double rho : {0.0, m.sigma * m.base_tangent_distance}) {
@@ -189,7 +212,7 @@ Result<Json> Session::lines() const {
       }
     }
   }
-  return Json{{"kind", kind_name(pair.kind())},
+  return Json{{"kind", to_string(pair.kind())},
               {"centerDistance", pair.center_distance()},
               {"shaftAngleDeg", pair.shaft_angle().deg()},
               {"lineOfAction", row(line_of_action)},
@@ -208,9 +231,8 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     return pose_row(x);
   }
   const Pair& pair = *job_.pair;
-  const bool internal = pair.kind() == PairKind::parallel_internal;
   const Angle rotation1 = Angle::degrees(rotation1_deg);
-  // Gears that cannot touch stand without errors.
+  // Gears that cannot touch are shown without errors.
   const auto touching = nominal ? Result<const ContactPair*>(nullptr) : contact_pair();
   const ContactPair* contact = touching ? *touching : nullptr;
   Eigen::Isometry3d x = gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
@@ -220,7 +242,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // Turns are the same whichever way round the mirror into N is taken: D M D of each axis.
+        // The rotations do not depend on the direction of the mirror into N: D M D of each axis.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;
@@ -236,7 +258,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     if (p->kind != TouchKind::none) rotation2 = p->rotation2;
     x.translation().x() += contact->place().errors.center_distance;
   }
-  x = x * Eigen::AngleAxisd((internal ? -1.0 : 1.0) * rotation2.rad(), Vec3::UnitZ());
+  x = x * Eigen::AngleAxisd(pair.mounted().side() * rotation2.rad(), Vec3::UnitZ());
   return pose_row(x);
 }
 

@@ -15,7 +15,7 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr int kTableSteps = 32;       // a table takes about as long as so many positions
+constexpr int kTableSteps = 32;       // a table takes about as long as this number of positions
 constexpr std::size_t kMostKept = 4;  // both gears, draft and full
 
 class LoadWork : public Work {
@@ -48,7 +48,7 @@ class LoadWork : public Work {
   Json result_;
 };
 
-// The table of the next gear; with both of them the teeth may turn.
+// Makes the table of the next gear. With both tables, the positions can be computed.
 std::optional<Error> LoadWork::make_table() {
   const Gear &gear_1 = task_.setup.gear(1), &gear_2 = task_.setup.gear(2);
   const int which = tables_[0] ? 2 : 1;
@@ -102,7 +102,7 @@ std::optional<Error> LoadWork::close() {
 Result<Json> LoadWork::figures(int torque, double width) const {
   if (!found_) return Error{"", "", "there are no figures before the end of the work"};
   if (torque < 0 || torque >= static_cast<int>(found_->torques.size()))
-    return refused("torque", torque, "is none of the torques of [load]");
+    return refused("torque", torque, "is not one of the torques of [load]");
   const LoadScene scene{{&task_.setup.gear(1), &task_.setup.gear(2)},
                         nullptr,
                         job_.spec.load.driver == 2,

@@ -19,7 +19,8 @@ class PatternWork : public Work {
   PatternWork(std::shared_ptr<Session> session, int positions, const RasterSize& size)
       : Work(std::move(session)), positions_(positions), size_(size) {}
 
-  // A sixteenth, a quarter of the nodes, then all of them: together a third more than these alone.
+  // A sixteenth, then a quarter of the nodes, then all of them: together a third more work than the
+  // last step alone.
   Result<Steps> step(double) override {
     constexpr int kSteps = 3;
     if (next_ == kSteps) return Steps{kSteps, kSteps, true};
@@ -82,9 +83,9 @@ class ErrorMapWork : public Work {
   }
 
  private:
-  std::array<std::size_t, 2> keys_;  // places of the errors in error_entries()
+  std::array<std::size_t, 2> keys_;  // indices of the errors in error_entries()
   std::array<Numbers, 2> axes_;
-  Numbers peak_to_peak_arcsec_;  // [iy·nx + ix]; NaN: nothing touches, or not done yet
+  Numbers peak_to_peak_arcsec_;  // [iy·nx + ix]; NaN if nothing touches, or if not yet computed
   int positions_;
   std::size_t next_ = 0;
 };
@@ -109,7 +110,7 @@ MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<Error
   for (const std::size_t i : {0, 1}) {
     const ErrorAxis& axis = axes[i];
     const auto place = error_index(axis.key);
-    if (!place) return Error{"errors", axis.key, "is no key of [errors]"};
+    if (!place) return Error{"errors", axis.key, "is not a key of [errors]"};
     if (axis.n < 2 || axis.n > kMost) return refused("n", axis.n, "must lie between 2 and 1000");
     keys[i] = *place;
     for (int k = 0; k < axis.n; ++k)

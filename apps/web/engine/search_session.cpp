@@ -14,7 +14,7 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr std::int64_t kFirstPart = 1 << 12;  // trials; later ones last as long as they should
+constexpr std::int64_t kFirstPart = 1 << 12;  // trials; later parts have the requested duration
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
 constexpr double kPartMs = 8.0;
 
@@ -94,7 +94,7 @@ Json SearchSession::result() const {
 
 std::string SearchSession::best(int most) const {
   Json rows = Json::array();
-  // Before the end the best are a heap in work: a copy of it is put in order.
+  // Before the end, the best designs are in a heap, so a copy of it is sorted.
   const SearchAnswer so_far =
       stage_ == Stage::trials ? BestDesigns(best_).answer(counts_) : SearchAnswer{};
   const auto& designs = stage_ == Stage::trials ? so_far.designs : run_.answer.designs;

@@ -1,7 +1,7 @@
-// A search in steps, so that a worker hears messages meanwhile.
+// A search in steps, so that a worker can handle messages between them.
 //
-// The steps are pieces of the range of trials; what comes out at the end is what the program's
-// search gives: same designs, same order, same text.
+// The steps are parts of the range of trials. The final result is equal to that of the program:
+// same designs, same order, same text.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
-// A spec that was read and solved: what a page shows of it while the user moves something.
+// A spec that was read and solved, with the results that a page shows while the user changes it.
 //
-// Everything is computed by the rooms of the core when it is wanted; what several questions share,
-// the solved pair and its contact, is kept.
+// Everything is computed by the core on request. Common data of several requests, the solved pair
+// and its contact, are kept.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,36 @@
 #include <string_view>
 
 #include "apps/web/engine/shapes.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright::web {
 
-/// What a page wants to see of contact.
+/// The requested view of contact.
 struct ContactView {
   double width = 560.0;                 ///< px, of a figure
   int positions = 64;                   ///< per pitch
-  int index = 0;                        ///< of the position whose gap lies on the flanks
-  std::array<FlankRaster, 2> patterns;  ///< as `pattern` made them; empty: not yet
-  bool curves = true;                   ///< not the flanks alone
+  int index = 0;                        ///< of the position whose gap is shown on the flanks
+  std::array<FlankRaster, 2> patterns;  ///< from `pattern`; empty: not yet computed
+  bool curves = true;                   ///< false: only the flanks
+};
+
+/// Options of the figure of the gears in section.
+struct MeshView {
+  MeshFrame frame = MeshFrame::mesh;
+  double width = 560.0, height = 420.0;  ///< px
+  std::optional<Bounds> window;          ///< mm; none: the window of the frame
+  bool bodies = false;                   ///< without circles and lines
+  std::string name = "mesh";             ///< of the shapes, unique in the page
+};
+
+/// Options of the figure of the profile shifts.
+struct ShiftView {
+  double width = 560.0;          ///< px
+  double aspect = 1.25;          ///< of the plot, width over height
+  std::optional<Bounds> window;  ///< (x1, x2); none: the window of the region
 };
 
 class Session : public std::enable_shared_from_this<Session> {
@@ -39,6 +56,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> section(int gear, double tolerance) const;
   Result<Json> mesh(int gear, double tolerance) const;
   Result<Json> lines() const;
+  /// The gears in section, with all circles that the catalogue names.
+  Result<Json> mesh_figure(const MeshView& view) const;
   /// Column-major, as three.js takes it.
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
@@ -48,14 +67,15 @@ class Session : public std::enable_shared_from_this<Session> {
   /// An object of contact.positions, JSON.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
-  /// The pair as contact takes it; it lives as long as the session.
+  /// The pair for contact analysis; it lives as long as the session.
   Result<const ContactPair*> contact_pair();
-  /// The same with two errors of other values, by their places in error_entries().
+  /// The same with other values of two errors, given by their indices in error_entries().
   Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
-  Result<Json> shift_region() const;
+  /// With a figure if `view` is given and the region is not empty.
+  Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 
  private:
@@ -64,12 +84,13 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<ContactPoint> touch(double rotation1_deg);
   Result<const ContactResult*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
+  std::vector<NamedCircle> circles(int gear) const;
 
   SpecText text_;
   SolvedJob job_;
   std::optional<Result<ContactSetup>> setup_;
   std::optional<ContactPair> pair_;
-  std::optional<ContactResult> found_;  ///< of the number of positions that was asked last
+  std::optional<ContactResult> found_;  ///< for the last requested number of positions
 };
 
 }  // namespace gearwright::web

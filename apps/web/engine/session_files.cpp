@@ -1,4 +1,4 @@
-// The files of a session: the bytes that the program would write.
+// The files of a session, with the same bytes as those of the program.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -24,7 +24,7 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
   if (kind == "json") return row(json(job_.pair ? "pair" : "gear"));
   FileOptions options;
   if (kind == "report") {
-    SolvedJob job = job_;  // what is left out becomes a warning of the job
+    SolvedJob job = job_;  // omitted parts become a warning of the job
     options.only = {"report"};
     auto made = make_everything(job, "", options);
     if (!made) return spelled(made.error(), job_.spec.given);
@@ -45,7 +45,7 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
     return row(made->bytes);
   }
   const auto wanted = kind_of(kind);
-  if (!wanted) return Error{"", kind, "is no kind of file that the engine makes"};
+  if (!wanted) return Error{"", kind, "is not a file format of the engine"};
   std::vector<ToothedBody> bodies;
   for (const int which : chosen) {
     auto made = body(which, gear == 0);

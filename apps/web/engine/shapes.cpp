@@ -54,8 +54,9 @@ Json shape(const FlankRaster& raster) {
 }
 
 Json shape(const Figure& figure, double width) {
+  width = std::clamp(width, 280.0, 1400.0);
   return {{"id", figure.id},
-          {"html", figure_html(figure, std::clamp(width, 280.0, 1400.0))},
+          {"html", figure.plane ? figure_svg(figure, width) : figure_html(figure, width)},
           {"data", figure_data(figure)}};
 }
 

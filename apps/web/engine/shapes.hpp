@@ -1,4 +1,4 @@
-// What the engine hands to a page: JSON, in it numbers in rows, ready for buffers.
+// Data from the engine for a page: JSON with rows of numbers for buffers.
 //
 // A row is binary data of the tree, so that trees are made and tested without a browser; bindings.cpp
 // turns them into JavaScript's values. What each member means: engine.d.ts, under the same names.
@@ -21,7 +21,7 @@ namespace gearwright::web {
 using Numbers = std::vector<double>;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< nothing there
 
-/// Which typed array of JavaScript a row becomes: the subtype of its binary data.
+/// The typed array of JavaScript for a row: the subtype of its binary data.
 enum class RowType : std::uint8_t { float64, float32, uint32, uint8 };
 Json row(const Numbers& numbers);
 Json row(const std::vector<float>& numbers);
@@ -43,7 +43,7 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
-/// A figure with its caption, HTML, and its data, for a room so many px wide.
+/// A figure with its caption (a plane figure has none) as HTML, and its data, for a width in px.
 Json shape(const Figure& figure, double width);
 
 }  // namespace gearwright::web

@@ -11,6 +11,8 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/design/shift_region.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/shift_region.hpp"
 #include "gearwright/report/search_words.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
@@ -20,8 +22,8 @@ namespace gearwright::web {
 
 namespace {
 
-// A search of one trial: its limits are those of the spec's [search], else those that a search has
-// by itself. `swapped`: gear 2 has fewer teeth, and is the search's gear 1.
+// A search of one trial. Its limits are those of the spec's [search], or the defaults of a search.
+// `swapped`: gear 2 has fewer teeth and is gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
@@ -66,7 +68,7 @@ ShiftEdge swapped_edge(ShiftEdge edge) {
   }
 }
 
-// The border that stands nearest to a point, and how far away it is, modules.
+// The border nearest to a point, and its distance, modules.
 struct Nearest {
   std::string border;
   double distance = std::numeric_limits<double>::infinity();
@@ -82,33 +84,51 @@ struct Nearest {
   }
 };
 
+// The figure without the design point, which the page draws so that it can be dragged.
+Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
+                    const ShiftView& view) {
+  constexpr double kFairPart = 0.62;  // of the rectangle: a region as long is shown in it
+  const ShiftChart chart = shift_chart(graph, design);
+  const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
+  RegionWindow window = region_window(limits_box(graph), chart.around, aspect, kFairPart);
+  if (view.window) {
+    const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
+    window.box = {turned(view.window->lo), turned(view.window->hi)};
+  }
+  Figure f = shift_region_figure(chart, window);
+  f.point(chosen_point(graph, chart.region), 5.0, "mark hollow", "what a search would take",
+          {12.0, 12.0});
+  f.marks.back().label_style = "halo tick";
+  if (swapped) f = exchanged(std::move(f));
+  f.caption = ". Edges of the region:";
+  return f;
+}
+
 }  // namespace
 
-Result<Json> Session::shift_region() const {
+Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   if (!job_.pair) return absent_input("gear2", ": the chart is of two profile shifts");
   if (!job_.pair->involute())
-    return Error{"gear1.rack.kind", "",
-                 "is of circular arcs: they have no profile shifts to choose"};
+    return Error{"gear1.rack.kind", "", "has circular arcs, which have no profile shifts"};
   const bool swapped =
       !job_.gears[1].internal() && job_.gears[1].spec.teeth < job_.gears[0].spec.teeth;
   const auto problem = problem_of(job_, swapped);
   if (!problem) return problem.error();
   const Search search(*problem);
   if (search.space().size().value_or(0) < 1) {
-    return Error{"gear1.teeth", "",
-                 "with these tooth numbers no search begins: gear 2 must be the one with more"};
+    return Error{"gear1.teeth", "", "a search needs a gear 2 with more teeth than gear 1"};
   }
   const ShiftGraph graph = search.graph(search.space().trial(0));
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  // The least room that any limit leaves, each in its own unit: its sign alone concerns the chart.
+  // The least margin over all limits, each in its own unit. The chart uses only its sign.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();
   const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
   const auto killed = graph.what_kills();
-  std::array<Json, 2> ends;  // floors and ceilings
+  std::array<Json, 2> ends;  // lower and upper limits
   for (const std::size_t i : {0, 1})
     ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
   Json chart{{"point", {point.x(), point.y()}},
@@ -120,6 +140,7 @@ Result<Json> Session::shift_region() const {
              {"borders", Json::object()},
              {"window", {ends[0][0], ends[0][1], ends[1][0], ends[1][1]}},
              {"chosen", nullptr},
+             {"figure", nullptr},
              {"whatKills", killed ? words_of(*killed) : ""}};
   const auto region = gearwright::shift_region(graph);
   if (!region) return chart;
@@ -142,7 +163,8 @@ Result<Json> Session::shift_region() const {
     chart["pieces"].push_back(std::move(piece));
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
-  constexpr double kAtWall = 1e-6;  // modules: nearer than any shift is made
+  if (view) chart["figure"] = shape(chart_figure(graph, asked, swapped, *view), view->width);
+  constexpr double kAtWall = 1e-6;  // modules: less than the accuracy of any shift
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;
   chart["area"] = region->area;

@@ -1,4 +1,4 @@
-// How long a step of some work has taken.
+// Measures the duration of a step of some work.
 #pragma once
 
 #include <chrono>

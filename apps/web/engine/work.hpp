@@ -1,5 +1,5 @@
-// Long work in steps, so that a worker hears messages meanwhile: the pattern, a map of two errors,
-// teeth under load.
+// Long work in steps, so that a worker can handle messages between them: the pattern, a map of two
+// errors, teeth under load.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace gearwright::web {
 
-/// How far some work is.
+/// The progress of some work.
 struct Steps {
   std::int64_t done, of;
   bool finished;
@@ -27,11 +27,11 @@ class Work {
   Work& operator=(const Work&) = delete;
 
   Session& session() const { return *session_; }
-  /// Works for about so long.
+  /// Works for about this time.
   virtual Result<Steps> step(double milliseconds) = 0;
-  /// What is there so far; null: nothing yet.
+  /// The result so far; null if there is none yet.
   virtual Json result() const = 0;
-  /// Figures of what was found, for work that has some.
+  /// Figures of the result, for work that has some.
   virtual Result<Json> figures(int, double) const { return Json::array(); }
 
  private:
@@ -39,7 +39,7 @@ class Work {
 };
 using MadeWork = Result<std::shared_ptr<Work>>;
 
-/// The pattern in rasters that grow finer: the first is there at once.
+/// The pattern in rasters of increasing resolution; the first is available immediately.
 MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size);
 
 /// An error axis is in the unit of its key.
@@ -52,8 +52,8 @@ struct ErrorAxis {
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
-/// The compliance of the last gears under load. Torque, errors and modifications do not change it, so
-/// that a page that moves these waits for the positions alone.
+/// The compliance of the last gears under load. Torque, errors and modifications do not change it,
+/// so a page that changes these waits only for the positions.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,

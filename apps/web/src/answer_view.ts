@@ -1,6 +1,6 @@
-// A tab with an answer of the engine beside the keys of the spec that it needs: teeth under load, and
-// their rating. Above the answer stands the verdict on the spec, the same as in the bar. A spec without
-// a load is offered fields for one.
+// A tab with a result of the engine next to the keys of the spec that it needs: teeth under load,
+// and their rating. Above the result is the verdict on the spec, as in the bar. For a spec without
+// a load, the tab shows fields for one.
 
 import { fill, h, scroller } from "./elements";
 import type { Fault, Notice, Solved, Verdict } from "./engine_worker";
@@ -14,10 +14,10 @@ import { at, bench } from "./workbench";
 
 interface Needs {
   panel: PanelGroup[];
-  keys: string[]; // places: a spec with none of them has no load
-  without: string; // why there is no answer then
-  alone: string; // why there is none for one gear
-  offer: string; // what the fields offered are for
+  keys: string[]; // places of the load; a spec without any of them has no load
+  without: string; // reason why there is no result in that case
+  alone: string; // reason why there is no result for a single gear
+  offer: string; // purpose of the offered fields
   go: string;
   offered: Offered[];
 }

@@ -1,4 +1,4 @@
-// The door for scripts: tests, and users at the browser's console.
+// The interface for scripts: tests, and users of the browser's console.
 //
 //   await gearwright.run("pair", text)   the JSON that `gearwright pair --json` prints
 //   gearwright.open(text)                puts a design on screen

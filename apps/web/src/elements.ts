@@ -1,7 +1,6 @@
 // Elements of the page, made without a framework.
 //
-// Every text goes in as a text node, never as markup: what a person writes in a spec stays text
-// wherever it is shown.
+// Every text is a text node, never markup, so the text of a spec is shown as text everywhere.
 
 export type Child = Node | string | number | null | undefined | false;
 type Handler = (event: never) => void;
@@ -193,30 +192,6 @@ export function onNextFrame(paint: () => void): () => void {
       paint();
     });
   };
-}
-
-/** A canvas with as many dots as its room on screen has, `most` per px, and a clean sheet in px; null
- *  where it has no room. */
-export function sheetOf(canvas: HTMLCanvasElement, most: number): Sheet | null {
-  const { clientWidth: width, clientHeight: height } = canvas;
-  if (!width || !height) return null;
-  const ratio = Math.min(most, devicePixelRatio || 1);
-  const dots = [Math.round(width * ratio), Math.round(height * ratio)] as const;
-  if (canvas.width !== dots[0] || canvas.height !== dots[1]) [canvas.width, canvas.height] = dots;
-  const c = canvas.getContext("2d")!;
-  c.setTransform(ratio, 0, 0, ratio, 0, 0);
-  c.clearRect(0, 0, width, height);
-  return { c, width, height, ratio };
-}
-export interface Sheet {
-  c: CanvasRenderingContext2D;
-  width: number; // px
-  height: number;
-  ratio: number; // dots per px
-}
-/** The page's letters for a canvas. */
-export function font(size: string): string {
-  return `${size} ${getComputedStyle(document.body).fontFamily}`;
 }
 
 /** What went wrong, as a sentence. */

@@ -1,12 +1,12 @@
-// The engine works beside the page, in workers, so that nothing it does can hold up a keystroke.
+// The engine runs in workers, so no computation blocks the page.
 //
 //   front   solves the design on screen: milliseconds, always free
-//   back    whatever takes long: solids, patterns, maps, reports, files
+//   back    long computations: solids, patterns, maps, reports, files
 //   press   teeth under load, which keep their compliance from one torque to the next
-//   seek    searches and fits, which keep what they have found
+//   seek    searches and fits, which keep their results
 //
-// Where a newer question makes an older one pointless, `latest` lets the older ones go: at most one
-// question of a kind is under way and one waits. The answer of one that was let go is null.
+// If a newer request makes older ones obsolete, `latest` drops the older ones: at most one request
+// of a kind is being computed and one waits. The result of a dropped request is null.
 
 import type { Questions } from "./engine_worker";
 

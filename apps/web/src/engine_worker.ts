@@ -1,8 +1,8 @@
-// The worker: the engine, and the questions that it answers to the page.
+// The worker: the engine, and the requests of the page that it handles.
 //
-// A question names the spec's text. The last spec stays open, so that the second question about the
-// same text costs nothing. Long questions are worked in steps of some milliseconds; between two
-// steps messages get through, and an overtaken question ends.
+// A request contains the spec's text. The last spec stays open, so a second request for the same
+// text needs no time. Long requests are computed in steps of some milliseconds. Messages are
+// handled between two steps, and an obsolete request ends.
 
 import createEngine, { failed } from "gearwright-engine/engine.js";
 import type * as E from "../engine/engine";
@@ -13,7 +13,7 @@ export type Fault = E.Failed["error"];
 /** What came of a spec: what the program prints with --json, or why there is nothing. */
 export interface Solved {
   text: string;
-  spec: { [key: string]: Json } | null; // the same tree as the text; null: it cannot be read
+  spec: { [key: string]: Json } | null; // the same tree as the text; null if it cannot be read
   result: { [key: string]: Json } | null;
   fault: Fault | null;
   gears: number;
@@ -96,7 +96,7 @@ function solve(text: string): Solved {
   try {
     solved.spec = treeOf(text);
   } catch {
-    // The engine's own reading, next, has the reason.
+    // The engine's own reading, which follows, reports the reason.
   }
   try {
     const { gears, hasPair, json } = session(text);
@@ -160,11 +160,7 @@ const questions = {
     }
     return solve(text);
   },
-  sections(q: { text: string; tolerance: number }) {
-    const s = session(q.text);
-    const gears = eachGear(s, (gear) => s.section(gear, q.tolerance));
-    return { gears, lines: s.hasPair ? good(s.lines()) : null };
-  },
+  meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
   /** Where the gears stand, and where they touch, over a pitch of gear 1 from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
@@ -210,7 +206,7 @@ const questions = {
       throw reason;
     }
   },
-  shifts: (q: { text: string }) => good(session(q.text).shiftRegion()),
+  shifts: (q: { text: string; view: E.ShiftView }) => good(session(q.text).shiftRegion(q.view)),
   /** Any verb, its JSON read. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
@@ -230,7 +226,7 @@ const questions = {
     return result && { ...result, trials: s.trials };
   },
   take(q: { design: number }): string {
-    if (!search) throw new Error("the search has gone; run it again");
+    if (!search) throw new Error("the search no longer exists; run it again");
     return good(search.take(q.design));
   },
   searchReport(): Uint8Array {
@@ -274,7 +270,8 @@ async function answer(q: Question): Promise<void> {
   };
   try {
     const result = await (questions[q.name] as (question: unknown, step: Step) => unknown)(q.question, step);
-    // What was done is handed on, though something newer waits: a slider that is pulled shows its way.
+    // The finished part is sent although a newer request waits, so the picture follows a moving
+    // slider.
     postMessage({ id: q.id, answer: result });
   } catch (reason) {
     postMessage({ id: q.id, failed: reason instanceof Error ? reason.message : String(reason) });

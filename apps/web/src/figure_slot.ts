@@ -1,5 +1,5 @@
-// A figure of the engine on the page: it stands here as the engine has drawn it. The page adds gestures:
-// a line at the chosen position, a press or a drag that chooses another, and files to keep.
+// A figure of the engine on the page, shown as the engine has drawn it. The page adds interaction:
+// a line at the chosen position, a click or a drag that chooses another, and files to download.
 //
 //   t   position in pitches of gear 1, −½ … ½
 
@@ -8,7 +8,7 @@ import style from "../../../gearwright/figure/figure_style.css?inline";
 import { button, download, fill, h, svg } from "./elements";
 
 /** An axis of a plot: values lo … hi at the px from … to. */
-function axisOf(plot: Element, name: "x" | "y") {
+export function axisOf(plot: Element, name: "x" | "y") {
   const [lo, hi, from, to] = plot.getAttribute(`data-${name}`)!.split(" ").map(Number) as [number, number, number, number];
   return {
     lo,
@@ -22,11 +22,12 @@ function axisOf(plot: Element, name: "x" | "y") {
 export class FigureSlot {
   readonly element = h("div", { class: "figure-slot", hidden: true });
   private readonly picture = h("div", {});
+  private readonly values = button("CSV", () => this.keepValues(), { title: "Save its values" });
   private readonly save = h(
     "div",
     { class: "figure-save" },
     button("SVG", () => this.keepPicture(), { title: "Save this figure" }),
-    button("CSV", () => this.keepValues(), { title: "Save its values" }),
+    this.values,
   );
   private figure: Figure | null = null;
   private t = NaN;
@@ -50,7 +51,7 @@ export class FigureSlot {
   show(figure: Figure | undefined): void {
     this.element.hidden = !figure;
     if (figure?.html !== this.figure?.html) this.picture.innerHTML = figure?.html ?? "";
-    this.save.hidden = !figure?.data.curves.length;
+    this.values.hidden = !figure?.data.curves.length;
     this.figure = figure ?? null;
     this.mark(this.t);
   }
@@ -58,7 +59,7 @@ export class FigureSlot {
   /** Puts the line, and the frame of a figure that has some, at a position. */
   mark(t: number): void {
     this.t = t;
-    const plot = this.picture.querySelector("g.plot");
+    const { plot } = this;
     if (!plot || !Number.isFinite(t)) return;
     for (const old of plot.querySelectorAll(".cursor")) old.remove();
     const pitch = Number(plot.getAttribute("data-pitch"));
@@ -80,7 +81,13 @@ export class FigureSlot {
     }
   }
 
-  private valuesAt(event: MouseEvent): { at: [number, number]; pitch: number } | null {
+  /** The group that holds the marks. */
+  get plot(): SVGGElement | null {
+    return this.picture.querySelector("g.plot");
+  }
+
+  /** The values at a pointer on the plot; null beside it. */
+  valuesAt(event: MouseEvent): { at: [number, number]; pitch: number } | null {
     const picture = this.picture.querySelector("svg");
     const plot = picture?.querySelector("g.plot");
     if (!picture || !plot) return null;

@@ -1,6 +1,6 @@
-// One verdict of the spec on screen, out of all answers that the engine has given about it: the pair
-// as it is mounted, its contact, its load, its rating. The worst level wins, and every finding is
-// listed once. What is still to be computed is named, and so is what the engine refused.
+// One verdict for the spec on screen from all results of the engine: the mounted pair, its contact,
+// its load, its rating. The worst level counts, and every finding is listed once. Parts that are
+// still being computed, or that the engine rejected, are named.
 
 import type { Verdict } from "./engine_worker";
 import { at, bench } from "./workbench";

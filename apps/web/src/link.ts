@@ -1,4 +1,5 @@
-// A link is a design: the spec, compressed, behind the # of the address, so that no server sees it.
+// A link contains a design: the compressed spec after the # of the address, so no server receives
+// it.
 //
 //   #1.<raw DEFLATE (RFC 1951) of the UTF-8 text, as base64url (RFC 4648, no padding)>
 //
@@ -8,7 +9,7 @@
 import { kMostCharacters } from "./workbench";
 
 const kFormat = "#1.";
-const kAgain = "Copy it again, from its first to its last letter.";
+const kAgain = "Copy it again, from its first to its last character.";
 
 class TooLong extends Error {}
 
@@ -53,7 +54,7 @@ export async function textOf(hash: string): Promise<string | null> {
   const packed = hash.slice(kFormat.length);
   const strange = /[^A-Za-z0-9_-]/u.exec(packed)?.[0];
   if (strange)
-    throw new Error(`This link is damaged: “${strange}” is no letter of a link. ${kAgain}`);
+    throw new Error(`This link is damaged: “${strange}” is not a character of a link. ${kAgain}`);
   try {
     const letters = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
@@ -62,8 +63,8 @@ export async function textOf(hash: string): Promise<string | null> {
   } catch (reason) {
     throw new Error(
       reason instanceof TooLong
-        ? "This link holds more than a million characters; a spec has at most so many."
-        : `This link is damaged: letters of it are missing or changed. ${kAgain}`,
+        ? "This link contains more than a million characters, the limit for a spec."
+        : `This link is damaged: characters are missing or changed. ${kAgain}`,
     );
   }
 }

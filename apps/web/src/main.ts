@@ -1,8 +1,9 @@
-// The page begins: the engine is fetched, the catalogue read, and the design in the address (or the
-// choice of a beginning) comes up.
+// Starts the page: loads the engine, reads the catalogue, and shows the design in the address or
+// the start screen.
 
 import "../../../gearwright/figure/figure_style.css";
 import "../../../gearwright/figure/figure_script.js";
+import "../../../gearwright/figure/zoom_script.js";
 import "./style/page.css";
 import "./style/spec.css";
 import "./style/views.css";
@@ -23,7 +24,7 @@ import { ShiftsView } from "./shifts/shifts_view";
 import { SolidView } from "./solid/solid_view";
 import { bench } from "./workbench";
 
-const kReading = 12_000; // ms; a sentence with a reason
+const kReading = 12_000; // ms, time to read a sentence with a reason
 
 async function begin(): Promise<void> {
   bench.front = new EngineLink(makeWorker, wasmBytes);

@@ -9,3 +9,9 @@ declare module "*.css?inline" {
   export default text;
 }
 declare module "*/figure_script.js";
+declare module "*/zoom_script.js";
+/** Of zoom_script.js. */
+declare function figureZoom(
+  holder: Element,
+  on: { always?: boolean; touch?: boolean; home?: () => void; settled?: () => void },
+): void;

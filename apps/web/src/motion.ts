@@ -1,5 +1,5 @@
-// How the gears stand while they turn: exact poses of the engine over one pitch of gear 1, and
-// between two of them the turn in between. A pitch later the next tooth stands where this one stood.
+// Positions of the gears while they turn: exact poses of the engine over one pitch of gear 1, with
+// interpolated rotations between them. After a pitch the next tooth is in the place of this one.
 //
 //   t   rotation of gear 1 in its pitches, −½ … ½
 

@@ -1,4 +1,4 @@
-// Numbers as people read them: digits and units of the catalogue, mm or inch.
+// Numbers as shown to users: digits and units of the catalogue, mm or inch.
 
 import type { Quantity } from "../engine/engine";
 import type { Json } from "./engine_worker";

@@ -1,5 +1,5 @@
 // The page: a bar with title and verdict, the spec on the left, the picture on the right, the
-// numbers below it. On a narrow screen one of the three is seen at a time.
+// numbers below it. A narrow screen shows one of the three at a time.
 
 import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./elements";
 import { Form } from "./form/form";
@@ -32,7 +32,7 @@ export class Page {
     disabled: true,
   });
   private readonly link = button("Link", () => void this.copyLink(), {
-    title: "copies the address that holds this design",
+    title: "copies the address, which contains this design",
   });
   private readonly picker = h("input", {
     type: "file",
@@ -205,9 +205,9 @@ export class Page {
     history.replaceState(null, "", hash);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.notify("The address is copied. It holds the whole design.");
+      this.notify("The address is copied. It contains the whole design.");
     } catch {
-      this.notify("The address of this page holds the whole design: copy it from the address line.");
+      this.notify("The address of this page contains the whole design. Copy it from the address line.");
     }
   }
 

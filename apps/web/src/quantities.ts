@@ -1,5 +1,5 @@
 // Every quantity of the result, in the catalogue's words and order: a search box, the values of both
-// gears side by side, and a glow on what the last change has moved.
+// gears side by side, and a highlight on values that the last change has altered.
 
 import { quantities } from "./catalogue";
 import { fill, h, scroller } from "./elements";
@@ -25,7 +25,7 @@ export class QuantityPane {
     this.sheet,
   );
   private signature = "";
-  private shown = ""; // the text whose numbers stand there
+  private shown = ""; // the text of the shown numbers
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
 
@@ -78,7 +78,7 @@ export class QuantityPane {
         if (cell.textContent === cellText(row, i).join("")) return;
         fillCell(cell, row, i);
         cell.classList.remove("glow");
-        void cell.offsetWidth; // starts the glow anew
+        void cell.offsetWidth; // restarts the highlight
         cell.classList.add("glow");
       });
     }

@@ -11,7 +11,7 @@ export interface Row {
   group: string;
   info: Quantity;
   values: (Json | undefined)[]; // one, or one per gear
-  ends: (Json | undefined)[]; // of a value that a tolerance moves: at its lower and its upper end
+  ends: (Json | undefined)[]; // of a value with tolerances: at its lower and its upper end
 }
 
 /** `printed`: of records only those that the program prints, too. */

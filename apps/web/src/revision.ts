@@ -1,4 +1,4 @@
-// Which spec a picture shows. Each picture carries the revision of the spec that it was made for. A
+// Tracks the spec of each picture. Each picture has the revision of its spec. A
 // picture of another spec than the one on screen is dimmed, and a spinner turns while its successor
 // is being made.
 

@@ -1,11 +1,11 @@
-// The tab "sheet": the report, the same page that the program writes. It lives in a frame of its own
-// without any right to this page.
+// The tab "sheet": the report, the same page that the program writes. It is shown in a separate
+// frame without access to this page.
 
 import { h, sentenceOf } from "./elements";
 import { bench } from "./workbench";
 import type { Tab } from "./tabs";
 
-const kRestMs = 350; // a report is read, not played with
+const kRestMs = 350; // pause before the report is updated
 
 export class SheetView implements Tab {
   readonly id = "sheet";

@@ -1,13 +1,9 @@
 // The first screen: a design starts from a few known numbers, or from an example with its picture.
 //
-// A start is a spec and nothing more: numbers that are to be found are left to the engine's search
-// and fit.
+// A start is only a spec. The engine's search and fit compute unknown numbers.
 
-import type { MeshLines, Section } from "../engine/engine";
-import { colour, fill, h } from "./elements";
+import { fill, h } from "./elements";
 import { numberIn } from "./form/field";
-import { drawBodies, extentOf, placesOf, shapeOf } from "./mesh/mesh_drawing";
-import type { Motion } from "./motion";
 import { bench } from "./workbench";
 
 const examples = import.meta.glob("../../../examples/*.toml", {
@@ -38,6 +34,8 @@ function exampleOf([path, text]: [string, string]): Example {
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
 export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
+/** The small picture of a card: the gears in section, whole, without letters. */
+const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
   "helical_pair",
   "spur_pair",
@@ -78,7 +76,7 @@ const kHave: Have[] = [
     tab: "search",
     spec: (v) => `title = "${v["z1"]} : ${v["z2"]} at ${v["a"]} mm"
 
-# Which standard modules and helix angles fit. Run the search, click a row: it is the design.
+# A search for standard modules and helix angles that fit. Run it and click a row to select the design.
 [search]
 pinion_teeth = [${v["z1"]}, ${v["z1"]}]
 ratio = [${v["z2"]! / v["z1"]! - 1e-6}, ${v["z2"]! / v["z1"]! + 1e-6}]
@@ -119,7 +117,7 @@ objective = ["contact_ratio", "sliding"]
     tab: "search",
     spec: (v) => `title = "a broken gear of ${v["z"]} teeth"
 
-# Readings of the gear: it is identified from them. More readings make it surer.
+# Readings from which the gear is identified. More readings make the result more certain.
 [gear1]
 teeth = ${v["z"]}
 
@@ -136,7 +134,7 @@ ${Number.isFinite(v["k"]) && Number.isFinite(v["w"]) ? `span_mm = { ${v["k"]} = 
     tab: "search",
     spec: (v) => `title = "3 teeth drive ${v["z2"]}"
 
-# The fit finds shifts, tips and fillets; its answer is the design.
+# The fit computes shifts, tips and fillets.
 [gear1]
 teeth = 3
 normal_module_mm = ${v["m"]}
@@ -163,7 +161,7 @@ few_teeth = true
     tab: "search",
     spec: (v) => `title = "${v["z1"]} : ${v["z2"]}, shafts ${v["a"]} mm apart at ${v["s"]} degrees"
 
-# Helix angles are absent: the fit finds them, every branch there is.
+# Helix angles are absent. The fit computes all possible ones.
 [gear1]
 teeth = ${v["z1"]}
 normal_module_mm = ${v["m"]}
@@ -182,7 +180,7 @@ shaft_angle_deg = ${v["s"]}
 export class Starts {
   readonly element = h("main", { class: "starts", id: "starts" });
   private painted = false;
-  private readonly canvases = new Map<string, HTMLCanvasElement>();
+  private readonly pictures = new Map<string, HTMLElement>();
 
   constructor(private readonly begin: (text: string, tab: string) => void) {
     const cards = kExamples.map((one) => this.card(one));
@@ -255,8 +253,8 @@ export class Starts {
   }
 
   private card(example: Example): HTMLElement {
-    const canvas = h("canvas", { width: 320, height: 200, "aria-hidden": "true" });
-    this.canvases.set(example.name, canvas);
+    const picture = h("div", { class: "card-picture", "aria-hidden": "true" });
+    this.pictures.set(example.name, picture);
     const tab =
       /^\[(search|fit)\]/m.test(example.text) || example.name.endsWith("_fit")
         ? "search"
@@ -271,7 +269,7 @@ export class Starts {
         "data-example": example.name,
         click: () => this.begin(example.text, tab),
       },
-      canvas,
+      picture,
       h("span", { class: "card-title" }, example.title),
       h("span", { class: "card-sentence" }, example.sentence),
     );
@@ -282,7 +280,7 @@ export class Starts {
     if (this.painted) return;
     this.painted = true;
     for (const example of kExamples) {
-      const canvas = this.canvases.get(example.name)!;
+      const picture = this.pictures.get(example.name)!;
       if (this.element.hidden) {
         this.painted = false;
         return;
@@ -291,42 +289,13 @@ export class Starts {
       try {
         if (searching) throw new Error("a search has no picture yet");
         const { text } = example;
-        const { gears, lines } = await bench.back.call("sections", { text, tolerance: 0.02 });
-        drawSmall(canvas, gears, lines, lines && (await bench.back.call("motion", { text, n: 2 })));
+        const view = { ...kCard, name: example.name };
+        picture.innerHTML = (await bench.back.call("meshFigure", { text, view })).html;
+        picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
       } catch {
-        writeWord(canvas, searching ? "search" : "fit");
+        // there are no gears to draw yet
+        picture.textContent = (searching ? "search" : "fit") + " …";
       }
     }
   }
-}
-
-/** The small picture of a card: the gears in section, whole, without letters. */
-function drawSmall(
-  canvas: HTMLCanvasElement,
-  sections: Section[],
-  lines: MeshLines | null,
-  motion: Motion | null,
-): void {
-  const { width, height } = canvas;
-  const shapes = sections.map(shapeOf);
-  const places = placesOf(shapes, lines, motion, 0);
-  const [left, right, tall] = extentOf(shapes, places);
-  const scale = 0.9 * Math.min(width / (right - left), height / (2 * tall));
-  const px = (x: number, y: number): [number, number] => [
-    width / 2 + (x - (left + right) / 2) * scale,
-    height / 2 - y * scale,
-  ];
-  const c = canvas.getContext("2d")!;
-  c.clearRect(0, 0, width, height);
-  drawBodies(c, { px, now: { scale } }, { shapes, places });
-}
-
-/** A card of a spec that leaves gears to be found: the word alone. */
-function writeWord(canvas: HTMLCanvasElement, word: string): void {
-  const c = canvas.getContext("2d")!;
-  c.fillStyle = colour("grey-ink");
-  c.font = "italic 34px 'STIX Two Text', 'Times New Roman', serif";
-  c.textAlign = "center";
-  c.textBaseline = "middle";
-  c.fillText(word + " …", canvas.width / 2, canvas.height / 2);
 }

@@ -1,4 +1,4 @@
-// The room on the right: one view at a time, each refreshed only while it is seen.
+// The area on the right: one view at a time, each refreshed only while it is visible.
 
 import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
@@ -9,7 +9,7 @@ import { bench } from "./workbench";
 const kRestMs = 700;
 
 export interface Tab {
-  readonly id: string; // its name, too
+  readonly id: string; // also its name
   readonly element: HTMLElement;
   /** What is dimmed while it shows another spec than the one on screen. */
   readonly picture: HTMLElement;
@@ -67,7 +67,8 @@ export class Tabs {
     this.room.append(this.fault, this.spinner, this.kept);
     bench.on("text", () => this.age());
     bench.on("opened", () => {
-      for (const tab of this.tabs) void tab.refresh(); // nothing of another design stays, seen or not
+      for (const tab of this.tabs) void tab.refresh(); // removes all parts of another design,
+                                                       // visible or not
     });
     bench.on("solved", () => {
       void this.refresh();
@@ -96,8 +97,8 @@ export class Tabs {
     this.spinner.hidden = !working || (shown !== "" && !stale);
     this.kept.hidden = stale !== "kept";
     this.kept.textContent = bench.fault
-      ? "This is of the last spec without a fault."
-      : "This is of an earlier spec.";
+      ? "This shows the last valid spec."
+      : "This shows an earlier spec.";
   }
 
   open(id: string): void {
@@ -108,7 +109,7 @@ export class Tabs {
     this.mark();
     this.opened(id);
     if (bench.settled) void this.refresh();
-    else this.age(); // the answer that is under way brings the picture
+    else this.age(); // the pending result brings the picture
   }
 
   private mark(): void {
@@ -138,7 +139,8 @@ export class Tabs {
     } catch (reason) {
       fault = sentenceOf(reason);
     }
-    if (turn === this.turn) this.fault.textContent = fault; // else a newer one shows its own
+    if (turn === this.turn) this.fault.textContent = fault; // otherwise a newer request shows its
+                                                            // own
     count(-1);
     this.age();
   }

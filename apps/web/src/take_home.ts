@@ -1,4 +1,4 @@
-// What one takes home: the same files that the program writes, made here by the same code.
+// Downloads: the same files that the program writes, made by the same code.
 
 import type { FileKind } from "../engine/engine";
 import { button, download, fill, foldOut, h, sentenceOf } from "./elements";
@@ -67,7 +67,7 @@ export class TakeHome {
       h("span", { class: "offer-buttons" }, button("save", this.save)),
     );
     if (bench.good && bench.good.text !== bench.text)
-      this.state.textContent = "The spec on screen is not solved: these are files of the last one that was.";
+      this.state.textContent = "The spec on screen has no result. These are the files of the last valid spec.";
     fill(this.sheet, spec, ...(bench.good ? rows : []), this.state);
     this.sheet.querySelector("button")?.focus();
   }

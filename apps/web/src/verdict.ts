@@ -9,7 +9,7 @@ import { bench } from "./workbench";
 /** The headline of a spec that leaves something to be found, by the verb that finds it. */
 const kFinders = {
   search: "This spec describes a search. Open the tab “search” to run it.",
-  fit: "Some values of this spec are open. The tab “search” computes them.",
+  fit: "Some values of this spec are unknown. The tab “search” computes them.",
   identify: "This spec contains measurements of an unknown gear. The tab “search” lists the gears that fit them.",
 };
 /** The words of the badge. */
@@ -64,7 +64,7 @@ export class VerdictLine {
       const warnings = (solved.result?.["warnings"] ?? []) as unknown as Notice[];
       findings = warnings.map((one) => ({ ...one, level: "amber", remedy: null }));
       const [first] = findings;
-      this.head(first?.level ?? "none", "gear", first?.message ?? "One gear; a second one makes a pair.");
+      this.head(first?.level ?? "none", "gear", first?.message ?? "A single gear. A pair needs a second gear.");
     }
     const { pending, refused } = judgement;
     const open = [

@@ -1,7 +1,7 @@
-// The design on screen: its text, what came of it, and how it came to be.
+// The design on screen: its text, its results, and its history.
 //
-// The text is the design; form, pictures and tables are views of it. A change goes to the engine,
-// which answers with the new text (comments kept) and what it solves to; then all views look anew.
+// The text is the design; form, pictures and tables are views of it. A change is sent to the
+// engine, which returns the new text (with comments) and its results. Then all views are updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
@@ -51,7 +51,8 @@ class Workbench {
     this.edits.clear();
     if (what === "opened") {
       ++this.design;
-      this.good = this.solved = null; // another design: nothing of the last one may stand beside it
+      this.good = this.solved = null; // another design: nothing of the last one may be shown with
+                                      // it
       this.notify("opened");
     }
     this.notify("text");
@@ -85,7 +86,7 @@ class Workbench {
     this.edits.clear();
     try {
       const answer = await this.front.call("edit", { text: from, edits });
-      if (this.text !== from) return; // typed meanwhile: the text is right
+      if (this.text !== from) return; // typed in the meantime: the text takes precedence
       if ("refused" in answer) {
         const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
         this.takeSolved({ ...(this.solved ?? faulty(from, "")), fault }, begin);

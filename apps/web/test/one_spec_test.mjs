@@ -94,13 +94,11 @@ describe("a picture of another spec", () => {
   it("the picture of another design goes, though the new one's is refused", async () => {
     await put(page, example("printed_drive"), "mesh");
     await idle(page);
-    // A canvas is painted with the browser's next frame.
     const inked = (expected) =>
-      page.waitForFunction((expected) => {
-        const canvas = document.querySelector("#room-mesh canvas");
-        const dots = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-        return dots.some((one) => one > 0) === expected;
-      }, expected);
+      page.waitForFunction(
+        (expected) => (document.querySelector("#room-mesh .plot:not(.unplaced) use") !== null) === expected,
+        expected,
+      );
     await inked(true);
     // A bore that leaves its gear no body: the engine draws no section of it.
     await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 9"), "mesh");
@@ -120,7 +118,7 @@ describe("a picture of another spec", () => {
     assert.equal(await page.getAttribute(".found", "data-stale"), null);
     await page.fill('[data-key="gear1.profile_shift"]', "0.111");
     await page.waitForSelector('.found[data-stale="kept"]');
-    await page.click("text=Back to what was asked");
+    await page.click("text=Back to the search");
     await page.waitForSelector(".found:not([data-stale])");
     assert.ok((await page.locator(".designs tbody tr").count()) > 10);
   });

@@ -11,6 +11,7 @@ import { compare, kNear, kSolved } from "../../../tests/wasm/near.mjs";
 import {
   example,
   examples,
+  idle,
   it,
   kPatience,
   kTabs,
@@ -177,7 +178,6 @@ describe("pictures", () => {
   const changed = (a, b) => a.filter((one, i) => Math.abs(one - b[i]) > 24).length;
 
   for (const [tab, name] of [
-    ["mesh", "helical_pair"],
     ["solid", "helical_pair"],
     ["solid", "crossed_pair"],
     ["solid", "planetary_ring"],
@@ -200,10 +200,31 @@ describe("pictures", () => {
       assert.ok(changed(still, await inked(canvas)) > 50, "the same after a turn");
     });
 
+  it("the gears of the mesh turn by their slider, gear 2 the other way", async () => {
+    await put(page, example("helical_pair"), "mesh");
+    await idle(page);
+    const angles = () =>
+      page.locator("#room-mesh use.body").evaluateAll((all) =>
+        Object.fromEntries(
+          all.map((one) => [one.dataset.gear, Number(/rotate\(([^)]*)/.exec(one.getAttribute("transform"))[1])]),
+        ),
+      );
+    const turn = async (t) => {
+      await page.fill('#room-mesh input[aria-label="rotation of gear 1"]', t);
+      await page.waitForTimeout(200);
+      return angles();
+    };
+    const [a, b] = [await turn("-0.1"), await turn("0.15")];
+    const pitch = 360 / 17;
+    assert.ok(Math.abs(b[0] - a[0] - 0.25 * pitch) < 1e-6, `gear 1: ${b[0] - a[0]}°`);
+    assert.ok(Math.abs((b[1] - a[1]) / (b[0] - a[0]) + 17 / 43) < 1e-3, `gear 2: ${b[1] - a[1]}°`);
+    assert.equal(await page.locator("#room-mesh .touches").getAttribute("visibility"), "visible");
+  });
+
   it("the shift chart's point moves the design", async () => {
     await put(page, example("helical_pair"), "shifts");
-    await page.waitForSelector(".shift-chart .design");
-    await page.focus(".shift-chart");
+    await page.waitForSelector("#room-shifts .design");
+    await page.focus(".shift-room");
     await page.keyboard.press("ArrowRight");
     await page.waitForFunction(() => /profile_shift = 0\.31\b/.test(window.gearwright.text()));
   });

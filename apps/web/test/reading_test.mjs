@@ -59,26 +59,45 @@ describe("fields and labels", () => {
 
 describe("pictures", () => {
   it("circles of the mesh have their symbols", async () => {
-    await page.evaluate(() => {
-      const write = CanvasRenderingContext2D.prototype.fillText;
-      window.written = [];
-      CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
-        window.written.push(text);
-        return write.call(this, text, ...rest);
-      };
-    });
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
+    const names = () => page.locator("#room-mesh .circle-name").filter({ visible: true }).allTextContents();
     await page.click('[data-choice="whole"]');
-    await page.waitForTimeout(200);
-    const written = await page.evaluate(() => window.written.splice(0));
-    for (const index of ["a", "b", "f", "w"]) assert.ok(written.includes(index), `d_${index}`);
+    await page.waitForSelector("#room-mesh .circle-name");
+    await idle(page);
+    const shown = await names();
+    for (const name of ["da1", "db1", "df1", "dw1", "da2"]) assert.ok(shown.includes(name), `${name} of ${shown}`);
     await page.uncheck("text=circles");
-    await page.evaluate(() => (window.written.length = 0));
-    await page.click('[data-choice="mesh"]');
-    await page.waitForTimeout(200);
-    assert.ok(!(await page.evaluate(() => window.written)).includes("b"));
+    assert.deepEqual(await names(), []);
     await page.check("text=circles");
+    await page.click('[data-choice="mesh"]');
+  });
+
+  it("the mesh is as sharp after zooming as before, and keeps the names of its circles", async () => {
+    await put(page, example("helical_pair"), "mesh");
+    await idle(page);
+    const window = () =>
+      page.evaluate(() => {
+        const [lo, hi] = document.querySelector("#room-mesh g.plot").getAttribute("data-x").split(" ").map(Number);
+        return hi - lo;
+      });
+    const before = await window();
+    await page.focus("#room-mesh svg");
+    for (let i = 0; i < 4; ++i) await page.keyboard.press("+");
+    await page.waitForFunction(
+      (before) => {
+        const plot = document.querySelector("#room-mesh g.plot");
+        const [lo, hi] = plot.getAttribute("data-x").split(" ").map(Number);
+        return Math.abs((hi - lo) * 1.25 ** 4 - before) < 1e-6 * before && plot.closest("svg").viewBox.baseVal.x === 0;
+      },
+      before,
+    );
+    assert.ok((await page.locator("#room-mesh .circle-name").count()) > 2);
+    await page.dblclick("#room-mesh svg");
+    await page.waitForFunction((before) => {
+      const [lo, hi] = document.querySelector("#room-mesh g.plot").getAttribute("data-x").split(" ").map(Number);
+      return Math.abs(hi - lo - before) < 1e-6 * before;
+    }, before);
   });
 
   it("the nearest border of the shift chart is as far away as it is drawn", async () => {
@@ -87,18 +106,17 @@ describe("pictures", () => {
       await put(page, example(name), "shifts");
       await idle(page);
       const drawn = await page.evaluate(() => {
-        const chart = document.querySelector(".shift-chart");
-        const ticks = (style, at) => {
-          const all = [...chart.querySelectorAll(`text.${style}:not(.g1, .g2, .point-name)`)];
-          const [a, b] = [all[0], all[all.length - 1]].map((one) => [Number(one.textContent), Number(one.getAttribute(at))]);
-          return Math.abs((b[1] - a[1]) / (b[0] - a[0]));
+        const plot = document.querySelector("#room-shifts g.plot");
+        const perUnit = (axis) => {
+          const [lo, hi, from, to] = plot.getAttribute(`data-${axis}`).split(" ").map(Number);
+          return Math.abs((to - from) / (hi - lo));
         };
-        const [across, up] = [ticks("m", "x"), ticks("e", "y")];
-        const design = chart.querySelector(".design");
+        const [across, up] = [perUnit("x"), perUnit("y")];
+        const design = plot.querySelector(".design");
         const p = [design.getAttribute("cx") / across, design.getAttribute("cy") / up];
         let least = Infinity;
-        for (const border of chart.querySelectorAll("polyline")) {
-          const points = border.getAttribute("points").trim().split(" ").map((one) => one.split(",").map(Number));
+        for (const border of plot.querySelectorAll("path.region-edge")) {
+          const points = border.getAttribute("d").slice(1).split("L").map((one) => one.split(" ").map(Number));
           for (let i = 1; i < points.length; ++i) {
             const [a, b] = [points[i - 1], points[i]].map(([x, y]) => [x / across, y / up]);
             const d = [b[0] - a[0], b[1] - a[1]];
@@ -114,14 +132,12 @@ describe("pictures", () => {
     }
   });
 
-  it("both points of the shift chart have their words; the axis' title touches no tick", async () => {
+  it("both points of the shift chart have their words, the borders their names", async () => {
     await put(page, example("helical_pair"), "shifts");
-    await page.waitForSelector(".shift-chart .design");
-    assert.deepEqual(await page.locator(".shift-chart .point-name").allTextContents(), [
-      "the design",
-      "what a search would take",
-    ]);
-    assert.equal(await touching(page, ".shift-chart .g2", ".shift-chart .e:not(.point-name)"), false);
-    assert.equal(await touching(page, ".shift-chart .point-name", ".shift-chart .chosen"), false);
+    await page.waitForSelector("#room-shifts .design");
+    const words = await page.locator("#room-shifts g.plot text").allTextContents();
+    for (const name of ["the design", "what a search would take", "contact ratio"])
+      assert.ok(words.includes(name), `${name} of ${words}`);
+    assert.ok((await page.locator(".shift-key .key").count()) > 2);
   });
 });

@@ -84,7 +84,7 @@ describe("load", () => {
     await page.waitForSelector('#room-load [data-key="gear1.material.poisson_ratio"][aria-invalid=true]');
     const { message } = native("load", text).error;
     assert.equal(await page.textContent("#room-load .note .fault:not(:empty)"), message);
-    assert.equal(await page.textContent("#room-load .view-sentence"), "There is no answer: see the marked field.");
+    assert.equal(await page.textContent("#room-load .view-sentence"), "There is no result: see the marked field.");
   });
 });
 
@@ -126,7 +126,7 @@ describe("rating", () => {
     const { key, message } = native("rate", text).error;
     assert.ok((await page.getAttribute("#room-rating [aria-invalid=true]", "data-key")).startsWith(key));
     assert.equal(await page.textContent("#room-rating .note .fault:not(:empty)"), message);
-    assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no answer: see the marked field.");
+    assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no result: see the marked field.");
   });
 
   it("a spec without a load is offered what a rating needs; first values are enough", async () => {

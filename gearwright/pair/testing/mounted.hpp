@@ -6,7 +6,7 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 
 namespace gearwright::testing {
 
@@ -22,8 +22,8 @@ inline Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> t
 }
 
 /// On parallel axes; a in mm.
-inline InvolutePair mounted(const Gear& one, const Gear& two, double a) {
-  return taken(mount_involutes(one, two, {a}));
+inline ParallelPair mounted(const Gear& one, const Gear& two, double a) {
+  return taken(mount_as<ParallelPair>(one, two, {a}));
 }
 
 }  // namespace gearwright::testing

@@ -30,7 +30,7 @@ inline RatedPair printed_pair(const PrintedGear& g1, const PrintedGear& g2, doub
   PairSpec place;
   if (distance > 0.0) place.center_distance = distance;
   const auto pair = mount(std::move(first).take(), std::move(second).take(), place);
-  return rated_pair(*pair->involute(), bore).value();
+  return rated_pair(*pair, bore).value();
 }
 
 inline Material case_hardened() { return *material_named("18CrNiMo7-6"); }

@@ -2,7 +2,7 @@
   'use strict';
   var secondsPerPitch = 3;
   function list(nodes) { return Array.prototype.slice.call(nodes); }
-  list(document.querySelectorAll('div.turn:not(.solid-turn)')).forEach(function (control) {
+  list(document.querySelectorAll('div.turn')).forEach(function (control) {
     var scope = control.parentNode;
     while (scope && !(scope.classList && scope.classList.contains('figures'))) scope = scope.parentNode;
     if (!scope) return;
@@ -14,12 +14,13 @@
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
               to: number(node, 'data-to'), dx: number(node, 'data-dx'), dy: number(node, 'data-dy')};
     });
-    // Pictures of single positions: the nearest is seen.
+    // Pictures of single positions: the nearest one is shown.
     var frames = list(scope.querySelectorAll('[data-frame]')).map(function (node) {
       return {node: node, at: number(node, 'data-frame'), of: number(node, 'data-frames')};
     });
     var button = control.querySelector('button'), slider = control.querySelector('input');
     var output = control.querySelector('output'), pitch = number(control, 'data-pitch');
+    var seconds = number(control, 'data-seconds') || secondsPerPitch;
     var t = 0, last = null, running = 0, moved = false;
 
     function show() {
@@ -40,7 +41,7 @@
       slider.setAttribute('aria-valuetext', words);
     }
     function frame(now) {
-      if (last !== null) t = (t + (now - last) / (1000 * secondsPerPitch)) % 1;
+      if (last !== null) t = (t + (now - last) / (1000 * seconds)) % 1;
       last = now;
       slider.value = t;
       show();
@@ -64,7 +65,7 @@
       t = parseFloat(slider.value);
       show();
     });
-    // Nothing moves before it is asked to; and it stops for readers who come to want no motion.
+    // Nothing moves before the user starts it, and it stops if the user prefers reduced motion.
     var calm = window.matchMedia && window.matchMedia('(prefers-reduced-motion: reduce)');
     if (calm && calm.addEventListener) calm.addEventListener('change', function () { if (calm.matches) stop(); });
     window.addEventListener('beforeprint', function () {

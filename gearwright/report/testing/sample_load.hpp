@@ -12,15 +12,15 @@ namespace gearwright::testing {
 
 /// A pair and the report about it; the report points into the pair.
 struct LoadSample {
-  std::shared_ptr<const InvolutePair> pair;
+  std::shared_ptr<const ParallelPair> pair;
   LoadScene report;
 };
 
-/// `crossing` in degrees; coarse tables and few positions. Crossed pairs touch at points.
-inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques, double crossing,
+/// `crossing` in degrees; coarse tables and few positions.
+inline LoadSample load_sample(ParallelPair mounted, std::vector<double> torques, double crossing,
                               bool gear2_drives = false) {
   LoadSample sample;
-  sample.pair = std::make_shared<const InvolutePair>(std::move(mounted));
+  sample.pair = std::make_shared<const ParallelPair>(std::move(mounted));
   const Gear& one = sample.pair->gears[0];
   const Gear& two = sample.pair->gears[1];
   ContactErrors errors;
@@ -30,8 +30,6 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
   const ContactPair pair({&one, {}}, {&two, {}}, mount);
   LoadRequest request;
   request.torques = std::move(torques);
-  const bool lines = sample.pair->shaft_angle.rad() == 0.0;
-  request.regime = lines ? LoadRegime::line : LoadRegime::point;
   request.positions = 10;
   request.slices = 8;
   request.accuracy = ComplianceAccuracy::draft;
@@ -44,7 +42,7 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
   auto compliance = pair_compliance(one, two, request);
   GW_EXPECTS(static_cast<bool>(compliance));
   sample.report = {{&one, &two},
-                   lines ? sample.pair.get() : nullptr,
+                   sample.pair.get(),
                    gear2_drives,
                    loaded_contact(pair, one, two, *compliance, request),
                    std::vector<LoadStandard>(request.torques.size(), {17.0, std::nullopt})};
@@ -52,7 +50,7 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
 }
 
 /// 25/43, m_n 3, spur.
-inline InvolutePair spur_pair() {
+inline ParallelPair spur_pair() {
   return sample_pair(sample_gear(25, 3, 0, 0), sample_gear(43, 3, 0, 0, 0.0, -0.1), 102.0);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,22 +30,22 @@ inline Gear sample_gear(int teeth, double module, double helix_deg, double shift
   return std::move(gear).take();
 }
 
-inline InvolutePair sample_pair(Gear gear_1, Gear gear_2, double center_distance) {
-  auto pair = mount_involutes(std::move(gear_1), std::move(gear_2), {center_distance});
+inline ParallelPair sample_pair(Gear gear_1, Gear gear_2, double center_distance) {
+  auto pair = mount_as<ParallelPair>(std::move(gear_1), std::move(gear_2), {center_distance});
   GW_EXPECTS(static_cast<bool>(pair));
   return std::move(pair).take();
 }
 
 /// 17/43, m_n 2.5, ±15°, x 0.3 and 0.1: an ordinary helical pair with backlash.
-inline InvolutePair helical_pair() {
+inline ParallelPair helical_pair() {
   return sample_pair(sample_gear(17, 2.5, 15, 0.3, 0.0, -0.06), sample_gear(43, 2.5, -15, 0.1),
                      78.6056);
 }
 /// 8/25: undercut, contact beyond the base tangent point, contact ratio below 1.
-inline InvolutePair undercut_pair() {
+inline ParallelPair undercut_pair() {
   return sample_pair(sample_gear(8, 2, 0, 0), sample_gear(25, 2, 0, 0), 33);
 }
-inline InvolutePair internal_pair() {
+inline ParallelPair internal_pair() {
   return sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.2), 42);
 }
 
@@ -70,7 +71,7 @@ inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_wi
   return std::move(gear).take();
 }
 /// 2/60 of the same table, gear 2 cut by gear 1, mounted where it was cut.
-inline InvolutePair two_and_sixty(double face_width = 17.5) {
+inline ParallelPair two_and_sixty(double face_width = 17.5) {
   Gear pinion = two_teeth(face_width);
   Gear wheel = cut_gear(pinion, 60, -1.4, face_width);
   const double distance = wheel.cut_by->distance;
@@ -78,7 +79,7 @@ inline InvolutePair two_and_sixty(double face_width = 17.5) {
 }
 /// 18 in an internal gear of 60 that a cutter of 20 teeth has cut; without backlash but for 0.05
 /// mm.
-inline InvolutePair pinion_in_cut_ring() {
+inline ParallelPair pinion_in_cut_ring() {
   CylindricalSpec cutter = testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20});
   cutter.straight_rack().addendum = 1.25;
   auto made = make_gear(cutter);
@@ -105,47 +106,47 @@ inline Gear gear_as_itself(int teeth, double base_diameter, double base_thicknes
 }
 
 /// Two gears under a shaft angle, without backlash but for `more` of the centre distance.
-inline InvolutePair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg,
-                                        double more = 0.0, std::optional<double> friction = {}) {
+inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg,
+                                       double more = 0.0, std::optional<double> friction = {}) {
   const auto nominal = base_pair(gear_1, gear_2);
   const auto place = complete_place(nominal, {}, Angle::degrees(shaft_angle_deg));
   GW_EXPECTS(static_cast<bool>(place));
-  auto pair = mount_involutes(std::move(gear_1), std::move(gear_2),
-                              {place->center_distance + more, place->shaft_angle, friction});
+  auto pair = mount_as<CrossedPair>(std::move(gear_1), std::move(gear_2),
+                                    {place->center_distance + more, place->shaft_angle, friction});
   GW_EXPECTS(static_cast<bool>(pair));
   return std::move(pair).take();
 }
 
 /// 9/15 under 90°, base diameters, thicknesses and helices of Mägi's example after Zeise.
-inline InvolutePair crossed_pair() {
+inline CrossedPair crossed_pair() {
   return crossed_sample_pair(gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
                              gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24), 90, 0,
                              0.05);
 }
 /// Left hands, with backlash.
-inline InvolutePair left_hand_pair() {
+inline CrossedPair left_hand_pair() {
   return crossed_sample_pair(sample_gear(12, 2, -40, 0.2), sample_gear(20, 2, -30, 0.1), -70, 0.3);
 }
-inline InvolutePair opposite_hand_pair() {
+inline CrossedPair opposite_hand_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 35, 0), sample_gear(33, 2, -15, 0.1), 20);
 }
 /// Half a degree off parallel: the lines of action lie far outside the faces.
-inline InvolutePair nearly_parallel_pair() {
+inline CrossedPair nearly_parallel_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 20.5, 0.2), sample_gear(33, 2, -20, 0), 0.5);
 }
 /// A worm of one tooth, with so much friction that its wheel cannot drive.
-inline InvolutePair worm_pair() {
+inline CrossedPair worm_pair() {
   return crossed_sample_pair(sample_gear(1, 2, 80, 0), sample_gear(30, 2, 10, 0), 90, 0, 0.3);
 }
-inline InvolutePair spur_and_helical_pair() {
+inline CrossedPair spur_and_helical_pair() {
   return crossed_sample_pair(sample_gear(20, 2, 0, 0), sample_gear(30, 2, 30, 0.3), 30.4);
 }
 /// Too far apart: no contact.
-inline InvolutePair crossed_apart() {
+inline CrossedPair crossed_apart() {
   return crossed_sample_pair(sample_gear(20, 2, 45, 0), sample_gear(30, 2, 45, 0), 90, 20);
 }
-inline std::vector<InvolutePair> crossed_pairs() {
-  std::vector<InvolutePair> pairs;
+inline std::vector<CrossedPair> crossed_pairs() {
+  std::vector<CrossedPair> pairs;
   for (const auto make : {crossed_pair, left_hand_pair, opposite_hand_pair, nearly_parallel_pair,
                           worm_pair, spur_and_helical_pair, crossed_apart})
     pairs.push_back(make());
@@ -158,7 +159,7 @@ inline void judge(ReportInput& input, std::vector<Warning> warnings) {
   input.verdict = verdict_of(judged);
 }
 
-inline std::vector<Warning> warnings_of(const InvolutePair& pair) {
+inline std::vector<Warning> warnings_of(const MountedGears& pair) {
   std::vector<Warning> warnings;
   for (int i : {0, 1}) {
     for (Warning w : pair.gears[static_cast<std::size_t>(i)].warnings) {
@@ -171,7 +172,8 @@ inline std::vector<Warning> warnings_of(const InvolutePair& pair) {
 }
 
 /// What a job would hand over.
-inline ReportInput report_input(const InvolutePair& pair) {
+template <std::derived_from<MountedGears> Kind>
+ReportInput report_input(const Kind& pair) {
   ReportInput input;
   input.title = "Sample";
   input.gears = {&pair.gears[0], &pair.gears[1]};

@@ -1,5 +1,5 @@
 // The tab "contact": errors and modifications as sliders; transmission error, spectrum and flanks
-// follow while they move. The pattern is made in the background and comes a moment later.
+// follow while they move. The pattern is computed in the background and appears a moment later.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
@@ -48,7 +48,7 @@ export class ContactView implements Tab {
   private index = kPositions / 2;
   private width = 0;
   shown = "";
-  private marked = ""; // the text whose marking is on the flanks
+  private marked = ""; // the text of the marking on the flanks
 
   constructor() {
     new ResizeObserver(() => {
@@ -62,7 +62,7 @@ export class ContactView implements Tab {
     this.sliders.show();
     const solved = bench.good;
     if (!solved?.hasPair) {
-      return this.clear(solved ? "One gear touches nothing: a second one makes a pair." : bench.nothing);
+      return this.clear(solved ? "Tooth contact needs a second gear." : bench.nothing);
     }
     if (solved.text === this.shown) return this.draw();
     const question = { text: solved.text, positions: kPositions };
@@ -107,7 +107,7 @@ export class ContactView implements Tab {
     const view = { width: this.width, positions: kPositions, index, patterns, curves };
     const figures = await bench.front
       .latest(curves ? "figures" : "flanks", "contactFigures", { text: shown, view })
-      .catch(() => null); // the pair has gone
+      .catch(() => null); // the pair no longer exists
     if (!figures || this.curve !== curve) return;
     const ofFlanks = figures.filter((one) => one.id.startsWith("bearing"));
     if (curves) this.curves.show(figures.filter((one) => !ofFlanks.includes(one)));

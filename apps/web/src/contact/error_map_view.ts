@@ -1,5 +1,5 @@
 // Peak to peak of the transmission error over two errors at once: computed in the background, row by
-// row, with progress and a way out. A click mounts the pair with those errors.
+// row, with progress and a button to stop it. A click mounts the pair with those errors.
 
 import type { ErrorMap, Figure } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";
@@ -114,7 +114,7 @@ export class ErrorMapView {
         this.map = answer.map;
         take(answer.figure);
       }
-      this.status.textContent = "A click mounts the pair so.";
+      this.status.textContent = "A click mounts the pair with these errors.";
     } catch (reason) {
       if (bench.design === design) this.status.textContent = sentenceOf(reason);
     } finally {

@@ -1,5 +1,5 @@
-// Every error of mounting and every modification as a slider about nothing: pulled, the picture
-// follows; a double click or the key 0 takes it back.
+// Every error of mounting and every modification as a slider about 0. The pictures follow the
+// slider; a double click or the key 0 resets it.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";

@@ -1,8 +1,8 @@
 // One field of the form: a key of the catalogue at a place of the spec.
 //
-// A number may be typed, stepped with the arrow keys, or slid: while a field has the focus its note
-// stands below the row, with one sentence, the range and a slider about the value. The fault that the
-// engine finds in a value stands in the same place.
+// A number may be typed, stepped with the arrow keys, or slid: while a field has the focus, its
+// note is shown below the row, with one sentence, the range and a slider about the value. Errors of
+// the value are shown in the same place.
 
 import type { InputKey } from "../../engine/engine";
 import { materials, rangeOf } from "../catalogue";
@@ -150,7 +150,7 @@ function chooser(key: InputKey, place: string, label: string): Field {
       none.textContent = absent || "–";
       const meant = value === undefined || typeof value === "object" ? "" : String(value);
       if (key.kind === "text" && ![...select.options].some((one) => one.value === meant))
-        select.append(option(meant)); // a name of one's own
+        select.append(option(meant)); // a name chosen by the user
       select.value = meant;
       select.classList.toggle("implied", value === undefined);
       makeRoom(select);
@@ -169,7 +169,7 @@ export function makeField(key: InputKey, named: string, place: string, who: stri
   }
   const numeric = (key.kind === "number" || key.kind === "whole") && (!key.list || key.list.single);
   let current: Json | undefined;
-  let mine: string | null = null; // what is being typed here
+  let mine: string | null = null; // the text being typed here
 
   const input = h("input", {
     type: "text",

@@ -1,7 +1,7 @@
 // The form: the spec as rows, a column for each gear, made from the catalogue of inputs.
 //
-// Rows come and go with the keys of the text; as long as they stay, only values change, so that
-// focus and slider stay where they are.
+// Rows appear and disappear with the keys of the text. Otherwise only values change, so focus and
+// slider are kept.
 
 import { inputKey } from "../catalogue";
 import { button, Choice, fill, h } from "../elements";

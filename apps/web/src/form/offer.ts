@@ -1,5 +1,5 @@
-// What an answer needs and the spec does not have: a few fields with sensible first values, and a
-// button that writes them into the spec. Nothing is written before it is pressed.
+// Inputs that a result needs and the spec lacks: a few fields with sensible initial values, and a
+// button that writes them into the spec. Nothing is written before the user presses it.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -13,8 +13,8 @@ export interface Offered {
   table: string; // of the catalogue
   key: string;
   places: string[]; // all of them get the value: "rating.speed_rpm", "gear1.material.name"
-  instead?: string[]; // keys that make it needless
-  first(): Json; // "" of a material: the one that holds without a name
+  instead?: string[]; // keys that replace it
+  first(): Json; // "" for a material means the one that applies without a name
 }
 
 export class Offer {
@@ -95,7 +95,8 @@ export class Offer {
     const values: [string, Json][] = [];
     for (const { of, input } of this.fields) {
       const text = input.value.trim();
-      if (input instanceof HTMLSelectElement && !text) continue; // what holds without a name
+      // the one that applies without a name
+      if (input instanceof HTMLSelectElement && !text) continue;
       const value = input instanceof HTMLSelectElement ? text : numberIn(text);
       if (Number.isNaN(value)) {
         this.wrong.textContent = `“${text.slice(0, 40)}” is not a number.`;

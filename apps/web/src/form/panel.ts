@@ -1,5 +1,5 @@
-// A few keys of the spec beside a picture that needs them: the same fields as in the form, with what
-// the engine finds wrong with them when it makes that picture.
+// A few keys of the spec next to a picture that needs them: the same fields as in the form, with
+// the errors that the engine reports for that picture.
 
 import { inputKey } from "../catalogue";
 import { fill, h } from "../elements";
@@ -11,7 +11,7 @@ import { columnHeads, Rows } from "./row";
 export interface PanelGroup {
   title: string;
   table: string; // of the catalogue
-  places: string[]; // where its keys stand
+  places: string[]; // places of its keys
   keys: string[];
 }
 
@@ -50,12 +50,13 @@ export class KeyPanel {
   show(answered: Fault | null = this.answered): string {
     this.build();
     this.answered = answered;
-    const typed = bench.solved?.fault ?? null; // of a spec that cannot be solved: the form has it, too
+    const typed = bench.solved?.fault ?? null; // of a spec that cannot be solved, which the form
+                                               // shows too
     const fault = typed ?? answered;
     const spec = bench.solved?.spec ?? bench.good?.spec ?? null;
     this.rows.show(spec);
     const blamed = this.rows.blame(fault, true);
     if (!answered) return "";
-    return blamed ? "There is no answer: see the marked field." : answered.message;
+    return blamed ? "There is no result: see the marked field." : answered.message;
   }
 }

@@ -1,5 +1,5 @@
-// Which rows the form shows: of every table of the spec the keys that one always wants to see, the
-// keys that stand in the text, and behind "more" the rest, all from the engine's catalogue.
+// The rows of the form: for every table of the spec the most important keys, the keys in the text,
+// and the others behind "more", all from the engine's catalogue.
 
 import type { InputKey } from "../../engine/engine";
 import { inputs } from "../catalogue";
@@ -12,10 +12,10 @@ export interface Section {
   title: string;
   meaning: string;
   table: string; // name of the catalogue's table
-  places: string[]; // where its keys stand: ["gear1.bore", "gear2.bore"], ["pair"]
+  places: string[]; // places of its keys: ["gear1.bore", "gear2.bore"], ["pair"]
   rows: InputKey[];
   more: InputKey[]; // shown on request
-  present: boolean; // the text has it
+  present: boolean; // true if the text has it
 }
 
 const kAlways: Record<string, string[]> = {
@@ -92,7 +92,7 @@ function section(id: string, name: string, table: string, places: string[], spec
   const plain = list.keys.filter(
     (key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)),
   );
-  // A key that is a table and nothing else is a section of its own.
+  // A key that is only a table has its own section.
   const rows = plain.filter(
     (key) => (key.kind !== "table" || key.words.length > 0) && (always.includes(key.key) || stands(key)),
   );
@@ -131,7 +131,7 @@ export function planOf(spec: Json): Section[] {
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  // A search finds the gears: what the text fixes of them is shown, the rest is not offered.
+  // A search computes the gears, so the form shows only the numbers that the text fixes.
   const fixed = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
   const gear = section("gear", "gear", "gear", fixed, spec);
   if (gear && searching)

@@ -1,5 +1,5 @@
-// A row of a form: a key of the catalogue with a field at each place where it may stand, and below
-// them the note of the field with the focus.
+// A row of a form: a key of the catalogue with a field at each of its places, and below them the
+// note of the field with the focus.
 
 import type { InputKey } from "../../engine/engine";
 import { quantity, wordsOf } from "../catalogue";

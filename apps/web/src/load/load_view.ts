@@ -1,6 +1,6 @@
-// The tab "load": teeth under torque. While the spec changes a draft follows; when it rests, the full
-// answer takes its place. A spec without a torque is offered one. Every number is the engine's; the
-// page draws.
+// The tab "load": teeth under torque. While the spec changes, a draft is shown. The full result
+// replaces it when the changes stop. For a spec without a torque, the tab shows fields for one. The
+// engine computes all numbers, and the page draws them.
 
 import { AnswerView } from "../answer_view";
 import { quantities } from "../catalogue";
@@ -17,8 +17,8 @@ const kRestMs = 1200;
 const kNeeds = {
   keys: ["load.torque_Nm"],
   without: "The spec has no torque.",
-  alone: "One gear bears nothing: a second one makes a pair.",
-  offer: "How the teeth share a load, yield and are stressed, for a torque:",
+  alone: "Load needs a second gear.",
+  offer: "Load sharing, deflection and stress of the teeth under a torque:",
   go: "Load the teeth",
   panel: [
     {
@@ -67,7 +67,7 @@ export class LoadView extends AnswerView<Answer> {
   private index = -1;
   private width = 0;
   private rest = 0;
-  private wanted = ""; // accuracy and text of the answer that is under way
+  private wanted = ""; // accuracy and text of the request in progress
 
   constructor() {
     super("load", kNeeds);
@@ -108,7 +108,7 @@ export class LoadView extends AnswerView<Answer> {
   }
   private wait(): void {
     this.bar.hidden = false;
-    if (!this.answer) fill(this.sentence, "The teeth are being loaded …");
+    if (!this.answer) fill(this.sentence, "Computing the teeth under load …");
   }
 
   private async compute(text: string, accuracy: "draft" | "full"): Promise<void> {
@@ -176,7 +176,7 @@ export class LoadView extends AnswerView<Answer> {
     this.width = this.figures.width;
     const figures = await bench.press
       .latest("load-figures", "loadFigures", { torque, width: this.width })
-      .catch(() => null); // the answer has gone
+      .catch(() => null); // the result no longer exists
     if (!figures || this.answer !== answer || this.torque !== torque) return;
     this.figures.show(figures);
   }

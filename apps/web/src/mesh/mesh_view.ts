@@ -1,36 +1,41 @@
 // The tab "mesh": the section at z = 0 that turns with its slider, the path of contact, circles by
 // name, and under the pointer the diameters there.
+//
+// The engine draws the figure; here its gears are turned to the engine's poses. A view that has been
+// zoomed or moved is drawn anew, so that it is as sharp as the first and its circles have their names.
 
-import type { MeshLines } from "../../engine/engine";
-import { check, Choice, h, onNextFrame, onThemeChange } from "../elements";
-import { touchAt, type Motion } from "../motion";
+import type { Figure, MeshView as View } from "../../engine/engine";
+import { check, Choice, h, onNextFrame, svg } from "../elements";
+import { axisOf, FigureSlot } from "../figure_slot";
+import { poseAt, touchAt, turnAt, type Motion } from "../motion";
 import { length } from "../numbers";
 import { bench } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
-import { draw, extentOf, placesOf, shapeOf, type Placed, type Scene, type Shape } from "./mesh_drawing";
-import { ViewWindow } from "./view_window";
 
 const kFrames = { whole: "whole", mesh: "mesh", flank: "flank" };
 
 export class MeshView implements Tab {
   readonly id = "mesh";
-  private readonly canvas = h("canvas", {
-    tabindex: "0",
-    role: "img",
-    "aria-label": "the gears in section; + and − zoom, arrows move, 0 restores",
-    pointermove: (event: PointerEvent) => this.hover(event),
-    pointerleave: () => (this.readout.textContent = ""),
-  });
-  private readonly repaint = onNextFrame(() => this.paint());
   private readonly readout = h("output", { class: "readout" });
+  private readonly repaint = onNextFrame(() => this.paint());
   private readonly turning = new TurnControl(() => this.repaint());
+  private readonly slot = new FigureSlot(undefined, (x, y) => this.hover(x, y));
   private readonly frames = new Choice("what the picture shows", kFrames, "mesh", (frame) => {
-    this.frame = frame;
-    this.fit(true);
+    this.frame = frame as View["frame"];
+    this.restore();
   });
-  private readonly circlesBox = h("input", { type: "checkbox", checked: true, change: () => this.repaint() });
-  readonly picture = h("div", { class: "canvas-room" }, this.canvas, this.readout);
+  private readonly circlesBox = h("input", {
+    type: "checkbox",
+    checked: true,
+    change: () => this.picture.classList.toggle("no-circles", !this.circlesBox.checked),
+  });
+  readonly picture = h(
+    "div",
+    { class: "canvas-room", pointerleave: () => (this.readout.textContent = "") },
+    this.slot.element,
+    this.readout,
+  );
   readonly element = h(
     "div",
     { class: "picture mesh-view" },
@@ -43,19 +48,24 @@ export class MeshView implements Tab {
       check("circles", this.circlesBox),
     ),
   );
-  private readonly view = new ViewWindow(this.canvas, () => this.repaint());
-  private frame = "mesh";
-  private shapes: Shape[] = [];
-  private lines: MeshLines | null = null;
+  private frame: View["frame"] = "mesh";
+  /** What a user has zoomed or moved to, mm. */
+  private window: View["window"] = null;
+  private figure: Figure | undefined;
   private motion: Motion | null = null;
-  /** The gears' places are on their way, and there are none of a spec before. */
-  private unplaced = false;
+  private design = -1;
+  private drawn = ""; // the spec's text that the figure was made for
+  private placed = ""; // and the poses
   shown = "";
-  private sizeOf = "";
 
   constructor() {
-    new ResizeObserver(() => this.fit(false)).observe(this.canvas);
-    onThemeChange(() => this.repaint());
+    figureZoom(this.slot.element, {
+      always: true,
+      touch: true,
+      home: () => this.restore(),
+      settled: () => this.takeWindow(),
+    });
+    new ResizeObserver(() => this.redraw()).observe(this.picture);
   }
 
   leave(): void {
@@ -65,98 +75,137 @@ export class MeshView implements Tab {
   async refresh(): Promise<void> {
     const solved = bench.good;
     if (!solved) {
-      this.shapes = [];
+      this.show(undefined);
       this.motion = null;
-      this.shown = "";
+      this.shown = this.drawn = this.placed = "";
       this.readout.textContent = bench.nothing;
-      return this.repaint();
+      return;
     }
     if (solved.text === this.shown) return;
     this.readout.textContent = "";
-    const { text } = solved;
-    const answer = await bench.about(bench.front, "sections", "sections", { text, tolerance: 0.002 });
-    if (!answer) return;
-    this.shapes = answer.gears.map(shapeOf);
-    this.lines = answer.lines;
-    if (this.motion?.places.length !== this.shapes.length) this.motion = null;
-    const size =
-      this.shapes.map((one) => one.reach.toPrecision(3)).join() +
-      (answer.lines?.kind ?? "") +
-      (answer.lines?.centerDistance.toPrecision(3) ?? "");
-    this.unplaced = !this.motion;
-    if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
-    this.sizeOf = size;
-    this.repaint();
+    if (this.design !== bench.design) this.window = null;
+    this.design = bench.design;
+    if (!this.picture.clientWidth) return;
     // Until the gears' places are there, those of the spec before it serve; the picture stays dimmed.
-    const motion = await bench
-      .about(bench.back, "motion", "motion", { text, n: 25 })
-      .finally(() => (this.unplaced = false));
-    if (motion?.places.length !== this.shapes.length) return;
-    this.motion = motion;
-    this.shown = text;
+    const { text } = solved;
+    const motion = bench.about(bench.back, "motion", "motion", { text, n: 25 });
+    await Promise.all([motion, this.draw()]);
+    this.motion = (await motion) ?? this.motion;
+    if (await motion) this.placed = text;
+    // A change of the room may have taken the figure's place in the queue.
+    if (this.drawn !== text && bench.good?.text === text) await this.draw();
+    this.settle();
+  }
+
+  /** What is shown is what was drawn and placed last. */
+  private settle(): void {
+    if (this.drawn === this.placed) this.shown = this.drawn;
     this.repaint();
   }
 
-  private get crossed(): boolean {
-    return this.lines?.kind === "crossed";
+  /** Draws the figure for the room and the window of now. */
+  private async draw(): Promise<void> {
+    const { clientWidth: width, clientHeight: height } = this.picture;
+    if (!bench.good || !width || !height) return;
+    const { text } = bench.good;
+    const before = this.viewBox;
+    const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
+    try {
+      const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
+      // A view that has moved on meanwhile is drawn when it stands still.
+      if (!figure || (view.window && this.viewBox !== before)) return;
+      this.show(figure);
+      this.drawn = text;
+    } catch (reason) {
+      this.show(undefined);
+      throw reason;
+    }
+    this.settle();
   }
-  private places(): Placed[] {
-    return placesOf(this.shapes, this.lines, this.motion, this.turning.t);
-  }
-
-  private fit(take: boolean): void {
-    if (!this.shapes.length || !this.canvas.clientWidth) return;
-    const [one, two] = this.shapes as [Shape, Shape | undefined];
-    const places = placesOf(this.shapes, this.lines, null, 0);
-    const path = this.lines?.pathOfContact;
-    if (this.frame === "whole" || !two || this.crossed || !path) {
-      const [x0, x1, tall] = extentOf(this.shapes, places);
-      return this.view.frame(x0, x1, -tall, tall, take);
-    }
-    const x2 = places[1]!.x;
-    let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
-    if (!path.length) {
-      // No path in this section: where the gears overlap.
-      [x0, x1] = [Math.min(x2 - two.reach, one.reach), Math.max(x2 - two.reach, one.reach)];
-      [y0, y1] = [x0 - x1, x1 - x0];
-    }
-    for (let i = 0; i < path.length; i += 3) {
-      x0 = Math.min(x0, path[i]!);
-      x1 = Math.max(x1, path[i]!);
-      y0 = Math.min(y0, path[i + 1]!);
-      y1 = Math.max(y1, path[i + 1]!);
-    }
-    const room = Math.max(x1 - x0, y1 - y0) * (this.frame === "mesh" ? 0.62 : 0.06);
-    this.view.frame(x0 - room, x1 + room, y0 - room, y1 + room, take);
+  private get viewBox(): string | null | undefined {
+    return this.slot.element.querySelector("svg")?.getAttribute("viewBox");
   }
 
-  private hover(event: PointerEvent): void {
-    const [x, y] = this.view.mm(event.offsetX, event.offsetY);
-    const near = 5 / this.view.now.scale;
-    const words = this.places().map((place, i) => {
-      const radius = Math.hypot(x - place.x, y - place.y);
-      const circle = this.shapes[i]!.section.circles.find((one) => Math.abs(one.radius - radius) < near);
-      return `gear ${i + 1}: ⌀ ${length(2 * (circle?.radius ?? radius))}${circle ? " " + circle.words : ""}`;
+  private show(figure: Figure | undefined): void {
+    const focused = this.slot.element.contains(document.activeElement);
+    this.figure = figure;
+    this.slot.show(figure);
+    const { plot } = this.slot;
+    if (plot && !plot.querySelector(".touches"))
+      plot.append(
+        svg(
+          "g",
+          { class: "touches", visibility: "hidden" },
+          svg("g", { class: "lb", transform: "translate(0 0)" }, svg("circle", { class: "touch", r: 6 })),
+        ),
+      );
+    if (focused) plot?.closest("svg")?.focus();
+    this.paint();
+  }
+
+  private restore(): void {
+    this.window = null;
+    this.redraw();
+  }
+
+  /** The part of the plane that is seen. */
+  private takeWindow(): void {
+    const { plot } = this.slot;
+    const box = plot?.closest("svg")?.viewBox.baseVal;
+    if (!plot || !box) return;
+    const [x, y] = [axisOf(plot, "x"), axisOf(plot, "y")];
+    this.window = [x.value(box.x), x.value(box.x + box.width), y.value(box.y + box.height), y.value(box.y)];
+    this.redraw();
+  }
+  private redraw(): void {
+    this.draw().catch(() => undefined); // the reason stands where the spec's own picture would be
+  }
+
+  private hover(x: number, y: number): void {
+    const { circles = [], points = [] } = this.figure?.data ?? {};
+    const { plot } = this.slot;
+    if (!plot || !circles.length) return;
+    const { a: zoom } = plot.closest("svg")!.getScreenCTM()!;
+    const near = 5 / zoom / Math.abs(axisOf(plot, "x").px(1) - axisOf(plot, "x").px(0));
+    const words = [0, 1].flatMap((gear) => {
+      const own = circles.filter((one) => one.gear === gear);
+      if (!own.length) return [];
+      const radius = Math.hypot(x - own[0]!.center[0], y - own[0]!.center[1]);
+      const circle = own.find((one) => Math.abs(one.radius - radius) < near);
+      return `gear ${gear + 1}: ⌀ ${length(2 * (circle?.radius ?? radius))}${circle ? " " + circle.name : ""}`;
     });
-    const named = this.crossed
-      ? undefined
-      : this.lines?.points.find((one) => Math.hypot(one.x - x, one.y - y) < 2 * near);
-    this.readout.textContent = (named ? named.name + "   " : "") + words.join("   ");
+    const named = points.find(({ at }) => Math.hypot(at[0] - x, at[1] - y) < 2 * near);
+    this.readout.textContent = (named ? named.name.replace("_", "") + "   " : "") + words.join("   ");
   }
 
+  /** Turns the gears to where they stand now, and moves the contact point with them. */
   private paint(): void {
     this.turning.show(this.motion);
-    if (!this.shapes.length || this.unplaced)
-      return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    if (!this.canvas.clientWidth) return;
-    const touch = this.motion && !this.crossed ? touchAt(this.motion, this.turning.t) : null;
-    const scene: Scene = {
-      shapes: this.shapes,
-      places: this.places(),
-      lines: this.crossed ? null : this.lines,
-      touch,
-      circles: this.circlesBox.checked,
-    };
-    draw(this.canvas, this.view, scene);
+    const { plot } = this.slot;
+    if (!plot) return;
+    plot.classList.toggle("unplaced", !this.motion);
+    if (!this.motion) return;
+    const { motion } = this;
+    const [x, y] = [axisOf(plot, "x"), axisOf(plot, "y")];
+    const { t } = this.turning;
+    let meshing = false;
+    for (const use of plot.querySelectorAll<SVGUseElement>("use[data-gear]")) {
+      const gear = Number(use.dataset["gear"]);
+      if (!motion.places[gear]) continue;
+      const [, at, scale] = /^(translate\([^)]*\)) (scale\([^)]*\))/.exec(use.getAttribute("transform")!)!;
+      let place = at;
+      let angle = 0;
+      if (use.dataset["turn"]) {
+        const pose = poseAt(motion, gear, t);
+        place = `translate(${x.px(pose[12]!)} ${y.px(pose[13]!)})`;
+        angle = Math.atan2(pose[1]!, pose[0]!);
+        meshing = true;
+      } else angle = turnAt(motion, gear, t); // alone, or beside a gear on a crossed axis
+      use.setAttribute("transform", `${place} ${scale} rotate(${(-angle * 180) / Math.PI})`);
+    }
+    const touch = meshing ? touchAt(motion, t) : null;
+    const dot = plot.querySelector(".touches");
+    dot?.setAttribute("visibility", touch ? "visible" : "hidden");
+    if (touch) dot?.setAttribute("transform", `translate(${x.px(touch.x)} ${y.px(touch.y)})`);
   }
 }

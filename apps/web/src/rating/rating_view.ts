@@ -1,5 +1,5 @@
 // The tab "rating": strength by ISO 6336. The safeties in the verdict's colours, and every factor
-// with its clause and the branch that was taken, as the report prints them.
+// with its clause and the branch that was used, as in the report.
 
 import type { Quantity } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
@@ -21,8 +21,8 @@ const kSafeties: [key: string, code: string][] = [
 const kNeeds = {
   keys: ["rating.torque_Nm", "rating.power_kW", "rating.spectrum"],
   without: "The spec has no load to rate.",
-  alone: "A rating is of a pair: a second gear makes one.",
-  offer: "Whether the teeth hold, by ISO 6336. A rating needs:",
+  alone: "A rating needs a second gear.",
+  offer: "Strength of the teeth by ISO 6336. A rating needs:",
   go: "Rate the pair",
   panel: [
     {
@@ -116,7 +116,8 @@ export class RatingView extends AnswerView<Rated> {
   async refresh(): Promise<void> {
     const solved = this.pair();
     if (!solved || solved.text === this.shown) return;
-    // Teeth in contact under the rated load take seconds: not where the next change of a key waits.
+    // Tooth contact under the rated load takes seconds, so it runs in another worker than the next
+    // change of a key.
     const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
     const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
     if (!answer || bench.good?.text !== solved.text) return;
@@ -141,7 +142,7 @@ export class RatingView extends AnswerView<Rated> {
     );
     const sources = rating["formulas"] as unknown as { [key: string]: Source };
     this.show(rated, rowsOf(quantities("rating")!, [rating], "rating"), {
-      last: { head: "place in the standard, branch", of: (row: Row) => placeOf(sources[row.info.key]) },
+      last: { head: "clause of the standard, branch", of: (row: Row) => placeOf(sources[row.info.key]) },
     });
   }
 

@@ -1,5 +1,5 @@
-// The designs as points over two of their numbers: the engine's figure, as large as its room. A press on
-// a point chooses its design.
+// The designs as points over two of their numbers: the engine's figure in the available size. A
+// click on a point chooses its design.
 
 import type { Quantity } from "../../engine/engine";
 import { h } from "../elements";

@@ -1,6 +1,6 @@
-// The designs that a search has found, as a table: sorted by a click on a heading, taken by a click on
-// a row (or Enter). Columns and digits are the catalogue's; what all designs have in common stands in
-// one line above the table.
+// The designs that a search has found, as a table: sorted by a click on a heading, chosen by a
+// click on a row (or Enter). Columns and digits are those of the catalogue. Values common to all
+// designs are in one line above the table.
 
 import type { Quantity } from "../../engine/engine";
 import { quantities } from "../catalogue";
@@ -11,7 +11,8 @@ import { shownUnit, textOf } from "../numbers";
 export type Design = { [key: string]: Json };
 export interface Column {
   info: Quantity;
-  place: number | string; // of a list: which of them; −1: the value itself; of a record: its key
+  place: number | string; // of a list: index of the value; −1: the value itself; of a record: its
+                          // key
   words: string;
 }
 const kShown = 200;
@@ -49,7 +50,7 @@ export function columnsOf(designs: Design[]): Column[] {
     if (!info.page && !info.listing && info.key !== "objective") continue;
     const values = designs.map((one) => one[info.key]).filter((one) => one !== null && one !== undefined);
     if (!values.length) continue;
-    // Objectives by their names: numbers that a search with several has compared.
+    // Objectives by their names: the values that a search with several objectives has compared.
     if (info.key === "objective" && typeof values[0] === "object") {
       for (const name of Object.keys(values[0] as Design))
         columns.push({
@@ -170,7 +171,7 @@ export class SearchTable {
       },
       { title: words },
     );
-    // A symbol alone is not read out well: the words stand beside it, unseen.
+    // A screen reader does not read a symbol well, so hidden words accompany it.
     if (info.symbol) (name as HTMLElement).setAttribute("aria-hidden", "true");
     fill(
       sortBy,

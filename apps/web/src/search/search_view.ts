@@ -1,7 +1,7 @@
-// The tab "search": what a spec leaves to be found. A [search] runs through all candidates, with
-// progress and a way out; a spec whose gears are not complete is answered by the fit, branch by
-// branch. A click makes a design the one on screen; the list stays as long as the text on screen is the
-// one that was searched, or one of its designs.
+// The tab "search": results for a spec with unknown numbers. A [search] evaluates all candidates,
+// with progress and a button to stop it. For a spec with incomplete gears, fit computes the
+// branches. A click shows a design. The list stays while the text on screen is the searched one, or
+// one of its designs.
 
 import { quantity } from "../catalogue";
 import { button, download, fill, h, sentenceOf } from "../elements";
@@ -14,8 +14,8 @@ import { ParetoPicture, type Point } from "./pareto";
 import { around, gearOf, measured } from "./search_specs";
 import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design } from "./search_table";
 
-const kMostTrials = 1e7; // beyond it the program is the place
-const kAtOnce = 30_000; // so few need no button
+const kMostTrials = 1e7; // larger searches need the program
+const kAtOnce = 30_000; // smaller searches start without a button
 const kMostDesigns = 2000;
 /** Axes of the picture, the likeliest first; after them the catalogue's order. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
@@ -26,7 +26,7 @@ export class SearchView implements Tab {
   private readonly go = button("Search", () => void this.search(), { class: "main" });
   private readonly stop = button("Cancel", () => bench.seek.cancel());
   private readonly back = button(
-    "Back to what was asked",
+    "Back to the search",
     () => this.searched && bench.setText(this.searched, "back"),
   );
   private readonly save = button("Report of the search", () => void this.report());
@@ -64,12 +64,12 @@ export class SearchView implements Tab {
     this.picture,
   );
   private searched = ""; // the text whose designs are listed
-  private readonly of = new Set<string>(); // it, and those of its designs that were taken
+  private readonly of = new Set<string>(); // it, and those of its designs that were chosen
   private designs: Design[] = [];
   private front: number[] = [];
   private taken = -1;
   private looked = "";
-  private running = ""; // the text that is being searched
+  private running = ""; // the text of the running search
   private columns: Column[] = [];
 
   constructor() {
@@ -97,7 +97,7 @@ export class SearchView implements Tab {
     if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
     if (!this.designs.length)
       this.status.textContent = solved.hasPair
-        ? "What other pairs would do: the same ratio within 3 %, the same centre distance within 2 %."
+        ? "A search for other pairs, with the same ratio within 3 % and the same centre distance within 2 %."
         : "A search needs a pair, or a [search] table in the spec.";
   }
 
@@ -127,7 +127,7 @@ export class SearchView implements Tab {
       if (bench.text !== text) return;
       if (trials > kMostTrials) {
         this.go.hidden = true;
-        this.status.textContent = `${count(trials)} candidates are too many for a page. The program does them on all cores, on many machines too:  gearwright search spec.toml --out found`;
+        this.status.textContent = `${count(trials)} candidates are too many for the page. The program computes them on all cores or on several machines:  gearwright search spec.toml --out found`;
         return;
       }
       this.status.textContent = `${count(trials)} candidates.`;
@@ -190,7 +190,7 @@ export class SearchView implements Tab {
     this.front = front;
     this.taken = -1;
     this.table.show(designs, front);
-    // A number that all designs share is no axis.
+    // A number that all designs share is not used for an axis.
     const rank = (column: Column) => (kAxes.indexOf(column.info.key) + kAxes.length + 1) % (kAxes.length + 1);
     this.columns = columnsOf(designs)
       .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))
@@ -261,7 +261,7 @@ export class SearchView implements Tab {
       };
       const reason = at(answer, verb + ".reason") ?? at(answer, "error.message");
       this.status.textContent = found.length
-        ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click makes it the design.` +
+        ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click selects it as the design.` +
           hint("contradiction", " The reading ", " contradicts the others.") +
           hint("next_measurement", " To decide, measure ", ".")
         : String(reason ?? "Nothing fits.");
@@ -307,5 +307,5 @@ function count(n: number): string {
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {
   if (feasible > 0) return "";
   const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];
-  return worst ? ` Most fell by the limit of ${worst[0].replaceAll("_", " ")}.` : "";
+  return worst ? ` Most were ruled out by the limit of ${worst[0].replaceAll("_", " ")}.` : "";
 }

@@ -1,6 +1,6 @@
-// The contact while it moves: the point, and the ellipse or line in which the flanks are as close as
-// the marking compound is thick. Directions are those of docs/spec.md, contact.positions: the major
-// axis is turned about the normal by the angle, from the projection of axis 1.
+// The moving contact: the point, and the ellipse or line in which the gap of the flanks is below
+// the thickness of the marking compound. Directions are those of docs/spec.md, contact.positions:
+// the major axis is turned about the normal by the angle, from the projection of axis 1.
 
 import * as THREE from "three";
 import type { ContactCurve } from "../../engine/engine";

@@ -1,6 +1,6 @@
-// What marking compound shows, painted on the flanks by the graphics card: at each point of a flank
-// the engine's gap there (a raster over diameter and height) is looked up, and where it is less than
-// the compound is thick the metal shines through in another colour.
+// The contact pattern, drawn on the flanks by the graphics card: at each point of a flank the
+// engine's gap (a raster over diameter and height) is looked up. If it is less than the thickness
+// of the compound, the point is drawn in another colour.
 
 import * as THREE from "three";
 import type { FlankRaster } from "../../engine/engine";
@@ -11,7 +11,7 @@ export interface Marking {
   set(raster: FlankRaster | null, thickness: number): void;
 }
 
-const kFar = 1e3; // mm: where the mating gear never is
+const kFar = 1e3; // mm: a gap for places where the mating gear never comes
 
 /** The gear's colour, paler than on paper, so that light and shade have room. */
 export function metal(gear: number): THREE.Color {

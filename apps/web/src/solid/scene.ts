@@ -1,5 +1,5 @@
-// The scene of the tab "solid": both gears as the engine's meshes, light that comes with the eye,
-// a plane that cuts them, and the contact on their flanks.
+// The scene of the tab "solid": both gears as the engine's meshes, light that moves with the
+// camera, a plane that cuts them, and the contact on their flanks.
 //
 // Drawn only when something has changed.
 
@@ -72,7 +72,7 @@ export class SolidScene {
       geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
       const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
       const { material, marking } = markedMaterial(i, side, this.cut);
-      // Where the plane has cut, one looks at the inside: flat, as a section on a drawing.
+      // The cut shows the inside of the bodies: flat, like a section on a drawing.
       const inside = new THREE.MeshBasicMaterial({
         color: colour(`g${i + 1}-fill`),
         side: THREE.BackSide,

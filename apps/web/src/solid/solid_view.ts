@@ -1,5 +1,6 @@
-// The tab "solid": the pair in space, at any shaft angle. It turns, opens along a section, comes
-// apart; the contact point and its ellipse move over the flanks, and the marking stays on them.
+// The tab "solid": the pair in space, at any shaft angle. The user can turn it, cut it and separate
+// the gears. The contact point and its ellipse move over the flanks, and the contact pattern stays
+// on them.
 
 import { loadScene } from "gearwright:parts";
 import { check, h, onThemeChange, slide, slider } from "../elements";
@@ -16,7 +17,7 @@ export class SolidView implements Tab {
   private readonly canvas = h("canvas", {
     tabindex: "0",
     role: "img",
-    "aria-label": "the gears in space; arrows turn the view, + and − come closer, 0 restores",
+    "aria-label": "the gears in space; arrows turn the view, + and − zoom, 0 restores",
   });
   private readonly state = h("output", { class: "readout" });
   private readonly turning = new TurnControl(() => this.arrange());
@@ -77,7 +78,7 @@ export class SolidView implements Tab {
         this.scene = new SolidScene(this.canvas);
       } catch {
         throw new Error(
-          "This browser shows no WebGL: the solids cannot be drawn here. The files can still be taken home.",
+          "This browser does not support WebGL, so the solids cannot be drawn. The files can still be downloaded.",
         );
       }
     }
@@ -135,7 +136,7 @@ export class SolidView implements Tab {
     this.turning.show(motion);
     if (!scene || !motion) return;
     const apart = Number(this.apart.value);
-    // A pinion leaves its ring along the axis; other gears move away from each other.
+    // A pinion leaves its internal gear along the axis; other gears move away from each other.
     motion.places.forEach((_, gear) => {
       const pose = poseAt(motion, gear, this.turning.t);
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;

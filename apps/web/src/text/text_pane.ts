@@ -1,6 +1,7 @@
-// The spec as the text that it is: numbered lines, quiet colours, the fault below the line it is in.
+// The spec as text: numbered lines, light colours, an error below its line.
 //
-// A textarea does the editing; behind it lies the same text in colours. Long texts go without.
+// A textarea is used for editing, with the same text in colours behind it. Long texts have no
+// colours.
 
 import { fill, h } from "../elements";
 import { bench } from "../workbench";
@@ -110,7 +111,7 @@ export class TextPane {
   private showFault(): void {
     const { fault } = bench;
     const line = fault?.line;
-    // A syntax error has no key, and its sentence has the line.
+    // A syntax error has no key, and its message contains the line.
     this.sentence.textContent = fault ? (line && fault.key ? `Line ${line}: ` : "") + fault.message : "";
     this.mark.hidden = !line;
     if (line) this.mark.style.top = `${(line - 1) * kLine}px`;

@@ -1,0 +1,166 @@
+"""Whole drives: Drive of a spec, planetary() and train() of their short forms."""
+
+from __future__ import annotations
+
+import copy
+import math
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from . import _core
+
+# Suffixes with which a parameter may be given, and the value of one such unit in mm or rad.
+_UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_arcsec", math.pi / 648000.0))
+
+
+def _value(record: Mapping[str, Any], name: str) -> Any:
+    """The value of a key, or of a name in mm and rad."""
+    if name in record:
+        return record[name]
+    for suffix, unit in _UNITS:
+        value = record.get(name + suffix)
+        if isinstance(value, list):
+            return [unit * v for v in value]
+        if isinstance(value, (int, float)):
+            return unit * value
+    raise AttributeError(f"there is no quantity {name}")
+
+
+class Part:
+    """Quantities of a body, a mesh, the assembly or the like: attributes in mm and rad, items by key"""
+
+    def __init__(self, record: Mapping[str, Any]) -> None:
+        self._record = dict(record)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return _wrapped(_value(self._record, name))
+
+    def __getitem__(self, key: str) -> Any:
+        return copy.deepcopy(self._record[key])
+
+    def __dir__(self) -> list[str]:
+        return ["as_dict", *self._record]
+
+    def as_dict(self) -> dict[str, Any]:
+        return copy.deepcopy(self._record)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Part) and self._record == other._record
+
+    def __repr__(self) -> str:
+        return f"Part({self._record!r})"
+
+
+def _wrapped(value: Any) -> Any:
+    if isinstance(value, dict):
+        return Part(value)
+    if isinstance(value, list) and value and all(isinstance(v, dict) for v in value):
+        return [Part(v) for v in value]
+    return copy.deepcopy(value)
+
+
+class Drive:
+    """A planetary set, a train or any other drive: speeds, torques, places, phases, play, the pairs of its meshes.
+
+    Values do not change. Attributes are in mm and rad, `drive.ratio`, `drive.backlash.output`; items and as_dict() have
+    the keys of the program's JSON. `bodies` and `meshes` are dicts by name.
+    """
+
+    def __init__(self, spec: Mapping[str, Any]) -> None:
+        self._spec = copy.deepcopy(dict(spec))
+        answer = _core.solve(self._spec, "drive")
+        self._record: dict[str, Any] = answer["drive"]
+        self._verdict: dict[str, Any] = answer["verdict"]
+        self._warnings: list[dict[str, Any]] = answer["warnings"]
+
+    @property
+    def spec(self) -> dict[str, Any]:
+        """The values from which it was made, by key"""
+        return copy.deepcopy(self._spec)
+
+    @property
+    def bodies(self) -> dict[str, Part]:
+        """Speeds, torques and powers of the bodies, by name"""
+        return {name: Part(body) for name, body in self._record["bodies"].items()}
+
+    @property
+    def meshes(self) -> dict[str, Part]:
+        """Frequencies, losses and pairs of the meshes, by name"""
+        return {name: Part(mesh) for name, mesh in self._record["meshes"].items()}
+
+    @property
+    def verdict(self) -> Part:
+        """The worst of the drive and of the pairs in its meshes: level, headline and findings"""
+        return Part(self._verdict)
+
+    @property
+    def warnings(self) -> list[Part]:
+        return [Part(warning) for warning in self._warnings]
+
+    def rate(self, **rating: Any) -> dict[str, Part]:
+        """Strength by ISO 6336 of each mesh that carries, by its name, with the keys of [rating]: quality=[6, 6],
+        material={"name": "17CrNiMo6"}, mesh_load_factor, …; torque and speed are those of the drive, unless they are given."""
+        table = {**self._spec.get("rating", {}), **rating}
+        answer = _core.solve({**self._spec, "rating": table}, "rate")
+        rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}
+        return {name: Part(record) for name, record in rated.items() if record}
+
+    def replace(self, **changes: Any) -> Drive:
+        """The same with other tables, or of a planetary set with other keys of [planetary]; None takes one out."""
+        spec = self.spec
+        own = spec["planetary"] if "planetary" in spec else spec
+        for key, value in changes.items():
+            target = spec if key in spec else own
+            target.pop(key, None)
+            for suffix, _ in _UNITS:  # already given in another unit
+                target.pop(key + suffix, None)
+                if key.endswith(suffix):
+                    target.pop(key[: -len(suffix)], None)
+            if value is not None:
+                target[key] = value
+        return Drive(spec)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Every quantity by key, each in the unit that its key names, as in JSON"""
+        return copy.deepcopy(self._record)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return _wrapped(_value(self._record, name))
+
+    def __getitem__(self, key: str) -> Any:
+        return copy.deepcopy(self._record[key])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Drive) and self._record == other._record
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Drive, (self._spec,)
+
+    def __repr__(self) -> str:
+        ratio, exact = self._record["ratio"], self._record["ratio_exact"]
+        said = f"ratio={exact[0]}/{exact[1]}" if exact and exact[1] != 1 else f"ratio={ratio}"
+        efficiency = self._record["efficiency"]
+        return f"Drive({said}" + (f", efficiency={efficiency:.4f})" if efficiency is not None else ")")
+
+
+def planetary(**keys: Any) -> Drive:
+    """A planetary set with the keys of [planetary]: gw.planetary(sun=20, planet=25, ring=70, planets=3, normal_module=2)."""
+    return Drive({"planetary": keys})
+
+
+def train(*stages: Mapping[str, Any]) -> Drive:
+    """A train of stages, each a dict with the keys of [[stage]]: gw.train({"teeth": [19, 58]}, {"teeth": [17, 67]})."""
+    return Drive({"stage": [dict(stage) for stage in stages]})
+
+
+def load_drive(path: str | os.PathLike[str]) -> Drive:
+    """The drive of a spec file in TOML"""
+    import tomllib
+
+    with open(path, "rb") as file:
+        return Drive(tomllib.load(file))

@@ -1,0 +1,261 @@
+#include "gearwright/arrange/judge_drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/verdict/remedy.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// A finding of the assembly, or of one of the meshes.
+struct Part {
+  Finding finding;
+  std::optional<std::size_t> mesh{};
+};
+
+struct JudgedMesh {
+  Judged judged;
+  std::vector<Warning> warnings;
+};
+
+JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
+  const Pair& pair = *drive.geometry.pairs[m];
+  JudgedMesh made;
+  made.warnings = pair.warnings();
+  for (const int which : {1, 2})
+    for (Warning w : pair.gear(which).warnings) {
+      w.gear = which;
+      made.warnings.push_back(std::move(w));
+    }
+  made.judged.gears = {&pair.gear(1), &pair.gear(2)};
+  made.judged.pair = &pair;
+  if (!drive.ratings.empty() && drive.ratings[m]) {
+    const MeshRating& r = *drive.ratings[m];
+    made.judged.rating = JudgedRating{&r.pair, &r.input, &r.rating, wanted};
+  }
+  return made;
+}
+
+std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
+  JudgedMesh mesh = judged_mesh(drive, m, wanted);
+  mesh.judged.warnings = &mesh.warnings;
+  std::vector<Finding> findings = findings_of(mesh.judged);
+  const bool planets = drive.graph.frame(drive.graph.meshes[m]).has_value();
+  for (Finding& f : findings)
+    if (planets && f.code == WarningCode::trimming) f.level = Level::green;
+  return findings;
+}
+
+std::size_t gear_index(const Drive& drive, std::size_t m, int which) {
+  return drive.graph.meshes[m].gears[static_cast<std::size_t>(which - 1)];
+}
+
+std::vector<Part> parts_of(const Drive& drive, const WantedSafety& wanted) {
+  std::vector<Part> parts;
+  for (const Warning& w : drive.findings)
+    parts.push_back({{w.code, level_of(severity_of(w)), 0, w.message}});
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    if (!drive.geometry.pairs[m]) continue;
+    for (Finding& f : mesh_findings(drive, m, wanted)) {
+      // A finding about a single gear is listed once, with the first mesh of that gear.
+      const auto same = [&](const Part& part) {
+        return part.mesh && f.gear > 0 && part.finding.gear > 0 && part.finding.code == f.code &&
+               part.finding.message == f.message &&
+               gear_index(drive, *part.mesh, part.finding.gear) == gear_index(drive, m, f.gear);
+      };
+      if (std::none_of(parts.begin(), parts.end(), same)) parts.push_back({std::move(f), m});
+    }
+  }
+  return parts;
+}
+
+// Replaces "gear 1" and "gear 2" of a mesh by the names of the gears.
+std::string with_names(std::string text, const Drive& drive, std::size_t m) {
+  const DriveMesh& mesh = drive.graph.meshes[m];
+  for (const int which : {0, 1}) {
+    const std::string name = drive.graph.gear(mesh, which).name;
+    for (const char* form : {"gear {}", "Gear {}"}) {
+      const std::string from = fmt::format(fmt::runtime(form), which + 1);
+      for (std::size_t at = text.find(from); at != std::string::npos;
+           at = text.find(from, at + name.size()))
+        text.replace(at, from.size(), name);
+    }
+  }
+  return text;
+}
+
+std::optional<DriveChange> of_drive(const Drive& drive, std::size_t m, const SpecChange& change) {
+  if (change.what == Adjustable::center_distance) return DriveChange{change.what, m, change.value};
+  if (change.gear == 0) return std::nullopt;
+  return DriveChange{change.what, gear_index(drive, m, change.gear), change.value};
+}
+
+// Whether every other part is at least as good as before.
+bool no_worse(const std::vector<Part>& before, const std::vector<Part>& after, std::size_t mesh) {
+  return std::all_of(after.begin(), after.end(), [&](const Part& now) {
+    if (now.mesh == mesh || now.finding.level == Level::green) return true;
+    return std::any_of(before.begin(), before.end(), [&](const Part& was) {
+      return was.mesh == now.mesh && was.finding.code == now.finding.code &&
+             was.finding.gear == now.finding.gear && was.finding.level >= now.finding.level;
+    });
+  });
+}
+
+// Adds a remedy to the worst finding, which belongs to a mesh.
+void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& input,
+                const std::function<std::string(const DriveChange&)>& key_of,
+                const WantedSafety& wanted) {
+  const std::size_t m = *parts.front().mesh;
+  const TryChange attempt = [&](const SpecChange& change, TryDepth) -> std::optional<ChangedState> {
+    const auto of_it = of_drive(drive, m, change);
+    auto other = of_it ? changed(input, *of_it) : std::nullopt;
+    if (!other) return std::nullopt;
+    other->stages.clear();
+    const auto made = make_drive(*other);
+    if (!made || !made->geometry.pairs[m]) return std::nullopt;
+    const std::vector<Part> after = parts_of(*made, {});
+    if (!no_worse(parts, after, m)) return std::nullopt;
+    ChangedState state;
+    for (const Part& part : after)
+      if (part.mesh == m) state.findings.push_back(part.finding);
+    const Pair& pair = *made->geometry.pairs[m];
+    state.contact_ratio = pair.contact_ratio_true();
+    if (pair.involute()) state.backlash = pair.involute()->mesh.backlash.normal;
+    return state;
+  };
+  std::vector<Finding> own;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].mesh != m) continue;
+    own.push_back(parts[i].finding);
+    places.push_back(i);
+  }
+  JudgedMesh mesh = judged_mesh(drive, m, wanted);
+  mesh.judged.warnings = &mesh.warnings;
+  detail::add_remedies(own, mesh.judged, attempt);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    Finding& f = parts[places[i]].finding;
+    f.remedy = own[i].remedy;
+    const auto change = own[i].change ? of_drive(drive, m, *own[i].change) : std::nullopt;
+    if (!change || !key_of) continue;
+    const std::string key = key_of(*change);
+    if (key.empty()) continue;
+    f.change = own[i].change;
+    f.change->path = key;
+    f.remedy.insert(f.remedy.size() - 1,
+                    fmt::format(" ({} = {})", key, format_number(change->value)));
+  }
+}
+
+std::string share(double eta) { return fmt::format("{:.4f}", eta); }
+
+std::string fraction(const Rational& r) {
+  const auto p = r.numerator(), q = r.denominator();
+  if (!p || !q || *q == 1) return fmt::format("{:.6g}", r.value());
+  return fmt::format("{:.6g} ({}/{})", r.value(), *p, *q);
+}
+
+// Summary of a drive without faults: ratio, efficiency, least and greatest backlash of its meshes.
+std::string running(const Drive& drive) {
+  std::string text = "The drive runs";
+  std::string facts;
+  if (drive.motion.ratio) facts += "ratio " + fraction(*drive.motion.ratio);
+  if (drive.flow && !drive.flow->self_locking())
+    facts += (facts.empty() ? "efficiency " : ", efficiency ") + share(drive.flow->efficiency);
+  text += facts.empty() ? "." : ": " + facts + ".";
+  std::optional<double> least;
+  double module = 0.0, distance = 0.0;
+  for (const auto& pair : drive.geometry.pairs) {
+    if (!pair || !pair->involute()) continue;
+    const double j = pair->involute()->mesh.backlash.normal;
+    if (!least || j < *least) {
+      least = j;
+      module = pair->gear(1).spec.normal_module;
+      distance = pair->center_distance();
+    }
+  }
+  if (!least) return text + " Without a module there are no teeth to be judged.";
+  constexpr double kNone = 1e-9;  // mm: rounding
+  if (*least > kNone) return text + fmt::format(" Least normal backlash {:.3f} mm.", *least);
+  const double recommended = recommended_backlash(distance, module);
+  // Both gears of a mesh are thinned by the same: j_n = −2 E_sn cos α_n.
+  const double allowance =
+      -std::ceil(recommended / 2 / std::cos(Angle::degrees(20).rad()) * 100) / 100;
+  return text + fmt::format(
+                    " There is no backlash: a thickness allowance of {} mm on all gears would give "
+                    "the {:.2f} mm that ISO/TR 10064-2 recommends.",
+                    format_number(allowance), recommended);
+}
+
+}  // namespace
+
+std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& change) {
+  DriveInput made = input;
+  if (change.what == Adjustable::center_distance) {
+    if (change.index >= made.graph.meshes.size()) return std::nullopt;
+    made.graph.meshes[change.index].center_distance = change.value;
+    return made;
+  }
+  if (change.index >= made.graph.gears.size()) return std::nullopt;
+  DriveGear& gear = made.graph.gears[change.index];
+  if (!gear.spec) return std::nullopt;
+  switch (change.what) {
+    case Adjustable::profile_shift: gear.shift = change.value; return made;
+    case Adjustable::tip_diameter: gear.spec->tip_diameter = change.value; return made;
+    case Adjustable::thickness_allowance:
+      gear.spec->thickness_allowance = change.value;
+      return made;
+    case Adjustable::face_width: gear.spec->face_width = change.value; return made;
+    default: return std::nullopt;
+  }
+}
+
+Verdict judge_drive(const Drive& drive, const DriveInput& input,
+                    const std::function<std::string(const DriveChange&)>& key_of,
+                    const WantedSafety& wanted) {
+  std::vector<Part> parts = parts_of(drive, wanted);
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    if (a.finding.level != b.finding.level) return a.finding.level > b.finding.level;
+    if (a.finding.level == Level::green) return false;
+    // Findings about the whole drive come before those about a mesh.
+    if (a.mesh.has_value() != b.mesh.has_value()) return !a.mesh;
+    return a.finding.code < b.finding.code;
+  });
+  Verdict verdict;
+  if (!parts.empty()) verdict.level = parts.front().finding.level;
+  // Remedies are not rated, so none is tried for a rated drive.
+  if (verdict.level != Level::green && parts.front().mesh && drive.ratings.empty())
+    add_remedy(parts, drive, input, key_of, wanted);
+  for (Part& part : parts) {
+    Finding f = std::move(part.finding);
+    if (part.mesh) {
+      const std::string message = with_names(f.message, drive, *part.mesh);
+      std::string where = drive.graph.meshes[*part.mesh].name;
+      if (f.gear > 0) {
+        const std::string& name = drive.graph.gears[gear_index(drive, *part.mesh, f.gear)].name;
+        if (message.find(name) == std::string::npos) where = name;
+      }
+      f.message = fmt::format("{}: {}", where, message);
+      f.remedy = with_names(f.remedy, drive, *part.mesh);
+      f.gear = 0;
+    }
+    verdict.findings.push_back(std::move(f));
+  }
+  switch (verdict.level) {
+    case Level::green: verdict.headline = running(drive); break;
+    case Level::amber:
+      verdict.headline = running(drive) + " Check: " + verdict.findings.front().whole();
+      break;
+    case Level::red:
+      verdict.headline = "The drive does not run as specified: " + verdict.findings.front().whole();
+      break;
+  }
+  return verdict;
+}
+
+}  // namespace gearwright

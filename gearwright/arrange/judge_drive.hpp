@@ -1,0 +1,32 @@
+// The verdict over a whole drive: the worst of its parts and of the assembly, with a remedy that was
+// tried on the whole drive.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "gearwright/drive/drive.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+/// A change of one number of a drive.
+struct DriveChange {
+  Adjustable what;
+  std::size_t index;  ///< of the gear; of the mesh where `what` is a centre distance
+  double value;       ///< as in SpecChange
+};
+
+/// The drive with a change; none: there is no such number in a drive.
+std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& change);
+
+/// A note or a warning about the assembly, or of a mesh, whose name the message begins with. What
+/// mounts planets only axially is no more than a note: that is how they are mounted.
+///
+/// `wanted`  least safeties of a rated drive
+/// `key_of`  the key of a change in the spec's own words, after the remedy; may be empty
+Verdict judge_drive(const Drive& drive, const DriveInput& input,
+                    const std::function<std::string(const DriveChange&)>& key_of = {},
+                    const WantedSafety& wanted = {1.0, 1.0});
+
+}  // namespace gearwright

@@ -1,0 +1,244 @@
+// Law: in 360 steps of the sun the outlines of a whole set, sun, planets and ring, do not overlap if the
+// verdict is green, and do if it is red because bodies overlap. The oracle has the points of the outlines
+// and nothing else: a point of one gear that lies inside a tooth of another overlaps it.
+#include "gearwright/arrange/judge_drive.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "gearwright/drive/drive_layout.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+namespace {
+
+using M = SetMember;
+
+// A tooth as the points of its half outline, root to tip, and its half angle as a function of radius.
+class Tooth {
+ public:
+  explicit Tooth(const Gear& gear) : z_(std::abs(gear.spec.teeth)), internal_(gear.internal()) {
+    for (const Arc& arc : gear.tooth->outline.arcs)
+      for (const Vec2& p : sample(arc, 60)) {
+        const Vec2 polar(p.norm(), std::atan2(p.y(), p.x()));
+        if (points_.empty() || (points_.back() - polar).norm() > 0.0) points_.push_back(polar);
+      }
+  }
+
+  int teeth() const { return z_; }
+  const std::vector<Vec2>& points() const { return points_; }
+
+  /// How deep the place (ρ, ψ), ψ from the middle of a tooth, lies inside metal across the flank, mm,
+  /// < 0: outside.
+  double depth(double rho, double psi) const {
+    const double pitch = kTurn / z_;
+    psi = std::abs(std::remainder(psi, pitch));
+    const double root = points_.front().x(), tip = points_.back().x();
+    if (internal_ ? rho > root : rho < root) return std::abs(rho - root);
+    if (internal_ ? rho < tip : rho > tip) return -std::abs(rho - tip);
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const double a = points_[i - 1].x(), b = points_[i].x();
+      if ((rho - a) * (rho - b) > 0.0 || a == b) continue;
+      const double half =
+          points_[i - 1].y() + (rho - a) / (b - a) * (points_[i].y() - points_[i - 1].y());
+      return (half - psi) * rho;
+    }
+    return -1.0;
+  }
+
+ private:
+  int z_;
+  bool internal_;
+  std::vector<Vec2> points_;  // radius, polar angle from the middle of the tooth
+};
+
+// The greatest depth of points of gear a inside gear b.
+double depth_in(const Tooth& a, const PlacedGear& at_a, const Tooth& b, const PlacedGear& at_b) {
+  double worst = -1e9;
+  const Vec2 towards = at_b.axis - at_a.axis;
+  const double line = std::atan2(towards.y(), towards.x());
+  for (int k = 0; k < a.teeth(); ++k) {
+    const double middle = at_a.angle + kTurn * k / a.teeth();
+    // Only teeth on the side of the mesh can reach the other gear: of a pinion in a ring those away
+    // from the ring's axis.
+    const double off = std::abs(std::remainder(middle - line, kTurn));
+    if (std::min(off, kTurn / 2 - off) > 0.9) continue;
+    for (const Vec2& p : a.points()) {
+      for (const double side : {1.0, -1.0}) {
+        const double angle = middle + side * p.y();
+        const Vec2 at = at_a.axis + p.x() * Vec2(std::cos(angle), std::sin(angle)) - at_b.axis;
+        worst = std::max(worst, b.depth(at.norm(), std::atan2(at.y(), at.x()) - at_b.angle));
+      }
+    }
+  }
+  return worst;
+}
+
+// The greatest overlap of any two gears of the set in `steps` of a turn of the sun, in modules.
+double overlap(const Drive& drive, int steps) {
+  const auto layout = drive_layout(drive);
+  EXPECT_TRUE(layout) << layout.error().message();
+  std::vector<Tooth> teeth;
+  for (const auto& gear : drive.geometry.gears) teeth.emplace_back(*gear);
+  double worst = -1e9;
+  for (int step = 0; step < steps; ++step) {
+    const DriveLayout now = turned(drive, *layout, static_cast<double>(step) / steps);
+    for (const PlacedGear& a : now.gears)
+      for (const PlacedGear& b : now.gears) {
+        if (a.gear == b.gear) continue;
+        const bool sun_ring =
+            drive.graph.gears[a.gear].teeth * drive.graph.gears[b.gear].teeth < 0 && a.copy == 0 &&
+            b.copy == 0 && a.axis == b.axis;
+        if (sun_ring) continue;
+        worst = std::max(worst, depth_in(teeth[a.gear], a, teeth[b.gear], b));
+      }
+  }
+  return worst / drive.geometry.gears.front()->spec.normal_module;
+}
+
+bool bodies_overlap(WarningCode code) {
+  return code == WarningCode::overlap || code == WarningCode::negative_backlash ||
+         code == WarningCode::tip_to_fillet || code == WarningCode::root ||
+         code == WarningCode::trochoid;
+}
+
+struct Counts {
+  int green = 0, red = 0;
+};
+
+// Random sets until as many are green and red for overlap as wanted.
+Counts try_sets(unsigned seed, int green, int red, int steps) {
+  std::mt19937 random(seed);
+  const auto pick = [&](int lo, int hi) { return std::uniform_int_distribution(lo, hi)(random); };
+  const auto real = [&](double lo, double hi) {
+    return std::uniform_real_distribution(lo, hi)(random);
+  };
+  Counts counts;
+  for (int k = 0; k < 40 * (green + red) && (counts.green < green || counts.red < red); ++k) {
+    PlanetarySpec set;
+    const int sun = pick(15, 30), planet = pick(14, 34), off = pick(-1, 1);
+    set.z(M::sun) = sun;
+    set.z(M::planet) = planet;
+    set.z(M::ring) = sun + 2 * planet + off;
+    set.planets = pick(1, 4);
+    set.normal_module = 2.0;
+    set.profile_shift.each[0] = real(0.0, 0.6);
+    set.profile_shift.each[3] = real(-0.2, 0.5);
+    const bool want_red = k % 2 == 1 && counts.red < red;
+    set.allowance.all = want_red ? real(0.0, 0.08) : real(-0.1, -0.03);
+    if (pick(0, 1) == 1) set.center_distance.all = 2.0 * (sun + planet) / 2 + real(-0.2, 1.6);
+    const auto graph = graph_of(set);
+    const DriveInput input{*graph, {}};
+    const auto drive = make_drive(input);
+    if (!drive || !drive_layout(*drive)) continue;
+    bool toothed = true;
+    for (const auto& gear : drive->geometry.gears) toothed = toothed && gear && gear->tooth;
+    if (!toothed) continue;
+    const Verdict verdict = judge_drive(*drive, input);
+    const bool reds = std::any_of(
+        verdict.findings.begin(), verdict.findings.end(),
+        [](const Finding& f) { return f.level == Level::red && bodies_overlap(f.code); });
+    const std::string what = fmt::format(
+        "{} {} {}, x {} {}, E {}, N {}", sun, planet, *set.z(M::ring), *set.profile_shift.each[0],
+        *set.profile_shift.each[3], *set.allowance.all, set.planets);
+    // Chords of the sampled outlines are within 1e-4 m of the curves.
+    constexpr double kChords = 1e-4;
+    if (verdict.level == Level::green && counts.green < green) {
+      ++counts.green;
+      EXPECT_LT(overlap(*drive, steps), kChords) << what;
+    } else if (reds && counts.red < red) {
+      ++counts.red;
+      EXPECT_GT(overlap(*drive, steps), kChords) << what << verdict.headline;
+    }
+  }
+  return counts;
+}
+
+TEST(JudgeDrive, GreenSetsDoNotOverlapAndRedOnesDo) {
+  const Counts counts = try_sets(1, 3, 3, 360);
+  EXPECT_EQ(counts.green, 3);
+  EXPECT_EQ(counts.red, 3);
+}
+
+TEST(LongJudgeDrive, ThreeHundredSets) {
+  const Counts counts = try_sets(2, 200, 100, 360);
+  EXPECT_EQ(counts.green, 200);
+  EXPECT_EQ(counts.red, 100);
+}
+
+PlanetarySpec example() {
+  PlanetarySpec set;
+  set.z(M::sun) = 20;
+  set.z(M::planet) = 25;
+  set.z(M::ring) = 70;
+  set.planets = 3;
+  set.normal_module = 2.0;
+  return set;
+}
+
+TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
+  for (const double x : {0.0, 0.2, 0.4}) {
+    PlanetarySpec set = example();
+    set.profile_shift.each[0] = x;
+    set.profile_shift.each[3] = 0.5 * x;
+    const DriveInput input{*graph_of(set), {}};
+    const auto drive = make_drive(input);
+    ASSERT_TRUE(drive);
+    const Verdict verdict = judge_drive(*drive, input);
+    EXPECT_EQ(verdict.level, Level::green) << x << verdict.headline;
+    EXPECT_NE(verdict.headline.find("There is no backlash"), std::string::npos);
+  }
+}
+
+// The eight lines of a printed set: large shifts leave tips no clearance unless they are cut back.
+TEST(JudgeDrive, EightLinesAreEnough) {
+  PlanetarySpec set;
+  set.z(M::sun) = 19;
+  set.z(M::planet) = 17;
+  set.z(M::ring) = 56;
+  set.planets = 3;
+  set.normal_module = 45.0;
+  set.face_width.all = 491.0;
+  set.center_distance.all = 863.0;
+  const DriveInput input{*graph_of(set), {}};
+  const auto drive = make_drive(input);
+  ASSERT_TRUE(drive);
+  const Verdict verdict = judge_drive(*drive, input);
+  EXPECT_EQ(verdict.level, Level::green) << verdict.headline;
+  // 0.25 m_n of clearance, as the racks have it.
+  const auto& mesh = drive->geometry.pairs[0]->mounted();
+  EXPECT_NEAR(mesh.tip_clearance[0], 0.25 * 45, 1e-9);
+  EXPECT_NEAR(mesh.tip_clearance[1], 0.25 * 45, 1e-9);
+}
+
+TEST(JudgeDrive, ARemedyIsTriedOnTheWholeDrive) {
+  PlanetarySpec set = example();
+  set.profile_shift.each[0] = 0.2;
+  set.profile_shift.each[3] = 0.1;
+  set.tip_diameter.each[5] = 137.6;  // of the ring: below the flanks of the planets
+  DriveInput input{*graph_of(set), {}};
+  const auto drive = make_drive(input);
+  ASSERT_TRUE(drive);
+  std::optional<DriveChange> named;
+  const Verdict verdict = judge_drive(*drive, input, [&](const DriveChange& change) {
+    named = change;
+    return std::string("the.key");
+  });
+  EXPECT_EQ(verdict.level, Level::red);
+  const Finding& worst = verdict.findings.front();
+  EXPECT_NE(worst.message.find("planet_ring: The tip of ring"), std::string::npos) << worst.message;
+  ASSERT_TRUE(named) << worst.whole();
+  ASSERT_TRUE(worst.change);
+  EXPECT_EQ(worst.change->path, "the.key");
+  EXPECT_NE(worst.remedy.find("(the.key = "), std::string::npos) << worst.remedy;
+  const auto again = changed(input, *named);
+  ASSERT_TRUE(again);
+  EXPECT_NE(judge_drive(*make_drive(*again), *again).level, Level::red);
+}
+
+}  // namespace
+}  // namespace gearwright

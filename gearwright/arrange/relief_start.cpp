@@ -1,0 +1,79 @@
+#include "gearwright/arrange/relief_start.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Calls f(gear, at_tip, relief, field) for each relief without a start until f returns a value.
+template <class Given, class F>
+auto first_without_start(Given& given, const F& f) {
+  using Answer = decltype(f(1, true, given.gear(1).modifications[0].tip_relief, std::string()));
+  for (const int which : {1, 2}) {
+    if (!given.has(which)) continue;
+    for (auto& flank : given.gear(which).modifications) {
+      for (const bool tip : {true, false}) {
+        auto& relief = tip ? flank.tip_relief : flank.root_relief;
+        if (relief.reach || relief.amount == 0.0) continue;
+        const char* const name = tip ? "tip_relief" : "root_relief";
+        if (auto answer = f(which, tip, relief,
+                            gear_field(which, fmt::format("modifications.{}.reach", name))))
+          return answer;
+      }
+    }
+  }
+  return Answer{};
+}
+
+}  // namespace
+
+bool lacks_relief_start(const GivenPair& given) {
+  return first_without_start(given,
+                             [](int, bool, const Relief&, const std::string&) { return true; });
+}
+
+Error missing_relief_start(const GivenPair& given) {
+  return *first_without_start(given, [](int, bool, const Relief&, const std::string& field) {
+    return std::optional(absent_input(field, "; only the mating gear of a pair decides it"));
+  });
+}
+
+std::optional<ReliefStarts> short_relief(const InvolutePair& pair, int which) {
+  const Mesh<double>& mesh = pair.mesh;
+  if (mesh.crossed || !(mesh.true_ratio > 1.0)) return std::nullopt;
+  const double length = (mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step) / 2;
+  // The tip of gear 1 touches at the end of the path of contact, that of gear 2 at the start.
+  const double near_end = mesh.rho1_true_end - length;
+  const double near_begin = mesh.rho1_true_begin + length;
+  const auto i = static_cast<std::size_t>(which - 1);
+  const double base_radius = pair.input.gears[i].radius;
+  const auto diameter = [&](double rho1) {
+    return 2 * std::hypot(base_radius, which == 1 ? rho1 : mesh.rho2(rho1));
+  };
+  return which == 1 ? ReliefStarts{diameter(near_end), diameter(near_begin)}
+                    : ReliefStarts{diameter(near_begin), diameter(near_end)};
+}
+
+std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair) {
+  const auto place = [&](int which, bool tip, Relief& relief,
+                         const std::string& field) -> std::optional<Error> {
+    const InvolutePair* const involutes = pair.involute();
+    const auto starts = involutes ? short_relief(*involutes, which) : std::nullopt;
+    if (!starts) {
+      return absent_input(field,
+                          "; a default start needs involute gears on parallel axes with a "
+                          "transverse contact ratio above 1");
+    }
+    relief.reach = tip ? starts->tip : starts->root;
+    return std::nullopt;
+  };
+  return first_without_start(given, place);
+}
+
+}  // namespace gearwright

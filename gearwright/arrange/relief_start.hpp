@@ -1,0 +1,35 @@
+// The start of a relief that is given by its amount alone: short relief.
+//
+//   ε_α   transverse contact ratio over the usable flanks       p_bt   transverse base pitch
+//   ρ     radius of curvature of a flank, the place on the path of contact
+//
+// Tips with a short relief on both gears leave one base pitch of the path without relief, so that at
+// no time all teeth in contact are relieved; each has half of the rest, (ε_α − 1) p_bt/2. Root reliefs
+// divide the path in the same way from the other side.
+// Internal to arrange/.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/arrange/arrange.hpp"
+
+namespace gearwright {
+
+/// Start diameters of the tip reliefs and of the root reliefs of gear `which` that leave one base
+/// pitch of the path, mm; none: the flanks touch over at most one base pitch, or the axes cross.
+struct ReliefStarts {
+  double tip, root;
+};
+std::optional<ReliefStarts> short_relief(const InvolutePair& pair, int which);
+
+/// Whether a tip or root relief has no start.
+bool lacks_relief_start(const GivenPair& given);
+/// The error for the first such relief of a gear without a mating gear.
+Error missing_relief_start(const GivenPair& given);
+
+/// Completes tip and root reliefs without a start, of both gears of a pair.
+///
+/// Errors    `gearN.modifications.tip_relief.reach`: the pair has no such start
+std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair);
+
+}  // namespace gearwright

@@ -1,0 +1,138 @@
+#include "gearwright/catalogue/drive_search_quantities.hpp"
+
+#include "gearwright/catalogue/drive_quantities.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using F = FoundDrive;
+
+// Value of the drive with this key, as in the result of the verb drive.
+Value of_drive(const F& f, std::string_view key) {
+  for (const Quantity<Drive>& q : drive_quantities().list())
+    if (q.info.key == key) return q.get(f.drive);
+  return {};
+}
+
+Value of_set(const F& f, const Quantities<PlanetSet>& quantities, std::string_view key) {
+  if (f.drive.sets.empty()) return {};
+  for (const Quantity<PlanetSet>& q : quantities.list())
+    if (q.info.key == key) return q.get(f.drive.sets.front());
+  return {};
+}
+
+Value teeth_of(const F& f) {
+  ValueMap map;
+  for (std::size_t m = 0; m < kSetMembers; ++m)
+    if (f.candidate.teeth[m] > 0)
+      map.emplace_back(to_string(static_cast<SetMember>(m)),
+                       static_cast<long long>(f.candidate.teeth[m]));
+  return map.empty() ? Value() : Value(std::move(map));
+}
+
+Value stages_of(const F& f) {
+  if (f.candidate.stages.empty()) return {};
+  ValueList list;
+  for (const auto& [z1, z2] : f.candidate.stages)
+    list.emplace_back(
+        ValueList{Value(static_cast<long long>(z1)), Value(static_cast<long long>(z2))});
+  return list;
+}
+
+const char* level_of(Level level) {
+  return level == Level::green ? "green" : level == Level::amber ? "amber" : "red";
+}
+
+void say_found(Quantities<F>& q) {
+  q.add(Type::map, "teeth", "numbers of teeth", "z", "by member; null for a train", teeth_of)
+      .doors(kJson);
+  q.whole("stages", "numbers of teeth of the stages", "z", "[z1, z2] each; null of a set",
+          stages_of)
+      .list({0, 2})
+      .doors(kJson);
+  q.whole("planets", "number of planets", "N", "", [](const F& f) {
+     return Value(static_cast<long long>(f.candidate.planets));
+   }).always();
+  q.number("ratio", "ratio", "i", "n_in/n_out", [](const F& f) {
+     return of_drive(f, "ratio");
+   }).always();
+  q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
+          [](const F& f) { return of_drive(f, "ratio_exact"); })
+      .list({2})
+      .doors(kJson);
+  q.number("efficiency", "efficiency", "η", "input driving",
+           [](const F& f) { return of_drive(f, "efficiency"); });
+  q.number("efficiency_backward", "efficiency, output driving", "η", "0: it locks itself",
+           [](const F& f) { return of_drive(f, "efficiency_backward"); });
+  q.number("size_mm", "size", "",
+           "diameter over planets and rings without shifts; of a train the sum of its distances",
+           [](const F& f) { return Value(f.candidate.size); })
+      .always();
+  q.number("center_distance_mm", "centre distance", "a", "of the meshes of the set",
+           [](const F& f) { return of_drive(f, "center_distance_mm"); });
+  q.whole("positions", "places per turn", "N*", "of a planet",
+          [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
+  q.add(Type::flag, "equal", "equal pitch", "", "the planets stand at equal pitch",
+        [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
+  q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c", "between their tips",
+           [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
+  q.word("phasing", "class of phasing", "of the first harmonic", [](const F& f) {
+     return of_set(f, phasing_quantities(), "class");
+   }).one_of({"in_phase", "sequential", "counter", "mixed"});
+  q.word("verdict", "verdict", "of the drive as the verb drive has it",
+         [](const F& f) { return Value(level_of(f.verdict.level)); })
+      .always()
+      .one_of({"green", "amber", "red"});
+}
+
+void say_search(Quantities<DriveSearchView>& q) {
+  using S = DriveSearchView;
+  q.word("kind", "kind", "of drive", [](const S& s) {
+     return Value(std::string(kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]));
+   }).always();
+  q.add(Type::index, "tested", "tested", "", "sets of numbers of teeth and planets",
+        [](const S& s) { return Value(static_cast<long long>(s.result->tested)); })
+      .always();
+  q.add(Type::index, "feasible_count", "feasible", "", "those that hold all limits",
+        [](const S& s) { return Value(static_cast<long long>(s.result->found.size())); })
+      .always();
+  q.add(Type::map, "rejected", "rejected", "",
+        "number of sets that each limit ruled out; the first one counts, in the order `ratio`, "
+        "`assembly`, `neighbours`, `phasing`",
+        [](const S& s) {
+          ValueMap map;
+          for (std::size_t i = 0; i < kDriveLimitNames.size(); ++i)
+            map.emplace_back(std::string(kDriveLimitNames[i]),
+                             static_cast<long long>(s.result->rejected[i]));
+          return Value(std::move(map));
+        })
+      .always()
+      .doors(kJson);
+  q.add(Type::index, "pareto", "Pareto front", "",
+        "positions in `designs` of the Pareto-optimal ones, with several objectives",
+        [](const S& s) { return Value(ValueList(s.pareto->begin(), s.pareto->end())); })
+      .list({0})
+      .always()
+      .doors(kJson);
+  q.record<found_drive_quantities>(
+       "designs", "best first, as many as `--top` says; their numbers are those of the verb drive",
+       [](const S& s) { return Value(found_drive_quantities().each(*s.designs)); })
+      .list({0})
+      .always()
+      .doors(kJson);
+}
+
+}  // namespace
+
+const Quantities<FoundDrive>& found_drive_quantities() {
+  static const Quantities<F> kAll("search.drive", say_found);
+  return kAll;
+}
+
+const Quantities<DriveSearchView>& drive_search_quantities() {
+  static const Quantities<DriveSearchView> kAll("search.drives", say_search);
+  return kAll;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,387 @@
+#include "gearwright/design/drive_search.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/design/drive_space.hpp"
+#include "gearwright/drive/drive_motion.hpp"
+#include "gearwright/drive/power_flow.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using M = SetMember;
+constexpr std::size_t kCarrier = kSetMembers;  // a body beside the members
+constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
+
+// Speed of a body against the carrier per that of the planet, p/q.
+struct Share {
+  long long p, q;
+};
+
+Share share_of(const TeethOfSet& z, std::size_t body) {
+  const int second = z[at(M::planet2)] > 0 ? z[at(M::planet2)] : z[at(M::planet)];
+  switch (body) {
+    case at(M::sun): return {-z[at(M::planet)], z[body]};
+    case at(M::ring): return {z[at(M::planet)], z[body]};
+    case at(M::sun2): return {-second, z[body]};
+    case at(M::ring2): return {second, z[body]};
+    case at(M::planet): return {1, 1};
+    default: return {0, 1};  // the carrier
+  }
+}
+
+struct Ends {
+  std::size_t fixed, input, output;
+};
+
+// i = (α_in − α_fixed)/(α_out − α_fixed), of three numbers of teeth exact in double; 0: none.
+double ratio_of(const TeethOfSet& z, const Ends& ends) {
+  const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
+              o = share_of(z, ends.output);
+  const long long in = (i.p * f.q - f.p * i.q) * o.q;
+  const long long out = (o.p * f.q - f.p * o.q) * i.q;
+  return in == 0 || out == 0 ? 0.0 : static_cast<double>(in) / static_cast<double>(out);
+}
+
+struct CentralTeeth {
+  long long rider, central;  // numbers of teeth; that of the central gear is < 0 for a ring
+};
+
+// The meshes of a set with central gears, in the order of its short form.
+struct SetMeshes {
+  std::array<CentralTeeth, 4> list{};
+  std::size_t count = 0;
+
+  explicit SetMeshes(const TeethOfSet& z) {
+    const int one = z[at(M::planet)];
+    const int two = z[at(M::planet2)] > 0 ? z[at(M::planet2)] : one;
+    if (z[at(M::sun)] > 0) list[count++] = {one, z[at(M::sun)]};
+    if (z[at(M::sun2)] > 0) list[count++] = {two, z[at(M::sun2)]};
+    if (z[at(M::ring)] > 0) list[count++] = {one, -z[at(M::ring)]};
+    if (z[at(M::ring2)] > 0) list[count++] = {two, -z[at(M::ring2)]};
+  }
+};
+
+// N* = gcd of a_i b_j − a_j b_i over the meshes, a divided by its gcd: the relations between pairs
+// of meshes generate all integer relations, as the a_i have no common divisor. [T13.12]
+long long places_of(const SetMeshes& meshes) {
+  long long common = 0, places = 0;
+  for (std::size_t i = 0; i < meshes.count; ++i) common = std::gcd(common, meshes.list[i].rider);
+  for (std::size_t i = 0; i < meshes.count; ++i)
+    for (std::size_t j = i + 1; j < meshes.count; ++j)
+      places = std::gcd(places, (meshes.list[i].rider * meshes.list[j].central -
+                                 meshes.list[j].rider * meshes.list[i].central) /
+                                    common);
+  return places;
+}
+
+class SetSearch {
+ public:
+  SetSearch(const DriveSearchProblem& problem, const Ends& ends)
+      : problem_(problem), ends_(ends), space_(problem) {
+    const double cosine = std::cos(Angle::degrees(helix()).rad());
+    module_ = problem.base.normal_module.value_or(1.0);
+    transverse_ = 1.0 / cosine;
+  }
+
+  const DriveSpace& space() const { return space_; }
+
+  void visit(int planet, DriveSearchResult& result) const {
+    space_.visit(planet, [&](const TeethOfSet& z) { consider(z, result); });
+  }
+
+ private:
+  double helix() const {
+    const PerMember& helix = problem_.base.helix_deg;
+    return helix.each[0].value_or(helix.all.value_or(0.0));
+  }
+
+  void consider(const TeethOfSet& z, DriveSearchResult& result) const {
+    const int kinds = problem_.planets[1] - problem_.planets[0] + 1;
+    result.tested += kinds;
+    const auto reject = [&](DriveLimit limit, int n) {
+      result.rejected[static_cast<std::size_t>(limit)] += n;
+    };
+    const double ratio = ratio_of(z, ends_);
+    if (ratio == 0.0 || !(ratio >= problem_.ratio[0] && ratio <= problem_.ratio[1]))
+      return reject(DriveLimit::ratio, kinds);
+    const SetMeshes meshes(z);
+    const long long places = places_of(meshes);
+    for (int n = problem_.planets[0]; n <= problem_.planets[1]; ++n) {
+      const auto step = spacing(n, places);
+      if (!step) {
+        reject(DriveLimit::assembly, 1);
+        continue;
+      }
+      const double clearance = n == 1 ? kInfinity : clearance_of(z, meshes, *step);
+      if (clearance < problem_.neighbour_clearance) {
+        reject(DriveLimit::neighbours, 1);
+        continue;
+      }
+      if (!phased(meshes, n, places)) {
+        reject(DriveLimit::phasing, 1);
+        continue;
+      }
+      result.found.push_back({z, {}, n, ratio, places, clearance, size_of(z, meshes), 0.0, 0.0});
+    }
+  }
+
+  // The least angle between neighbours, turns; none: they do not assemble.
+  std::optional<double> spacing(int n, long long places) const {
+    const bool divides = places % n == 0;  // 0 places: any
+    if (divides && (problem_.base.spacing != Spacing::opposite || n % 2 == 0)) return 1.0 / n;
+    switch (problem_.base.spacing) {
+      case Spacing::equal: return std::nullopt;
+      case Spacing::opposite:
+        if (n % 2 != 0 || places % 2 != 0) return std::nullopt;
+        break;
+      case Spacing::equal_clocked:
+        return problem_.kind == DriveKind::wolfrom || problem_.kind == DriveKind::planetary
+                   ? std::nullopt
+                   : std::optional(1.0 / n);
+      case Spacing::nearest: break;
+    }
+    if (places < n) return std::nullopt;
+    return static_cast<double>(places / n) / static_cast<double>(places);
+  }
+
+  // Clearance of the gear on the circle of the first mesh. A second gear with its own circle may
+  // have profile shifts, which only the drive itself takes into account.
+  double clearance_of(const TeethOfSet& z, const SetMeshes& meshes, double step) const {
+    const double a = distance(meshes.list[0]);
+    double tip = z[at(M::planet)] * transverse_ + 2.0;
+    for (std::size_t m = 0; m < meshes.count; ++m)
+      if (distance(meshes.list[m]) == a)
+        tip = std::max(tip, static_cast<double>(meshes.list[m].rider) * transverse_ + 2.0);
+    return 2 * a * std::sin(std::numbers::pi * step) - tip;
+  }
+
+  double distance(const CentralTeeth& mesh) const {  // modules
+    return static_cast<double>(std::abs(mesh.rider + mesh.central)) * transverse_ / 2;
+  }
+
+  double size_of(const TeethOfSet& z, const SetMeshes& meshes) const {
+    constexpr double kRootDepth = 1.25;  // modules, of the basic rack
+    const int rings = std::max(z[at(M::ring)], z[at(M::ring2)]);
+    const int planets = std::max(z[at(M::planet)], z[at(M::planet2)]);
+    const double outer = 2 * distance(meshes.list[0]) + planets * transverse_ + 2.0;
+    const double ring = rings > 0 ? rings * transverse_ + 2 * kRootDepth : 0.0;
+    const int suns = std::max(z[at(M::sun)], z[at(M::sun2)]);
+    return module_ * std::max({outer, ring, suns > 0 ? suns * transverse_ + 2.0 : 0.0});
+  }
+
+  bool phased(const SetMeshes& meshes, int n, long long places) const {
+    if (problem_.phasing.empty()) return true;
+    std::vector<Rational> turns;
+    const bool equal = places % n == 0 || problem_.base.spacing == Spacing::equal_clocked;
+    for (long long i = 0; i < n; ++i)
+      turns.push_back(equal ? Rational::of(i, n)
+                            : Rational::of((2 * i * places + n) / (2 * n), places));
+    const auto phases = mesh_phases(static_cast<int>(meshes.list[0].central), turns);
+    const PhasingClass kind = phasing(phases, turns, 1).kind;
+    return std::find(problem_.phasing.begin(), problem_.phasing.end(), kind) !=
+           problem_.phasing.end();
+  }
+
+  const DriveSearchProblem& problem_;
+  Ends ends_;
+  DriveSpace space_;
+  double module_ = 1.0, transverse_ = 1.0;
+};
+
+// Fixed, input and output members: those of the short form where the problem gives none.
+Result<Ends> ends_of(const DriveSearchProblem& problem) {
+  DriveCandidate any;
+  for (const M m : members_of(problem))
+    any.teeth[at(m)] = m == M::ring || m == M::ring2 ? 60 + static_cast<int>(at(m)) : 20;
+  const auto graph = graph_of(set_of(problem, any));
+  if (!graph) return graph.error();
+  const auto body = [&](std::size_t b) {
+    for (std::size_t m = 0; m < kSetMembers; ++m)
+      if (graph->bodies[b].name == to_string(static_cast<M>(m))) return m;
+    return kCarrier;
+  };
+  const auto single = [&](const std::vector<std::size_t>& list, const char* field) {
+    return list.size() == 1 ? std::optional<Error>()
+                            : Error{field, std::to_string(list.size()),
+                                    "must be one body: a search is for drives of one degree of "
+                                    "freedom"};
+  };
+  if (auto error = single(graph->fixed, "drive.fixed")) return *error;
+  if (auto error = single(graph->inputs, "drive.input")) return *error;
+  const Ends ends{body(graph->fixed[0]), body(graph->inputs[0]), body(graph->output)};
+  if (ends.input == ends.fixed || ends.input == ends.output || ends.output == ends.fixed)
+    return Error{"drive.output", graph->bodies[graph->output].name,
+                 "what is held, what drives and what is driven must be three bodies"};
+  return ends;
+}
+
+void find_efficiency(const DriveSearchProblem& problem, DriveCandidate& candidate) {
+  PlanetarySpec set = set_of(problem, candidate);
+  set.normal_module.reset();  // without a module: only speeds and powers are computed
+  const auto graph = graph_of(set);
+  if (!graph) return;
+  const auto motion = drive_motion(*graph);
+  if (!motion || !motion->redundant.empty()) return;
+  std::vector<double> speeds;
+  std::vector<MeshEfficiency> losses;
+  for (std::size_t b = 0; b < graph->bodies.size(); ++b)
+    speeds.push_back(motion->speeds[b][0].value());
+  for (const DriveMesh& mesh : graph->meshes) {
+    const double eta = mesh.efficiency.value_or(estimated_efficiency(
+        graph->gear(mesh, 0).teeth, graph->gear(mesh, 1).teeth, problem.base.friction));
+    losses.push_back({eta, eta});
+  }
+  if (const auto flow = power_flow(*graph, speeds, losses)) candidate.efficiency = flow->efficiency;
+  if (!problem.asks(DriveObjective::efficiency_backward)) return;
+  DriveGraph turned = *graph;
+  std::swap(turned.inputs.front(), turned.output);
+  const double out = speeds[graph->output];
+  for (double& w : speeds) w /= out;
+  if (const auto flow = power_flow(turned, speeds, losses))
+    candidate.efficiency_backward = flow->efficiency;
+}
+
+void search_sets(const DriveSearchProblem& problem, const Ends& ends, int threads,
+                 DriveSearchResult& result) {
+  const SetSearch search(problem, ends);
+  const TeethBand band = search.space().first_band();
+  std::vector<DriveSearchResult> parts(static_cast<std::size_t>(band[1] - band[0] + 1));
+  parallel_for(
+      parts.size(), [&](std::size_t k) { search.visit(band[0] + static_cast<int>(k), parts[k]); },
+      threads);
+  for (DriveSearchResult& part : parts) {
+    result.tested += part.tested;
+    for (std::size_t i = 0; i < part.rejected.size(); ++i) result.rejected[i] += part.rejected[i];
+    result.found.insert(result.found.end(), part.found.begin(), part.found.end());
+  }
+  if (!problem.asks(DriveObjective::efficiency) &&
+      !problem.asks(DriveObjective::efficiency_backward))
+    return;
+  parallel_for(
+      result.found.size(), [&](std::size_t k) { find_efficiency(problem, result.found[k]); },
+      threads);
+}
+
+}  // namespace
+
+bool DriveSearchProblem::asks(DriveObjective objective) const {
+  return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
+}
+
+std::vector<SetMember> members_of(const DriveSearchProblem& problem) {
+  const auto given = [&](M m) { return problem.teeth[at(m)].has_value(); };
+  std::vector<M> list;
+  switch (problem.kind) {
+    case DriveKind::planetary: return {M::sun, M::planet, M::ring};
+    case DriveKind::stepped: return {M::sun, M::planet, M::planet2, M::ring2};
+    case DriveKind::two_suns: return {M::sun, M::sun2, M::planet, M::planet2};
+    case DriveKind::wolfrom:
+      if (given(M::sun)) list.push_back(M::sun);
+      list.push_back(M::planet);
+      if (given(M::planet2)) list.push_back(M::planet2);
+      list.push_back(M::ring);
+      list.push_back(M::ring2);
+      return list;
+    case DriveKind::train: break;
+  }
+  return list;
+}
+
+TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member) {
+  if (const auto& own = problem.teeth[at(member)]) return *own;
+  const bool ring = member == M::ring || member == M::ring2;
+  return ring ? TeethBand{30, 150} : TeethBand{12, 60};
+}
+
+void complete_ends(DriveSearchProblem& problem) {
+  PlanetarySpec& set = problem.base;
+  const bool suns = problem.kind == DriveKind::two_suns;
+  if (!suns && problem.kind != DriveKind::wolfrom) return;
+  const std::string first = suns ? "sun" : "ring", second = suns ? "sun2" : "ring2";
+  const bool sun_drives = !suns && problem.teeth[at(M::sun)].has_value();
+  if (!set.fixed) set.fixed = {{set.output == first ? second : first}};
+  if (set.inputs.empty()) set.inputs = {sun_drives ? "sun" : "carrier"};
+  if (set.output.empty())
+    set.output = set.fixed == std::vector<std::string>{second} ? first : second;
+}
+
+PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
+  PlanetarySpec set = problem.base;
+  for (std::size_t m = 0; m < kSetMembers; ++m) {
+    set.teeth[m].reset();
+    if (candidate.teeth[m] > 0) set.teeth[m] = candidate.teeth[m];
+  }
+  set.planets = candidate.planets;
+  return set;
+}
+
+double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
+               DriveObjective objective) {
+  switch (objective) {
+    case DriveObjective::efficiency: return -candidate.efficiency;
+    case DriveObjective::ratio: return std::abs(candidate.ratio - problem.target());
+    case DriveObjective::size: return candidate.size;
+    case DriveObjective::efficiency_backward: return -candidate.efficiency_backward;
+    case DriveObjective::clearance: return -candidate.clearance;
+    case DriveObjective::planets: return -candidate.planets;
+  }
+  return 0.0;
+}
+
+std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
+                                      const std::vector<DriveCandidate>& candidates) {
+  if (problem.objectives.size() < 2) return {};
+  std::vector<std::vector<double>> costs;
+  for (const DriveCandidate& c : candidates) {
+    costs.emplace_back();
+    for (const DriveObjective o : problem.objectives)
+      costs.back().push_back(cost_of(problem, c, o));
+  }
+  std::vector<std::size_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  // In this order a candidate can only be beaten by an earlier one.
+  std::vector<std::size_t> front;
+  const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());
+  };
+  for (const std::size_t i : order)
+    if (std::none_of(front.begin(), front.end(),
+                     [&](std::size_t f) { return beats(costs[f], costs[i]); }))
+      front.push_back(i);
+  std::sort(front.begin(), front.end());
+  return front;
+}
+
+Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads) {
+  DriveSearchResult result;
+  if (problem.kind == DriveKind::train) {
+    search_trains(problem, result);
+  } else {
+    for (const M m : members_of(problem))
+      GW_EXPECTS(teeth_band(problem, m)[0] >= 1 && teeth_band(problem, m)[1] <= kMostDriveTeeth);
+    const auto ends = ends_of(problem);
+    if (!ends) return ends.error();
+    search_sets(problem, *ends, threads, result);
+  }
+  const DriveObjective first = problem.objectives.front();
+  std::stable_sort(result.found.begin(), result.found.end(),
+                   [&](const DriveCandidate& a, const DriveCandidate& b) {
+                     const double x = cost_of(problem, a, first), y = cost_of(problem, b, first);
+                     return x != y ? x < y : a.size < b.size;
+                   });
+  return result;
+}
+
+}  // namespace gearwright

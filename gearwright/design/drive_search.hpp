@@ -1,0 +1,118 @@
+// Search for whole drives: planetary sets of five kinds and trains, by their numbers of teeth.
+//
+//   i        = n_in/n_out, exactly [T13.3]      N*   places of a planet per turn [T13.12]
+//   a        centre distance, a = m_t (z_a + z_b)/2 of the first mesh without shifts
+//   c        clearance of neighbouring planets between their tip circles, modules [T13.15b]
+//                                              theory: docs/theory/13-drives.md
+//
+// All numbers of teeth are tried in whole numbers: ratio, places, neighbours, phases. Those that hold
+// are ranked; with the losses of the meshes given, the ranking by efficiency is exact, else by an
+// estimate of them. The caller makes the drives of the best.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/drive/phasing.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+
+enum class DriveKind { planetary, stepped, wolfrom, two_suns, train };
+inline constexpr std::array<std::string_view, 5> kDriveKindNames{"planetary", "stepped", "wolfrom",
+                                                                 "two_suns", "train"};
+
+enum class DriveObjective {
+  efficiency,           ///< greatest, input driving
+  ratio,                ///< nearest to the target
+  size,                 ///< least diameter over all
+  efficiency_backward,  ///< greatest, output driving
+  clearance,            ///< greatest between neighbouring planets
+  planets               ///< most
+};
+inline constexpr std::array<std::string_view, 6> kDriveObjectiveNames{
+    "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets"};
+
+using TeethBand = std::array<int, 2>;  ///< closed
+
+struct DriveSearchProblem {
+  DriveKind kind = DriveKind::planetary;
+  std::array<double, 2> ratio{};       ///< closed, signed
+  std::optional<double> target_ratio;  ///< absent: the middle of the band
+  TeethBand planets{3, 3};
+  /// Of the members of the kind; absent: the defaults of teeth_band().
+  std::array<std::optional<TeethBand>, kSetMembers> teeth{};
+  TeethBand stages{2, 2};  ///< number of them, of a train
+  TeethBand pinion{17, 40}, wheel{17, 150};
+  /// Greatest difference between the sums of teeth of meshes on one circle; absent: 1, for two
+  /// rings on one planet gear the number of planets, for a train no limit.
+  std::optional<int> coaxial_teeth;
+  double neighbour_clearance = 1.0;   ///< c ≥ this  modules
+  std::vector<PhasingClass> phasing;  ///< allowed classes; empty: all
+  std::vector<DriveObjective> objectives{DriveObjective::efficiency};
+  /// Module, helix, losses, spacing, and the fixed and driving members; its numbers of teeth are
+  /// not used.
+  PlanetarySpec base;
+
+  double target() const { return target_ratio.value_or((ratio[0] + ratio[1]) / 2); }
+  bool asks(DriveObjective objective) const;
+};
+
+/// The members of a kind whose numbers of teeth are tried, in their order; without those of a train.
+std::vector<SetMember> members_of(const DriveSearchProblem& problem);
+/// The band of a member, given or by default.
+TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
+
+/// Reasons for rejecting a set, in the order in which they are checked.
+enum class DriveLimit { ratio, assembly, neighbours, phasing };
+inline constexpr std::array<std::string_view, 4> kDriveLimitNames{"ratio", "assembly", "neighbours",
+                                                                  "phasing"};
+
+/// A drive by its numbers of teeth.
+struct DriveCandidate {
+  std::array<int, kSetMembers> teeth{};      ///< > 0 for rings too; 0: no such member
+  std::vector<std::array<int, 2>> stages{};  ///< of a train
+  int planets = 1;
+  double ratio = 0.0;      ///< i
+  long long places = 0;    ///< N*; 0 of a train
+  double clearance = 0.0;  ///< c  modules, without shifts; of a train and one planet infinite
+  double size = 0.0;  ///< diameter over all without shifts, of a train the sum of its distances; mm
+  /// With given or estimated losses; 0: self-locking, or not requested.
+  double efficiency = 0.0, efficiency_backward = 0.0;
+};
+
+struct DriveSearchResult {
+  std::int64_t tested = 0;
+  std::array<std::int64_t, kDriveLimitNames.size()> rejected{};
+  std::vector<DriveCandidate> found;  ///< best first by the first objective; ties by teeth
+};
+
+/// All candidates that meet the limits.
+///
+/// Formula   sets of one module: sums of teeth of all meshes of a circle agree to `coaxial_teeth`
+/// Domain    bands with at least one tooth, at most kMostDriveTeeth (contract)
+/// Errors    `drive.fixed`, `drive.input`, `drive.output` : no such member, or the same one twice
+Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
+
+/// What a kind holds and drives where the problem does not say it: of two rings and of two suns one is
+/// held and the other one is driven; of others as a set has it by itself.
+void complete_ends(DriveSearchProblem& problem);
+
+/// The set of a candidate, with the module, losses and ends of the problem. No train.
+PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+
+/// What an objective ranks by, the less the better.
+double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
+               DriveObjective objective);
+
+/// Indices of the candidates that are not dominated in all objectives.
+std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
+                                      const std::vector<DriveCandidate>& candidates);
+
+/// Greatest number of teeth in a search: products of three of them stay exact.
+inline constexpr int kMostDriveTeeth = 2000;
+
+}  // namespace gearwright

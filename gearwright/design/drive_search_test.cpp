@@ -1,0 +1,194 @@
+// Laws: (1) what a search finds is what the drives of all numbers of teeth say, one by one; (2) it finds
+// the sets of a ratio near 100 that were counted otherwise; (3) a train's ratio is that of its drive.
+#include "gearwright/design/drive_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "gearwright/drive/drive.hpp"
+
+namespace gearwright {
+namespace {
+
+using M = SetMember;
+constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
+
+DriveSearchProblem problem_of(DriveKind kind, std::array<double, 2> ratio) {
+  DriveSearchProblem problem;
+  problem.kind = kind;
+  problem.ratio = ratio;
+  problem.base.normal_module = 1.0;
+  problem.base.efficiency.all = 0.99;
+  problem.base.spacing = Spacing::equal;
+  return problem;
+}
+
+using Key = std::pair<TeethBand, std::array<int, 3>>;
+
+TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
+  DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.0, 4.8});
+  problem.teeth[at(M::sun)] = {14, 20};
+  problem.teeth[at(M::planet)] = {15, 22};
+  problem.teeth[at(M::ring)] = {40, 80};
+  problem.planets = {3, 5};
+  problem.phasing = {PhasingClass::sequential, PhasingClass::counter};
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found) << found.error().message();
+  std::set<std::array<int, 4>> expected;
+  for (int s = 14; s <= 20; ++s)
+    for (int p = 15; p <= 22; ++p)
+      for (int r = s + 2 * p - 1; r <= s + 2 * p + 1; ++r)
+        for (int n = 3; n <= 5; ++n) {
+          if (r > 80) continue;
+          PlanetarySpec set = problem.base;
+          set.z(M::sun) = s;
+          set.z(M::planet) = p;
+          set.z(M::ring) = r;
+          set.planets = n;
+          set.normal_module.reset();  // speeds and places first: teeth take their time
+          const auto numbers = graph_of(set);
+          ASSERT_TRUE(numbers);
+          const auto motion = make_drive({*numbers, {}});
+          if (!motion) continue;  // equal pitch that does not assemble
+          const double i = motion->motion.ratio->value();
+          const PhasingClass kind = motion->sets.front().phasing.kind;
+          if (i < 4.0 || i > 4.8) continue;
+          if (kind != PhasingClass::sequential && kind != PhasingClass::counter) continue;
+          set.normal_module = 1.0;
+          const auto drive = make_drive({*graph_of(set), {}});
+          ASSERT_TRUE(drive);
+          if (!(drive->sets.front().neighbours->clearance >= 1.0)) continue;
+          expected.insert({s, p, r, n});
+        }
+  std::set<std::array<int, 4>> got;
+  for (const DriveCandidate& c : found->found)
+    got.insert({c.teeth[at(M::sun)], c.teeth[at(M::planet)], c.teeth[at(M::ring)], c.planets});
+  EXPECT_EQ(got, expected);
+  EXPECT_GT(got.size(), 10u);
+  std::int64_t counted = static_cast<std::int64_t>(found->found.size());
+  for (const auto n : found->rejected) {
+    EXPECT_GT(n, 0);
+    counted += n;
+  }
+  EXPECT_EQ(counted, found->tested);
+}
+
+// Ratio, places and efficiency of every candidate against the drive of its numbers.
+void expect_as_drives(const DriveSearchProblem& problem, const DriveSearchResult& result,
+                      std::size_t every) {
+  for (std::size_t k = 0; k < result.found.size(); k += every) {
+    const DriveCandidate& c = result.found[k];
+    PlanetarySpec set = set_of(problem, c);
+    set.normal_module.reset();
+    const auto graph = graph_of(set);
+    ASSERT_TRUE(graph);
+    const auto drive = make_drive({*graph, {}});
+    ASSERT_TRUE(drive) << drive.error().message();
+    EXPECT_EQ(c.ratio, drive->motion.ratio->value());
+    EXPECT_EQ(c.places, drive->sets.front().assembly.places);
+    EXPECT_NEAR(c.efficiency, drive->flow->efficiency, 1e-12);
+  }
+}
+
+TEST(DriveSearchTest, OtherKindsAreAsTheirDrives) {
+  DriveSearchProblem stepped = problem_of(DriveKind::stepped, {9.0, 9.5});
+  stepped.teeth[at(M::sun)] = {17, 24};
+  stepped.teeth[at(M::planet2)] = {14, 20};
+  stepped.coaxial_teeth = 0;
+  const auto a = search_drives(stepped, 1);
+  ASSERT_TRUE(a) << a.error().message();
+  EXPECT_GT(a->found.size(), 5u);
+  expect_as_drives(stepped, *a, 1 + a->found.size() / 40);
+
+  DriveSearchProblem wolfrom = problem_of(DriveKind::wolfrom, {-60.0, 60.0});
+  wolfrom.teeth[at(M::planet)] = {18, 24};
+  complete_ends(wolfrom);
+  const auto b = search_drives(wolfrom, 1);
+  ASSERT_TRUE(b) << b.error().message();
+  EXPECT_GT(b->found.size(), 5u);
+  expect_as_drives(wolfrom, *b, 1 + b->found.size() / 40);
+
+  DriveSearchProblem suns = problem_of(DriveKind::two_suns, {-40.0, -10.0});
+  suns.planets = {2, 2};
+  complete_ends(suns);
+  suns.teeth[at(M::planet)] = {36, 44};
+  const auto c = search_drives(suns, 1);
+  ASSERT_TRUE(c) << c.error().message();
+  EXPECT_GT(c->found.size(), 5u);
+  expect_as_drives(suns, *c, 1 + c->found.size() / 40);
+}
+
+// The table of the theory page: 13/29·26/71/68 has i = 101.13 and η = 0.815.
+TEST(DriveSearchTest, ThreeGearsNearHundred) {
+  DriveSearchProblem problem = problem_of(DriveKind::wolfrom, {99.0, 103.0});
+  problem.teeth[at(M::sun)] = {12, 18};
+  problem.teeth[at(M::planet)] = {20, 30};
+  problem.teeth[at(M::planet2)] = {18, 30};
+  problem.teeth[at(M::ring)] = {50, 75};
+  problem.teeth[at(M::ring2)] = {50, 75};
+  problem.coaxial_teeth = 0;
+  problem.neighbour_clearance = -10.0;
+  problem.base.efficiency = {};
+  problem.base.efficiency.each = {
+      {"sun_planet", 0.985}, {"planet_ring", 0.993}, {"planet_ring2", 0.993}};
+  complete_ends(problem);
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found) << found.error().message();
+  expect_as_drives(problem, *found, 1);
+  bool there = false;
+  for (const DriveCandidate& c : found->found)
+    there = there || (c.teeth[at(M::sun)] == 13 && c.teeth[at(M::planet)] == 29 &&
+                      c.teeth[at(M::planet2)] == 26 && c.teeth[at(M::ring)] == 71 &&
+                      c.teeth[at(M::ring2)] == 68 && std::abs(c.ratio - 101.13) < 0.01);
+  EXPECT_TRUE(there);
+}
+
+TEST(DriveSearchTest, TrainsHaveTheirRatio) {
+  DriveSearchProblem problem = problem_of(DriveKind::train, {12.0, 12.05});
+  problem.pinion = {17, 20};
+  problem.wheel = {50, 80};
+  problem.objectives = {DriveObjective::size};
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found) << found.error().message();
+  std::size_t expected = 0;
+  for (int a = 17; a <= 20; ++a)
+    for (int b = 50; b <= 80; ++b)
+      for (int c = 17; c <= 20; ++c)
+        for (int d = 50; d <= 80; ++d) {
+          const double i = static_cast<double>(b * d) / (a * c);
+          expected += i >= 12.0 && i <= 12.05 ? 1 : 0;
+        }
+  EXPECT_EQ(found->found.size(), expected);
+  EXPECT_EQ(found->tested, 4 * 31 * 4 * 31);
+  for (std::size_t k = 1; k < found->found.size(); ++k)
+    EXPECT_LE(found->found[k - 1].size, found->found[k].size);
+}
+
+TEST(DriveSearchTest, FrontIsWhatNothingBeats) {
+  DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.0, 5.0});
+  problem.objectives = {DriveObjective::efficiency, DriveObjective::size};
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found);
+  const auto& all = found->found;
+  const auto front = pareto_front(problem, all);
+  ASSERT_GT(front.size(), 1u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    bool beaten = false;
+    for (const DriveCandidate& other : all)
+      beaten = beaten || (other.efficiency >= all[i].efficiency && other.size <= all[i].size &&
+                          (other.efficiency > all[i].efficiency || other.size < all[i].size));
+    EXPECT_EQ(std::find(front.begin(), front.end(), i) == front.end(), beaten);
+  }
+}
+
+TEST(DriveSearchTest, EndsAreThreeBodies) {
+  DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.0, 5.0});
+  problem.base.output = "ring";
+  EXPECT_EQ(search_drives(problem).error().field, "drive.output");
+  problem.base.output = "ring2";
+  EXPECT_EQ(search_drives(problem).error().field, "drive.output");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,112 @@
+// The numbers of teeth of a search for drives, one set after the other.
+// Internal to design/.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "gearwright/design/drive_search.hpp"
+
+namespace gearwright {
+
+using TeethOfSet = std::array<int, kSetMembers>;
+
+/// Greatest difference between the sums of teeth on one circle.
+inline int coaxial_slack(const DriveSearchProblem& problem) {
+  if (problem.coaxial_teeth) return *problem.coaxial_teeth;
+  const bool one_gear = !problem.teeth[static_cast<std::size_t>(SetMember::planet2)];
+  return problem.kind == DriveKind::wolfrom && one_gear ? problem.planets[1] : 1;
+}
+
+/// η of a mesh with friction μ, estimated from its numbers of teeth; used for ranking only. z < 0:
+/// a ring.
+double estimated_efficiency(int z1, int z2, double friction);
+
+/// All trains of the problem. The band of the last wheel follows from the ratio.
+void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);
+
+/// Visits all sets of the kind whose first member has `first` teeth.
+class DriveSpace {
+ public:
+  explicit DriveSpace(const DriveSearchProblem& problem)
+      : kind_(problem.kind), slack_(coaxial_slack(problem)) {
+    for (const SetMember m : members_of(problem)) has_[at(m)] = true;
+    for (std::size_t m = 0; m < kSetMembers; ++m)
+      band_[m] = teeth_band(problem, static_cast<SetMember>(m));
+  }
+
+  TeethBand first_band() const { return band_[at(SetMember::planet)]; }
+
+  template <class Visit>
+  void visit(int planet, const Visit& visit) const {
+    using M = SetMember;
+    TeethOfSet z{};
+    z[at(M::planet)] = planet;
+    switch (kind_) {
+      case DriveKind::planetary:
+        each(M::sun, z, [&] { near(M::ring, z, z[at(M::sun)] + 2 * planet, [&] { visit(z); }); });
+        break;
+      case DriveKind::stepped:
+        each(M::sun, z, [&] {
+          each(M::planet2, z, [&] {
+            near(M::ring2, z, z[at(M::sun)] + planet + z[at(M::planet2)], [&] { visit(z); });
+          });
+        });
+        break;
+      case DriveKind::two_suns:
+        each(M::sun, z, [&] {
+          each(M::planet2, z, [&] {
+            near(M::sun2, z, z[at(M::sun)] + planet - z[at(M::planet2)], [&] { visit(z); });
+          });
+        });
+        break;
+      case DriveKind::wolfrom:
+        each(M::ring, z, [&] {
+          if (has_[at(M::planet2)]) {
+            each(M::planet2, z, [&] { second_ring(z, z[at(M::planet2)], visit); });
+          } else {
+            second_ring(z, planet, visit);
+          }
+        });
+        break;
+      case DriveKind::train: break;
+    }
+  }
+
+ private:
+  static std::size_t at(SetMember m) { return static_cast<std::size_t>(m); }
+
+  template <class Visit>
+  void second_ring(TeethOfSet& z, int planet2, const Visit& visit) const {
+    using M = SetMember;
+    near(M::ring2, z, z[at(M::ring)] - z[at(M::planet)] + planet2, [&] {
+      if (has_[at(M::sun)]) {
+        near(M::sun, z, z[at(M::ring)] - 2 * z[at(M::planet)], [&] { visit(z); });
+      } else {
+        visit(z);
+      }
+    });
+  }
+
+  template <class Next>
+  void each(SetMember m, TeethOfSet& z, const Next& next) const {
+    for (z[at(m)] = band_[at(m)][0]; z[at(m)] <= band_[at(m)][1]; ++z[at(m)]) next();
+    z[at(m)] = 0;
+  }
+  // Values near the number of teeth that makes the set coaxial without profile shifts.
+  template <class Next>
+  void near(SetMember m, TeethOfSet& z, int middle, const Next& next) const {
+    const int last = std::min(band_[at(m)][1], middle + slack_);
+    for (z[at(m)] = std::max(band_[at(m)][0], middle - slack_); z[at(m)] <= last; ++z[at(m)])
+      next();
+    z[at(m)] = 0;
+  }
+
+  DriveKind kind_;
+  int slack_;
+  std::array<bool, kSetMembers> has_{};
+  std::array<TeethBand, kSetMembers> band_{};
+};
+
+}  // namespace gearwright

@@ -1,0 +1,99 @@
+// The trains of a search for drives: pairs of gears one after the other.
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/design/drive_space.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// All stages but the last wheel, whose band follows from the ratio.
+class TrainSearch {
+ public:
+  TrainSearch(const DriveSearchProblem& problem, DriveSearchResult& result)
+      : problem_(problem), result_(result) {}
+
+  void visit(int stages) {
+    stages_.clear();
+    next(stages, 1.0);
+  }
+
+ private:
+  void next(int left, double ratio) {
+    for (int z1 = problem_.pinion[0]; z1 <= problem_.pinion[1]; ++z1) {
+      if (left == 1) {
+        last(z1, ratio);
+        continue;
+      }
+      for (int z2 = problem_.wheel[0]; z2 <= problem_.wheel[1]; ++z2) {
+        stages_.push_back({z1, z2});
+        next(left - 1, -ratio * z2 / z1);
+        stages_.pop_back();
+      }
+    }
+  }
+
+  void last(int z1, double before) {
+    const double per_tooth = -before / z1;
+    double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
+    if (lo > hi) std::swap(lo, hi);
+    // The sums are limited before conversion, as they may exceed the range of an int.
+    const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
+    const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
+    const int band = problem_.wheel[1] - problem_.wheel[0] + 1;
+    result_.tested += band;
+    int kept = 0;
+    for (int z2 = static_cast<int>(least); z2 <= most; ++z2) {
+      stages_.push_back({z1, z2});
+      kept += keep();
+      stages_.pop_back();
+    }
+    result_.rejected[static_cast<std::size_t>(DriveLimit::ratio)] += band - kept;
+  }
+
+  // The ratio exactly, as one fraction.
+  int keep() {
+    double p = 1.0, q = 1.0, size = 0.0;
+    const double module = problem_.base.normal_module.value_or(1.0);
+    const auto& helix = problem_.base.helix_deg.all;
+    const double transverse = module / std::cos(Angle::degrees(helix.value_or(0.0)).rad());
+    for (const auto& [z1, z2] : stages_) {
+      p *= -z2;
+      q *= z1;
+      size += transverse * (z1 + z2) / 2;
+    }
+    const double ratio = p / q;
+    if (!(ratio >= problem_.ratio[0] && ratio <= problem_.ratio[1])) return 0;
+    if (problem_.coaxial_teeth) {
+      const int sum = stages_[0][0] + stages_[0][1];
+      for (const auto& [z1, z2] : stages_)
+        if (std::abs(z1 + z2 - sum) > *problem_.coaxial_teeth) return 0;
+    }
+    double eta = 1.0;
+    for (const auto& [z1, z2] : stages_)
+      eta *= problem_.base.efficiency.all.value_or(
+          estimated_efficiency(z1, z2, problem_.base.friction));
+    result_.found.push_back({{}, stages_, 1, ratio, 0, kInfinity, size, eta, eta});
+    return 1;
+  }
+
+  const DriveSearchProblem& problem_;
+  DriveSearchResult& result_;
+  std::vector<std::array<int, 2>> stages_;
+};
+
+}  // namespace
+
+double estimated_efficiency(int z1, int z2, double friction) {
+  constexpr double kPath = 0.7;  // 1 − ε_α + ε_1² + ε_2² of usual teeth
+  return 1.0 - kPath * std::numbers::pi * friction * (1.0 / z1 + 1.0 / z2);
+}
+
+void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result) {
+  TrainSearch search(problem, result);
+  for (int n = problem.stages[0]; n <= problem.stages[1]; ++n) search.visit(n);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,153 @@
+// Laws: (1) one mesh has the curve of its pair, whichever gear drives; (2) conjugate flanks have none;
+// (3) three planets in sequence leave every third harmonic; (4) one planet: the sum of both curves at
+// the places at which the planet really stands, turned by hand.
+#include "gearwright/drive/drive_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+namespace {
+
+using M = SetMember;
+
+std::array<FlankModifications, 2> relieved(double tip, double crowning) {
+  FlankModifications flank;
+  flank.profile_crowning = crowning;
+  flank.profile_slope = tip;
+  return {flank, flank};
+}
+
+Drive train(bool gear2_input) {
+  StageSpec stage;
+  stage.pair.teeth = {19, 58};
+  for (const std::size_t i : {0, 1}) {
+    CylindricalSpec spec;
+    spec.normal_module = 2.0;
+    spec.face_width = 20.0;
+    spec.thickness_allowance = -0.04;
+    stage.pair.specs[i] = spec;
+    stage.pair.shifts[i] = 0.0;
+    stage.pair.modifications[i] = relieved(0.004, 0.006);
+  }
+  stage.pair.center_distance = 77.0;
+  auto made = train_of({stage});
+  EXPECT_TRUE(made);
+  DriveInput input = std::move(made).take();
+  if (gear2_input) std::swap(input.graph.inputs.front(), input.graph.output);
+  input.harmonics = 5;
+  auto drive = make_drive(input);
+  EXPECT_TRUE(drive) << drive.error().message();
+  return std::move(drive).take();
+}
+
+TEST(DriveErrorTest, OneMeshHasTheCurveOfItsPair) {
+  for (const bool gear2_drives : {false, true}) {
+    const Drive drive = train(gear2_drives);
+    ASSERT_TRUE(drive.error);
+    const auto setup = ContactSetup::of(*drive.geometry.pairs[0], {},
+                                        {relieved(0.004, 0.006), relieved(0.004, 0.006)});
+    ASSERT_TRUE(setup);
+    const auto contact = analyse_contact(setup->pair(gear2_drives), {kErrorPositions});
+    const double at_output = gear2_drives ? 58.0 / 19.0 : 1.0;
+    EXPECT_GT(contact.peak_to_peak.arcsec(), 1.0);
+    EXPECT_NEAR(drive.error->peak_to_peak, contact.peak_to_peak.rad() * at_output, 1e-13);
+    ASSERT_EQ(drive.error->lines.size(), 5u);
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_NEAR(drive.error->lines[k].amplitude, contact.harmonics[k].rad() * at_output, 1e-13);
+      EXPECT_NEAR(drive.error->lines[k].frequency_ratio,
+                  static_cast<double>(k + 1) * (gear2_drives ? 58 : 19), 1e-12);
+    }
+  }
+}
+
+Drive planetary(int sun, int planet, int ring, int planets, double tip, double crowning,
+                int harmonics = 6) {
+  PlanetarySpec set;
+  set.z(M::sun) = sun;
+  set.z(M::planet) = planet;
+  set.z(M::ring) = ring;
+  set.planets = planets;
+  set.normal_module = 2.0;
+  set.face_width.all = 20.0;
+  set.allowance.all = -0.04;
+  set.tip_diameter.each[static_cast<std::size_t>(M::ring)] = 2.0 * (ring - 1.5);
+  auto made = graph_of(set);
+  EXPECT_TRUE(made);
+  DriveGraph graph = std::move(made).take();
+  if (tip != 0.0 || crowning != 0.0)
+    for (DriveGear& gear : graph.gears) gear.modifications = relieved(tip, crowning);
+  auto drive = make_drive({graph, {}, harmonics});
+  EXPECT_TRUE(drive) << drive.error().message();
+  return std::move(drive).take();
+}
+
+TEST(DriveErrorTest, ConjugateFlanksHaveNone) {
+  const Drive drive = planetary(20, 25, 70, 3, 0.0, 0.0);
+  ASSERT_TRUE(drive.error);
+  EXPECT_EQ(drive.error->peak_to_peak, 0.0);
+  for (const auto& line : drive.error->lines) EXPECT_EQ(line.amplitude, 0.0);
+}
+
+TEST(DriveErrorTest, PlanetsInSequenceLeaveEveryThirdHarmonic) {
+  const Drive one = planetary(20, 25, 70, 1, 0.004, 0.006);
+  const Drive three = planetary(20, 25, 70, 3, 0.004, 0.006);
+  ASSERT_TRUE(one.error && three.error);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double expected = (k + 1) % 3 == 0 ? one.error->lines[k].amplitude : 0.0;
+    EXPECT_NEAR(three.error->lines[k].amplitude, expected, 1e-15);
+  }
+  EXPECT_GT(one.error->lines[0].amplitude, 1e-6);
+  EXPECT_LT(three.error->peak_to_peak, one.error->peak_to_peak);
+  // In phase nothing cancels.
+  const Drive single = planetary(24, 18, 60, 1, 0.004, 0.006);
+  const Drive in_phase = planetary(24, 18, 60, 3, 0.004, 0.006);
+  EXPECT_NEAR(in_phase.error->peak_to_peak, single.error->peak_to_peak, 1e-15);
+}
+
+// The sun turns by θ, the planet follows with its own curve and stands at the ring as it does then.
+std::vector<double> turned_by_hand(const Drive& drive) {
+  const auto flanks = relieved(0.004, 0.006);
+  const Pair& sp = *drive.geometry.pairs[0];
+  const Pair& pr = *drive.geometry.pairs[1];
+  const auto one = ContactSetup::of(sp, {}, {flanks, flanks});
+  const auto two = ContactSetup::of(pr, {}, {flanks, flanks});
+  EXPECT_TRUE(one && two);
+  const ContactPair sun = one->pair(false), ring = two->pair(false);
+  Transmission of_sun(sun), of_ring(ring);
+  const int z_p = drive.graph.gears[1].teeth;
+  const double pitch_p = 2 * std::acos(-1.0) / z_p;
+  std::vector<double> output;
+  for (int i = 0; i < kErrorPositions; ++i) {
+    const double theta = sun.pitch() * i / kErrorPositions;
+    const double te_sun = of_sun.at(theta).te();
+    const double planet = theta * sun.ratio() + te_sun;
+    // A space towards the sun: of an even number of teeth a space towards the ring.
+    const double at_ring = planet + (z_p % 2 == 0 ? pitch_p / 2 : 0.0);
+    const double te_ring = of_ring.at(at_ring).te();
+    const double e = sp.gear(2).base_radius() * te_sun + pr.gear(2).base_radius() * te_ring;
+    output.push_back(e / (sp.gear(1).base_radius() + pr.gear(2).base_radius()));
+  }
+  return output;
+}
+
+TEST(DriveErrorTest, OnePlanetAddsBothCurvesWhereItStands) {
+  for (const auto& [s, p, r] : {std::array{20, 25, 70}, {24, 18, 60}, {19, 17, 53}}) {
+    const Drive drive = planetary(s, p, r, 1, 0.004, 0.006);
+    ASSERT_TRUE(drive.error);
+    const std::vector<double> expected = turned_by_hand(drive);
+    const auto waves = harmonics(expected);
+    EXPECT_NEAR(drive.error->peak_to_peak, peak_to_peak(expected), 0.02 * peak_to_peak(expected));
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(drive.error->lines[k].amplitude, waves[k].rad(), 0.01 * waves[0].rad())
+          << s << " " << p << " " << k;
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

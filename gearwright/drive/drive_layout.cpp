@@ -1,0 +1,291 @@
+#include "gearwright/drive/drive_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMeets = 1e-6;  // rad of the tooth period: allowance for rounding
+
+double direction(const Vec2& v) { return std::atan2(v.y(), v.x()); }
+
+// Difference of a phase from a whole number of periods, −π … π.
+double off_phase(double phase) { return std::remainder(phase, kTurn); }
+
+class Layout {
+ public:
+  Layout(const Drive& drive, DrivePlaces places) : drive_(drive), graph_(drive.graph) {
+    made_.places = std::move(places);
+  }
+
+  Result<DriveLayout> layout() {
+    list_gears();
+    if (auto error = find_angles()) return *error;
+    find_heights();
+    for (std::size_t i = 0; i < made_.gears.size(); ++i)
+      made_.gears[i].angle = phi_[i] + teeth_of(i).twist() * made_.gears[i].height;
+    return std::move(made_);
+  }
+
+ private:
+  const Gear& teeth_of(std::size_t placed) const {
+    return *drive_.geometry.gears[made_.gears[placed].gear];
+  }
+  std::size_t body_of(std::size_t placed) const {
+    return graph_.gears[made_.gears[placed].gear].body;
+  }
+  bool rides(std::size_t placed) const {
+    return graph_.bodies[body_of(placed)].carrier.has_value();
+  }
+
+  void list_gears() {
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+      const std::size_t body = graph_.gears[g].body;
+      first_.push_back(made_.gears.size());
+      for (int k = 0; k < graph_.bodies[body].count; ++k)
+        made_.gears.push_back({g, k, made_.places.axis_of(drive_, body, k), 0.0, 0.0});
+    }
+    phi_.assign(made_.gears.size(), 0.0);
+    known_.assign(made_.gears.size(), 0);
+  }
+
+  // The placed gears of a mesh for a copy of its planets; a central gear has one copy.
+  std::array<std::size_t, 2> placed(const DriveMesh& mesh, int copy) const {
+    std::array<std::size_t, 2> two{};
+    for (const std::size_t k : {0, 1}) {
+      const std::size_t g = mesh.gears[k];
+      const bool many = graph_.bodies[graph_.gears[g].body].count > 1;
+      two[k] = first_[g] + static_cast<std::size_t>(many ? copy : 0);
+    }
+    return two;
+  }
+
+  // z_a (θ_a − φ_a) + z_b (θ_b − φ_b) − π, which is 0 when the teeth mesh. [T13.15c]
+  double mesh_phase(const std::array<std::size_t, 2>& two) const {
+    const PlacedGear &a = made_.gears[two[0]], &b = made_.gears[two[1]];
+    const int z_a = graph_.gears[a.gear].teeth, z_b = graph_.gears[b.gear].teeth;
+    const double theta_a = direction(z_b < 0 ? a.axis - b.axis : Vec2(b.axis - a.axis));
+    const double theta_b = z_b < 0 ? theta_a : theta_a + kTurn / 2;
+    return z_a * (theta_a - phi_[two[0]]) + z_b * (theta_b - phi_[two[1]]) - kTurn / 2;
+  }
+
+  // Turns one gear of a mesh until its teeth mesh with the other gear.
+  void meet(const std::array<std::size_t, 2>& two, std::size_t which) {
+    const int z = graph_.gears[made_.gears[two[which]].gear].teeth;
+    phi_[two[which]] += off_phase(mesh_phase(two)) / z;
+    known_[two[which]] = 1;
+  }
+
+  bool meets(const std::array<std::size_t, 2>& two) const {
+    return std::abs(off_phase(mesh_phase(two))) < kMeets;
+  }
+
+  std::optional<Error> find_angles() {
+    // Copy 0 and everything on fixed axes: each gear is turned by the first mesh that reaches it.
+    for (std::size_t root = 0; root < graph_.gears.size(); ++root) {
+      if (known_[first_[root]]) continue;
+      known_[first_[root]] = 1;
+      for (bool found = true; found;) {
+        found = false;
+        for (const DriveMesh& mesh : graph_.meshes) {
+          const auto two = placed(mesh, 0);
+          if (known_[two[0]] == known_[two[1]]) continue;
+          meet(two, known_[two[0]] ? 1 : 0);
+          found = true;
+        }
+      }
+    }
+    for (const DriveMesh& mesh : graph_.meshes)
+      if (!meets(placed(mesh, 0)))
+        return Error{
+            "drive.mesh", mesh.name,
+            "closes a loop of gears whose teeth do not meet at these angles of the shafts"};
+    for (const PlanetSet& set : drive_.sets)
+      for (int copy = 1; copy < set.group.count; ++copy)
+        if (!turn_copy(set, copy))
+          return Error{
+              "drive.body", graph_.bodies[set.group.riders.front()].name,
+              fmt::format("teeth of planet {} do not meet all their central gears", copy + 1)};
+    return std::nullopt;
+  }
+
+  // Copy 0 rotated about the carrier's axis, then each planet about its own axis.
+  bool turn_copy(const PlanetSet& set, int copy) {
+    const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+      const auto& riders = set.group.riders;
+      if (std::find(riders.begin(), riders.end(), graph_.gears[g].body) == riders.end()) continue;
+      phi_[first_[g] + static_cast<std::size_t>(copy)] = phi_[first_[g]] + kTurn * u;
+    }
+    return turn_rider(set, copy, 0);
+  }
+
+  // Planet k and the following ones; false: not possible. Tries every angle at which the first of
+  // its meshes with gears placed already can mesh.
+  bool turn_rider(const PlanetSet& set, int copy, std::size_t k) {
+    if (k == set.group.riders.size()) return true;
+    const std::size_t body = set.group.riders[k];
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // and the rider's side
+    for (const std::size_t m : set.group.meshes) {
+      const auto two = placed(graph_.meshes[m], copy);
+      for (const std::size_t side : {0, 1}) {
+        if (body_of(two[side]) == body && stands(set, two[1 - side], k))
+          meshes.emplace_back(two, side);
+      }
+    }
+    if (meshes.empty()) return turn_rider(set, copy, k + 1);
+    if (!set.assembly.clocking.empty()) {  // every gear of the planet has its own angle
+      for (const auto& [two, side] : meshes) meet(two, side);
+      return turn_rider(set, copy, k + 1);
+    }
+    const auto& [first, side] = meshes.front();
+    const int z = std::abs(graph_.gears[made_.gears[first[side]].gear].teeth);
+    turn_body(body, copy, off_phase(mesh_phase(first)) / z);
+    for (int tooth = 0; tooth < z; ++tooth) {
+      const bool all = std::all_of(meshes.begin(), meshes.end(),
+                                   [&](const auto& mesh) { return meets(mesh.first); });
+      if (all && turn_rider(set, copy, k + 1)) return true;
+      turn_body(body, copy, kTurn / z);
+    }
+    return false;
+  }
+
+  bool stands(const PlanetSet& set, std::size_t placed, std::size_t before) const {
+    if (!rides(placed)) return true;
+    const auto& riders = set.group.riders;
+    const auto end = riders.begin() + static_cast<std::ptrdiff_t>(before);
+    return std::find(riders.begin(), end, body_of(placed)) != end;
+  }
+
+  void turn_body(std::size_t body, int copy, double angle) {
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g)
+      if (graph_.gears[g].body == body) phi_[first_[g] + static_cast<std::size_t>(copy)] += angle;
+  }
+
+  // Slots in order, each as wide as the widest gear in that slot only.
+  void find_heights() {
+    const auto& slots = made_.places.slots;
+    std::vector<double> from, to;
+    double module = 0.0;
+    for (const auto& gear : drive_.geometry.gears)
+      if (gear) module = std::max(module, gear->spec.normal_module);
+    double at = 0.0;
+    for (int slot = 0; slot < made_.places.slot_count; ++slot) {
+      double alone = 0.0, any = 0.0;
+      for (std::size_t g = 0; g < slots.size(); ++g) {
+        if (!drive_.geometry.gears[g] || slots[g].first > slot || slots[g].last < slot) continue;
+        const double face = drive_.geometry.gears[g]->spec.face_width;
+        any = std::max(any, face);
+        if (slots[g].first == slots[g].last) alone = std::max(alone, face);
+      }
+      from.push_back(at);
+      to.push_back(at + (alone > 0.0 ? alone : any));
+      at = to.back() + kBetweenFaces * module;
+    }
+    const double middle = from.empty() ? 0.0 : (from.front() + to.back()) / 2;
+    for (PlacedGear& placed : made_.gears) {
+      const SlotRange& range = slots[placed.gear];
+      placed.height =
+          (from[static_cast<std::size_t>(range.first)] + to[static_cast<std::size_t>(range.last)]) /
+              2 -
+          middle;
+    }
+    for (std::size_t slot = 0; slot < from.size(); ++slot) {
+      DriveSection section{(from[slot] + to[slot]) / 2 - middle, {}};
+      for (std::size_t i = 0; i < made_.gears.size(); ++i) {
+        const SlotRange& range = slots[made_.gears[i].gear];
+        if (range.first <= static_cast<int>(slot) && static_cast<int>(slot) <= range.last)
+          section.gears.push_back(i);
+      }
+      made_.sections.push_back(std::move(section));
+    }
+  }
+
+  const Drive& drive_;
+  const DriveGraph& graph_;
+  DriveLayout made_;
+  std::vector<std::size_t> first_;  // of each gear: its copy 0 in made_.gears
+  std::vector<double> phi_;         // of each placed gear in the section z = 0
+  std::vector<char> known_;
+};
+
+// Least T with all a T whole: lcm of the denominators over gcd of the numerators.
+std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
+  long long p = 0;
+  Rational q = 1;
+  for (const Rational& a : speeds) {
+    const auto num = a.numerator(), den = a.denominator();
+    if (!num || !den) return std::nullopt;
+    if (*num == 0) continue;
+    p = std::gcd(p, *num);
+    q = least_common_multiple(q, Rational(*den));
+  }
+  if (p == 0 || !q.fits()) return std::nullopt;
+  return q / Rational(p);
+}
+
+}  // namespace
+
+double DriveLayout::angle_at(const Drive& drive, std::size_t placed, double height) const {
+  const PlacedGear& gear = gears[placed];
+  return gear.angle + drive.geometry.gears[gear.gear]->twist() * (height - gear.height);
+}
+
+Result<DriveLayout> drive_layout(const Drive& drive) {
+  const auto& gears = drive.geometry.gears;
+  for (std::size_t g = 0; g < gears.size(); ++g)
+    if (!gears[g])
+      return Error{"drive.gear", drive.graph.gears[g].name,
+                   "has no teeth to be placed: its module or its profile shift is not known"};
+  auto places = drive_places(drive);
+  if (!places) return places.error();
+  if (!places->true_scale) return Error{"drive.mesh", "", "there are gears that cannot be mounted"};
+  return Layout(drive, std::move(places).take()).layout();
+}
+
+DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns) {
+  const auto angle = [&](std::size_t body) {
+    const auto ratio = drive.speed_ratio(body);
+    GW_EXPECTS(ratio.has_value());
+    return *ratio * input_turns * kTurn;
+  };
+  for (PlacedGear& placed : layout.gears) {
+    const std::size_t body = drive.graph.gears[placed.gear].body;
+    placed.angle += angle(body);
+    if (const auto carrier = drive.graph.bodies[body].carrier) {
+      const Vec2 about = layout.places.axes[*carrier];
+      placed.axis = about + Eigen::Rotation2Dd(angle(*carrier)) * (placed.axis - about);
+    }
+  }
+  return layout;
+}
+
+std::optional<Rational> turns_until_alike(const Drive& drive) {
+  if (drive.graph.inputs.size() != 1) return std::nullopt;
+  const auto speed = [&](std::size_t body) { return drive.motion.speeds[body][0]; };
+  std::vector<Rational> whole;
+  for (const DriveGear& gear : drive.graph.gears)
+    if (!drive.graph.bodies[gear.body].carrier)
+      whole.push_back(speed(gear.body) * Rational(gear.teeth));
+  for (const PlanetSet& set : drive.sets) {
+    // Planets with a single gear and equal spacing are all alike.
+    std::size_t gears = 0;
+    for (const DriveGear& gear : drive.graph.gears)
+      if (drive.graph.bodies[gear.body].carrier == set.group.carrier) ++gears;
+    const bool alike = set.assembly.equal && set.assembly.clocking.empty() && gears == 1;
+    whole.push_back(speed(set.group.carrier) * Rational(alike ? set.group.count : 1));
+    for (const DriveGear& gear : drive.graph.gears)
+      if (!alike && drive.graph.bodies[gear.body].carrier == set.group.carrier)
+        whole.push_back(speed(gear.body) * Rational(gear.teeth));
+  }
+  return least_common_turn(whole);
+}
+
+}  // namespace gearwright

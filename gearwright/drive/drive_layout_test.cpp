@@ -1,0 +1,209 @@
+// Laws: (1) at the start and after any motion every copy of every mesh has a tooth opposite a space,
+// [T13.15c]; (2) clocked planets have the clocking of [T13.14]; (3) gears that would cut each other in
+// one plane do not share a slot; (4) after turns_until_alike() every gear has moved by whole teeth.
+#include "gearwright/drive/drive_layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+namespace {
+
+using M = SetMember;
+
+PlanetarySpec toothed_set(const std::vector<std::pair<M, int>>& teeth, int planets) {
+  PlanetarySpec set;
+  for (const auto& [member, z] : teeth) set.z(member) = z;
+  set.planets = planets;
+  set.normal_module = 2.0;
+  set.allowance.all = -0.05;
+  return set;
+}
+
+Drive laid_drive(const PlanetarySpec& set) {
+  const auto graph = graph_of(set);
+  EXPECT_TRUE(graph) << graph.error().message();
+  auto drive = make_drive({*graph, {}});
+  EXPECT_TRUE(drive) << drive.error().message();
+  return std::move(drive).take();
+}
+
+DriveLayout laid(const Drive& drive) {
+  auto layout = drive_layout(drive);
+  EXPECT_TRUE(layout) << layout.error().message();
+  return std::move(layout).take();
+}
+
+// Where the nearest tooth of a gear stands against a direction, in parts of its pitch: 0 a tooth, 0.5 a
+// space. By looking at all its teeth.
+double tooth_against(const Drive& drive, const PlacedGear& placed, double angle,
+                     const Vec2& towards) {
+  const int z = std::abs(drive.graph.gears[placed.gear].teeth);
+  double best = 1.0;
+  for (int k = 0; k < z; ++k) {
+    const double tooth = angle + kTurn * k / z;
+    const double off =
+        std::remainder(std::atan2(towards.y(), towards.x()) - tooth, kTurn) * z / kTurn;
+    if (std::abs(off) < std::abs(best)) best = off;
+  }
+  return best;
+}
+
+// Greatest distance of any mesh of any copy from tooth opposite space, in parts of a pitch.
+double worst_mesh(const Drive& drive, const DriveLayout& layout) {
+  double worst = 0.0;
+  for (const DriveMesh& mesh : drive.graph.meshes) {
+    for (std::size_t i = 0; i < layout.gears.size(); ++i) {
+      for (std::size_t k = 0; k < layout.gears.size(); ++k) {
+        const PlacedGear &a = layout.gears[i], &b = layout.gears[k];
+        if (a.gear != mesh.gears[0] || b.gear != mesh.gears[1]) continue;
+        const bool riders = drive.graph.bodies[drive.graph.gears[a.gear].body].count > 1 &&
+                            drive.graph.bodies[drive.graph.gears[b.gear].body].count > 1;
+        if (riders && a.copy != b.copy) continue;
+        const bool ring = drive.graph.gears[b.gear].teeth < 0;
+        const double height = a.height;
+        const double one = tooth_against(drive, a, layout.angle_at(drive, i, height),
+                                         ring ? a.axis - b.axis : Vec2(b.axis - a.axis));
+        const double two =
+            tooth_against(drive, b, layout.angle_at(drive, k, height), a.axis - b.axis);
+        // A gear that turns on brings its teeth against the other's the opposite way, in a ring along.
+        const double off = std::remainder(one + (ring ? -two : two) - 0.5, 1.0);
+        worst = std::max(worst, std::abs(off));
+      }
+    }
+  }
+  return worst;
+}
+
+std::vector<PlanetarySpec> sets() {
+  PlanetarySpec helical = toothed_set({{M::sun, 21}, {M::planet, 33}, {M::ring, 87}}, 4);
+  helical.helix_deg.all = 11.0;
+  PlanetarySpec clocked =
+      toothed_set({{M::sun, 17}, {M::planet, 31}, {M::planet2, 13}, {M::ring2, 62}}, 3);
+  clocked.fixed = {{"ring2"}};
+  clocked.module.each[4] = clocked.module.each[6] = 1.9;
+  clocked.spacing = Spacing::equal_clocked;
+  PlanetarySpec joint = toothed_set(
+      {{M::sun, 12}, {M::planet, 24}, {M::planet2, 21}, {M::ring, 60}, {M::ring2, 57}}, 3);
+  joint.output = "ring2";
+  PlanetarySpec ravigneaux =
+      toothed_set({{M::sun, 28}, {M::idler, 22}, {M::planet, 22}, {M::sun2, 38}, {M::ring, 82}}, 3);
+  ravigneaux.fixed = {{"carrier"}};
+  ravigneaux.output = "ring";
+  return {toothed_set({{M::sun, 20}, {M::planet, 25}, {M::ring, 70}}, 3),
+          toothed_set({{M::sun, 19}, {M::planet, 17}, {M::ring, 53}}, 5),
+          helical,
+          clocked,
+          joint,
+          ravigneaux};
+}
+
+TEST(DriveLayout, AllMeshesMeetAtAllTimes) {
+  for (const PlanetarySpec& set : sets()) {
+    const Drive drive = laid_drive(set);
+    const DriveLayout layout = laid(drive);
+    for (const double turns : {0.0, 0.137, 2.81}) {
+      EXPECT_LT(worst_mesh(drive, turned(drive, layout, turns)), 1e-6)
+          << drive.graph.gears.size() << " gears, after " << turns;
+    }
+  }
+}
+
+TEST(DriveLayout, ALayoutThatIsOffByATenthOfAPitchIsSeen) {
+  const Drive drive = laid_drive(sets().front());
+  DriveLayout layout = laid(drive);
+  layout.gears.back().angle += 0.1 * kTurn / 70;
+  EXPECT_NEAR(worst_mesh(drive, layout), 0.1, 1e-6);
+}
+
+TEST(DriveLayout, ClockedPlanetsHaveTheirClocking) {
+  const Drive drive = laid_drive(sets()[3]);
+  const DriveLayout layout = laid(drive);
+  const auto& clocking = drive.sets.front().assembly.clocking;
+  ASSERT_EQ(clocking.size(), 3u);
+  const auto angle = [&](std::size_t gear, int copy) {
+    for (const PlacedGear& p : layout.gears)
+      if (p.gear == gear && p.copy == copy) return p.angle;
+    return 0.0;
+  };
+  // The second gear against the first, relative to planet 0, but for whole teeth of either gear.
+  const int z_1 = drive.graph.gears[1].teeth, z_2 = drive.graph.gears[2].teeth;
+  for (int copy = 1; copy < 3; ++copy) {
+    const double found = (angle(2, copy) - angle(1, copy) - angle(2, 0) + angle(1, 0)) / kTurn;
+    const double off = (found - clocking[static_cast<std::size_t>(copy)].value()) * z_1 * z_2;
+    EXPECT_NEAR(off, std::round(off), 1e-6) << copy;
+  }
+}
+
+TEST(DriveLayout, GearsThatCutEachOtherStandBesideEachOther) {
+  const Drive joint = laid_drive(sets()[4]);
+  const DriveLayout layout = laid(joint);
+  ASSERT_EQ(layout.sections.size(), 2u);
+  EXPECT_EQ(layout.sections[0].gears.size(), 1u + 3u + 1u);  // sun, planets, ring
+  EXPECT_EQ(layout.sections[1].gears.size(), 3u + 1u);
+  const Drive simple = laid_drive(sets().front());
+  EXPECT_EQ(laid(simple).sections.size(), 1u);
+  // One planet gear in two rings: it is as wide as both.
+  PlanetarySpec wolfrom = toothed_set({{M::planet, 21}, {M::ring, 57}, {M::ring2, 60}}, 3);
+  wolfrom.inputs = {"carrier"};
+  wolfrom.output = "ring2";
+  wolfrom.face_width.all = 20.0;
+  const Drive two = laid_drive(wolfrom);
+  ASSERT_TRUE(two.geometry.gears[0]);
+  EXPECT_EQ(two.geometry.gears[0]->spec.face_width, 20 + 20 + 2 * 2.0);
+}
+
+TEST(DriveLayout, ATrainStandsInLine) {
+  StageSpec stage;
+  stage.pair.teeth = {19, 57};
+  for (const std::size_t i : {0, 1}) {
+    CylindricalSpec gear;
+    gear.teeth = stage.pair.teeth[i];
+    gear.normal_module = 2.0;
+    gear.face_width = 20.0;
+    stage.pair.specs[i] = gear;
+  }
+  const auto input = train_of({stage, stage});
+  ASSERT_TRUE(input);
+  const auto drive = make_drive(*input);
+  ASSERT_TRUE(drive);
+  const DriveLayout layout = laid(*drive);
+  EXPECT_EQ(layout.sections.size(), 2u);
+  EXPECT_NEAR((layout.places.axes[2] - layout.places.axes[0]).norm(), 152.0, 1e-9);
+  EXPECT_LT(worst_mesh(*drive, turned(*drive, layout, 0.3)), 1e-6);
+  // Turned back, the third shaft lies on the first: coaxial input and output.
+  DriveInput reverted = *input;
+  reverted.graph.meshes[1].direction = Angle::degrees(180);
+  const auto folded = make_drive(reverted);
+  ASSERT_TRUE(folded);
+  EXPECT_NEAR((laid(*folded).places.axes[2]).norm(), 0.0, 1e-9);
+}
+
+TEST(DriveLayout, LooksAlikeAfterTheLeastTurn) {
+  for (const PlanetarySpec& set : sets()) {
+    const Drive drive = laid_drive(set);
+    const auto turns = turns_until_alike(drive);
+    ASSERT_TRUE(turns);
+    const DriveLayout before = laid(drive);
+    const DriveLayout after = turned(drive, before, turns->value());
+    for (std::size_t i = 0; i < before.gears.size(); ++i) {
+      // Some copy of the gear stands there, its teeth on the same places.
+      bool found = false;
+      for (std::size_t k = 0; k < before.gears.size(); ++k) {
+        const PlacedGear &a = after.gears[i], &b = before.gears[k];
+        if (a.gear != b.gear || (a.axis - b.axis).norm() > 1e-6) continue;
+        const double teeth = (a.angle - b.angle) * drive.graph.gears[a.gear].teeth / kTurn;
+        found = found || std::abs(teeth - std::round(teeth)) < 1e-5;
+      }
+      EXPECT_TRUE(found) << drive.graph.gears[before.gears[i].gear].name;
+    }
+  }
+  // Ring held, three planets: the carrier moves by a third of a turn, the sun 1.5 turns.
+  EXPECT_TRUE(*turns_until_alike(laid_drive(sets().front())) == Rational::of(3, 2));
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,244 @@
+#include "gearwright/drive/drive_places.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kCloses = 1e-6;  // relative to the distance: allowed gap in a closed loop of
+                                  // shafts
+
+Vec2 polar(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+class Placing {
+ public:
+  explicit Placing(const Drive& drive) : drive_(drive), graph_(drive.graph) {}
+
+  Result<DrivePlaces> places() {
+    for (const DriveGear& gear : graph_.gears)
+      if (gear.rack)
+        return Error{"drive.gear", gear.name, "is a rack; a rack has no axis to be placed by"};
+    measure();
+    join_coaxial();
+    if (auto error = place_axes()) return *error;
+    if (auto error = place_riders()) return *error;
+    find_slots();
+    return std::move(made_);
+  }
+
+ private:
+  // From the teeth if every mesh has them, otherwise from the numbers of teeth.
+  void measure() {
+    const DriveGeometry& geometry = drive_.geometry;
+    made_.true_scale =
+        std::all_of(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p; });
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      const int sum =
+          graph_.gear(graph_.meshes[m], 0).teeth + graph_.gear(graph_.meshes[m], 1).teeth;
+      distances_.push_back(made_.true_scale ? geometry.distance[m] : std::abs(sum) / 2.0);
+    }
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+      const int teeth = graph_.gears[g].teeth;
+      made_.radii.push_back(!made_.true_scale ? std::abs(teeth) / 2.0 + 1.0
+                            : teeth < 0       ? geometry.gears[g]->root_diameter / 2
+                                              : geometry.gears[g]->tip_diameter / 2);
+    }
+  }
+
+  const DriveGear& gear(std::size_t mesh, int which) const {
+    return graph_.gear(graph_.meshes[mesh], which);
+  }
+  bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
+
+  // Central gears of a planet share the axis of its carrier.
+  void join_coaxial() {
+    for (std::size_t b = 0; b < graph_.bodies.size(); ++b) axis_.push_back(b);
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      const auto frame = graph_.frame(graph_.meshes[m]);
+      if (!frame) continue;
+      for (const int side : {0, 1}) {
+        const std::size_t body = gear(m, side).body;
+        if (rides(body)) continue;
+        const auto [low, high] = std::minmax(axis_[body], axis_[*frame]);
+        std::replace(axis_.begin(), axis_.end(), std::size_t(high), std::size_t(low));
+      }
+    }
+  }
+
+  struct Link {
+    std::size_t mesh, to;
+  };
+  // Shafts in the housing that mesh with those on one axis.
+  std::vector<Link> links_of(std::size_t axis) const {
+    std::vector<Link> links;
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      if (graph_.frame(graph_.meshes[m])) continue;
+      const std::size_t a = axis_[gear(m, 0).body], b = axis_[gear(m, 1).body];
+      if (a == axis || b == axis) links.push_back({m, a == axis ? b : a});
+    }
+    return links;
+  }
+
+  std::optional<Error> place_axes() {
+    made_.axes.assign(graph_.bodies.size(), Vec2::Zero());
+    const std::size_t first = axis_[graph_.inputs.front()];
+    std::vector<char> placed(graph_.bodies.size(), 0);
+    std::vector<double> came(graph_.bodies.size(), 0.0);
+    std::vector<Vec2> at(graph_.bodies.size(), Vec2::Zero());
+    placed[first] = 1;
+    for (std::deque<std::size_t> open{first}; !open.empty(); open.pop_front()) {
+      const std::size_t from = open.front();
+      std::vector<Link> fresh;
+      for (const Link& link : links_of(from)) {
+        if (link.to == from) return unmeet(link.mesh, "its gears turn about one axis");
+        if (!placed[link.to]) {
+          fresh.push_back(link);
+          placed[link.to] = 1;
+        }
+      }
+      // A single shaft straight on; several at equal angles, none back in the direction of arrival.
+      const auto ways = static_cast<double>(fresh.size() + (from == first ? 0 : 1));
+      for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const auto [mesh, to] = fresh[k];
+        const double away = kTurn * static_cast<double>(k) / ways;
+        const auto given = graph_.meshes[mesh].direction;
+        came[to] = given           ? given->rad()
+                   : from == first ? away
+                                   : came[from] + kTurn / 2 + away + kTurn / ways;
+        at[to] = at[from] + polar(*distances_[mesh], came[to]);
+        open.push_back(to);
+      }
+    }
+    for (std::size_t b = 0; b < graph_.bodies.size(); ++b) made_.axes[b] = at[axis_[b]];
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      if (graph_.frame(graph_.meshes[m])) continue;
+      const double apart = (made_.axes[gear(m, 0).body] - made_.axes[gear(m, 1).body]).norm();
+      if (std::abs(apart - *distances_[m]) > kCloses * *distances_[m])
+        return unmeet(m, fmt::format("its axes lie {:.4f} mm apart and not {:.4f} mm; the other "
+                                     "meshes of the loop need another angle",
+                                     apart, *distances_[m]));
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> place_riders() {
+    made_.turned.assign(graph_.bodies.size(), 0.0);
+    for (const PlanetSet& set : drive_.sets) {
+      std::optional<GeometryFault> fault;
+      const auto riders = rider_places(graph_, set.group, distances_, fault);
+      if (!riders)
+        return Error{"drive.body", graph_.bodies[set.group.riders.front()].name,
+                     fault ? fault->message : "finds no place on its carrier"};
+      for (std::size_t i = 0; i < riders->size(); ++i) {
+        const std::size_t body = set.group.riders[i];
+        made_.turned[body] = (*riders)[i].angle;
+        made_.axes[body] =
+            made_.axes[set.group.carrier] + polar((*riders)[i].distance, (*riders)[i].angle);
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> unmeet(std::size_t mesh, const std::string& why) const {
+    return Error{"drive.mesh", graph_.meshes[mesh].name, why};
+  }
+
+  bool meshed(std::size_t g, std::size_t h) const {
+    return std::any_of(graph_.meshes.begin(), graph_.meshes.end(), [&](const DriveMesh& m) {
+      return (m.gears[0] == g && m.gears[1] == h) || (m.gears[0] == h && m.gears[1] == g);
+    });
+  }
+
+  // Whether two gears would overlap in one plane.
+  bool in_the_way(std::size_t g, std::size_t h) const {
+    if (g == h || meshed(g, h)) return false;
+    const DriveGear &a = graph_.gears[g], &b = graph_.gears[h];
+    if (a.body == b.body) return true;
+    const double r_a = made_.radii[g], r_b = made_.radii[h];
+    for (int i = 0; i < graph_.bodies[a.body].count; ++i) {
+      for (int k = 0; k < graph_.bodies[b.body].count; ++k) {
+        const double apart =
+            (made_.axis_of(drive_, a.body, i) - made_.axis_of(drive_, b.body, k)).norm();
+        const bool ring_a = a.teeth < 0, ring_b = b.teeth < 0;
+        const bool cut = ring_a && ring_b ? apart < r_a + r_b
+                         : ring_a         ? apart + r_b > r_a && apart - r_b < r_a
+                         : ring_b         ? apart + r_a > r_b && apart - r_a < r_b
+                                          : apart < r_a + r_b;
+        if (cut) return true;
+      }
+    }
+    return false;
+  }
+
+  bool in_the_way(const DriveMesh& m, const DriveMesh& n) const {
+    for (const std::size_t g : m.gears)
+      for (const std::size_t h : n.gears)
+        if (in_the_way(g, h)) return true;
+    return false;
+  }
+
+  bool share_an_axis(const DriveMesh& m, const DriveMesh& n) const {
+    for (const int i : {0, 1})
+      for (const int k : {0, 1})
+        if (axis_[graph_.gear(m, i).body] == axis_[graph_.gear(n, k).body]) return true;
+    return false;
+  }
+
+  // Each mesh gets the first free slot after those of earlier meshes on its axes.
+  void find_slots() {
+    made_.slots.assign(graph_.gears.size(), {-1, -1});
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      const DriveMesh& mesh = graph_.meshes[m];
+      int slot = 0;
+      for (std::size_t n = 0; n < m; ++n)
+        if (share_an_axis(mesh, graph_.meshes[n])) slot = std::max(slot, made_.mesh_slot[n]);
+      const auto taken = [&] {
+        for (std::size_t n = 0; n < m; ++n)
+          if (made_.mesh_slot[n] == slot && in_the_way(mesh, graph_.meshes[n])) return true;
+        return false;
+      };
+      while (taken()) ++slot;
+      made_.mesh_slot.push_back(slot);
+      made_.slot_count = std::max(made_.slot_count, slot + 1);
+      for (const std::size_t g : mesh.gears) {
+        SlotRange& range = made_.slots[g];
+        range.first = range.first < 0 ? slot : std::min(range.first, slot);
+        range.last = std::max(range.last, slot);
+      }
+    }
+    for (SlotRange& range : made_.slots)
+      if (range.first < 0) range = {0, 0};
+  }
+
+  const Drive& drive_;
+  const DriveGraph& graph_;
+  DrivePlaces made_;
+  std::vector<std::optional<double>> distances_;
+  std::vector<std::size_t> axis_;  // of each body: the least index of the bodies on its axis
+};
+
+}  // namespace
+
+Vec2 DrivePlaces::axis_of(const Drive& drive, std::size_t body, int copy) const {
+  const auto carrier = drive.graph.bodies[body].carrier;
+  if (!carrier || copy == 0) return axes[body];
+  for (const PlanetSet& set : drive.sets) {
+    const auto& riders = set.group.riders;
+    if (std::find(riders.begin(), riders.end(), body) == riders.end()) continue;
+    const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
+    const double r = (axes[body] - axes[*carrier]).norm();
+    return axes[*carrier] + polar(r, turned[body] + kTurn * u);
+  }
+  return axes[body];
+}
+
+Result<DrivePlaces> drive_places(const Drive& drive) { return Placing(drive).places(); }
+
+}  // namespace gearwright

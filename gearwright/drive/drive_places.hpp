@@ -1,0 +1,42 @@
+// Where the axes of a drive lie, and in which order its gears sit along them.
+//
+//   slot   a stretch of the axes in which some of the meshes run; gears that would overlap in one
+//          plane have different slots
+//                                              theory: docs/theory/13-drives.md
+//
+// The drive itself fixes the axes of its planets and what is coaxial. The rest is chosen for a
+// simple drawing: shafts of a train lie in one line, unless a mesh has an angle, and the meshes
+// follow each other along the axes in their order.
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "gearwright/drive/drive.hpp"
+
+namespace gearwright {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;  ///< rad
+
+struct SlotRange {
+  int first = 0, last = 0;
+};
+
+struct DrivePlaces {
+  std::vector<Vec2> axes;        ///< of each body, of a rider copy 0's  mm
+  std::vector<double> turned;    ///< direction of a rider's copy 0 from its carrier's axis  rad
+  std::vector<double> radii;     ///< r_a of each gear, r_f of a ring  mm
+  std::vector<int> mesh_slot;    ///< of each mesh
+  std::vector<SlotRange> slots;  ///< of each gear
+  int slot_count = 0;
+  bool true_scale = false;  ///< computed from the teeth; false: from their numbers, with m = 1
+
+  /// The axis of copy `copy` of a body at the start.
+  Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
+};
+
+/// Errors    `drive.gear` of a rack; `drive.mesh` whose axes cannot be placed: coaxial axes, or a
+///           loop of shafts that does not close; planets without a possible position
+Result<DrivePlaces> drive_places(const Drive& drive);
+
+}  // namespace gearwright

@@ -1,0 +1,131 @@
+#include "gearwright/drive/drive_rating.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+bool carries(const Drive& drive, std::size_t mesh) { return drive.flow->driver[mesh] >= 0; }
+
+// 0: gear a of the mesh drives.
+bool drives(const Drive& drive, std::size_t mesh, int side) {
+  return drive.flow->driver[mesh] == side;
+}
+
+int copies(const Drive& drive, std::size_t mesh) {
+  const DriveMesh& m = drive.graph.meshes[mesh];
+  return std::max(drive.graph.body(drive.graph.gear(m, 0)).count,
+                  drive.graph.body(drive.graph.gear(m, 1)).count);
+}
+
+// Engagements of one flank of a gear per turn, and whether the other flank carries load too.
+struct FlankUse {
+  int engagements = 0;
+  bool both = false;
+};
+
+FlankUse use_of(const Drive& drive, std::size_t mesh, int side) {
+  const DriveGraph& graph = drive.graph;
+  const std::size_t gear = graph.meshes[mesh].gears[static_cast<std::size_t>(side)];
+  const bool rides = graph.body(graph.gears[gear]).carrier.has_value();
+  FlankUse use;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    for (const int s : {0, 1}) {
+      if (graph.meshes[m].gears[static_cast<std::size_t>(s)] != gear || !carries(drive, m))
+        continue;
+      if (drives(drive, m, s) == drives(drive, mesh, side)) {
+        use.engagements += rides ? 1 : copies(drive, m);
+      } else {
+        use.both = true;
+      }
+    }
+  }
+  return use;
+}
+
+// A flank with several engagements per turn is rated for a life that is longer in proportion.
+RatingInput of_gear_use(RatingInput input, const FlankUse& use) {
+  if (input.life_h) *input.life_h *= use.engagements;
+  input.reversed = input.reversed || use.both;
+  return input;
+}
+
+// Gear 1 from `one`, gear 2 from `two`; the common values are the same in both.
+Rating joined(Rating one, const Rating& two) {
+  for (FactorPair Rating::*pair :
+       {&Rating::Z_B,      &Rating::Z_NT,     &Rating::Z_L_at_N,     &Rating::Z_v_at_N,
+        &Rating::Z_R_at_N, &Rating::Z_W,      &Rating::Z_X,          &Rating::sigma_H,
+        &Rating::sigma_HG, &Rating::S_H,      &Rating::Y_F,          &Rating::Y_S,
+        &Rating::Y_beta,   &Rating::Y_B,      &Rating::Y_DT,         &Rating::Y_ST,
+        &Rating::Y_M,      &Rating::Y_NT,     &Rating::Y_delta_relT, &Rating::Y_R_relT,
+        &Rating::Y_X,      &Rating::sigma_F0, &Rating::sigma_F,      &Rating::sigma_FG,
+        &Rating::S_F})
+    (one.*pair)[1] = (two.*pair)[1];
+  one.N_L[1] = two.N_L[1];
+  return one;
+}
+
+}  // namespace
+
+RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load) {
+  GW_EXPECTS(drive.flow && !drive.flow->self_locking() && load.torque > 0.0);
+  const DriveMesh& m = drive.graph.meshes[mesh];
+  const DriveGear& one = drive.graph.gear(m, 0);
+  RatingInput input = load.common;
+  const int n = copies(drive, mesh);
+  input.torque = std::abs(one.factor() * drive.flow->load[mesh]) * load.torque / n;
+  if (n == 1) input.mesh_load_factor = 1.0;
+  if (load.speed) {
+    const auto own = drive.speed_ratio(one.body);
+    const auto frame = drive.graph.frame(m);
+    const auto carrier = frame ? drive.speed_ratio(*frame) : std::optional(0.0);
+    if (own && carrier) input.speed = std::abs((*own - *carrier) * *load.speed);
+  }
+  return input;
+}
+
+Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
+                                                           const DriveLoad& load,
+                                                           const GearMaterials& material) {
+  if (!drive.flow || drive.flow->self_locking())
+    return Error{"drive.mesh", "",
+                 drive.flow
+                     ? "locks the drive, which then carries no power that could be rated"
+                     : "has no torque: the drive lacks an efficiency, a geometry or a speed, or "
+                       "its meshes are redundant"};
+  std::vector<std::optional<MeshRating>> ratings(drive.graph.meshes.size());
+  for (std::size_t m = 0; m < ratings.size(); ++m) {
+    const auto& pair = drive.geometry.pairs[m];
+    if (!carries(drive, m) || !pair || !pair->involute()) continue;
+    const auto of_mesh = [&](Error error) {
+      error.rule = fmt::format("{} (mesh {})", error.rule, drive.graph.meshes[m].name);
+      return error;
+    };
+    auto rated = rated_pair(*pair);
+    if (!rated) return of_mesh(rated.error());
+    MeshRating made;
+    made.pair = *rated;
+    made.input = mesh_load(drive, m, load);
+    for (const std::size_t i : {0, 1}) {
+      auto steel = material(drive.graph.meshes[m].gears[i]);
+      if (!steel) return steel.error();
+      made.input.materials[i] = std::move(steel).take();
+    }
+    const std::array<FlankUse, 2> use{use_of(drive, m, 0), use_of(drive, m, 1)};
+    auto one = rate(made.pair, of_gear_use(made.input, use[0]));
+    auto two = rate(made.pair, of_gear_use(made.input, use[1]));
+    if (!one) return of_mesh(one.error());
+    if (!two) return of_mesh(two.error());
+    made.rating = joined(std::move(one).take(), *two);
+    made.engagements = {use[0].engagements, use[1].engagements};
+    ratings[m] = std::move(made);
+  }
+  return ratings;
+}
+
+}  // namespace gearwright

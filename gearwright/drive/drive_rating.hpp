@@ -1,0 +1,40 @@
+// Strength of the meshes of a drive by ISO 6336: each a pair in the frame of its carrier.
+//
+//   T_1    z_1 λ T_in/N: the torque on gear 1 of one of N copies
+//   n_1    speed of gear 1 minus that of the carrier
+//                                              theory: docs/theory/11-rating.md, 13-drives.md
+//
+// A tooth of a central gear engages with N planets per turn. A gear that drives in one mesh and is
+// driven in another is bent in both directions, as a planet between sun and ring.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gearwright/drive/drive.hpp"
+
+namespace gearwright {
+
+/// The load of a drive, and what is common to its meshes.
+struct DriveLoad {
+  double torque = 0.0;          ///< T  N m, on the first input, > 0
+  std::optional<double> speed;  ///< n  1/min, of the first input; absent: ratings without speed
+  RatingInput common;           ///< all but torque, speed, materials; K_γ is used if N > 1
+};
+
+/// Material of a gear of a mesh, by the number of the gear.
+using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
+
+/// The load and speed of a mesh as those of a pair; materials are left out.
+///
+/// Domain    a drive with a flow that does not lock itself (contract)
+RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
+
+/// One for each mesh; none if a mesh carries no load or has no pair.
+///
+/// Errors    `drive.mesh` without a flow, or that locks itself; as rate(), with the mesh in the rule
+Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
+                                                           const DriveLoad& load,
+                                                           const GearMaterials& material);
+
+}  // namespace gearwright

@@ -1,0 +1,123 @@
+#include "gearwright/figure/distribution_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/figure/markup.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::size_t kMostBars = 60;
+constexpr std::size_t kMostPoints = 400;  // of a cumulative curve
+
+std::string shown(double value) { return fmt::format("{:.4g}", value); }
+
+struct Range {
+  double least, greatest;
+};
+
+Range range_of(const DistributionScene& scene) {
+  GW_EXPECTS(scene.values.size() >= 2);
+  const auto [least, greatest] = std::minmax_element(scene.values.begin(), scene.values.end());
+  GW_EXPECTS(*least < *greatest);
+  return {*least, *greatest};
+}
+
+FigureAxis value_axis(const DistributionScene& scene) {
+  const auto [least, greatest] = range_of(scene);
+  return {scene.words, scene.unit, least, greatest};
+}
+
+void add_percentiles(Figure& f, const DistributionScene& scene) {
+  for (const auto& [percent, value] : scene.percentiles) {
+    f.line({{value, -std::numeric_limits<double>::infinity()},
+            {value, std::numeric_limits<double>::infinity()}},
+           "leader dash");
+    f.text({value, f.y.hi}, escaped(format_number(percent) + " %"), Anchor::middle, "halo",
+           {0, 12});
+  }
+}
+
+}  // namespace
+
+Figure histogram_figure(const DistributionScene& scene) {
+  const auto [least, greatest] = range_of(scene);
+  const auto bars = std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::sqrt(static_cast<double>(scene.values.size()))), 2, kMostBars);
+  const double step = (greatest - least) / static_cast<double>(bars);
+  std::vector<double> count(bars, 0.0);
+  for (const double v : scene.values)
+    ++count[std::min(bars - 1, static_cast<std::size_t>((v - least) / step))];
+  const double all = static_cast<double>(scene.values.size());
+  const double most = *std::max_element(count.begin(), count.end()) / all * 100;
+  Figure f{.id = scene.id,
+           .title = "Distribution: " + scene.words,
+           .description = "The share of the samples in equal steps of the value.",
+           .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
+           .x = value_axis(scene),
+           .y = {"share of the samples", "%", 0.0, 1.12 * most}};
+  for (std::size_t i = 0; i < bars; ++i) {
+    const double from = least + static_cast<double>(i) * step;
+    const double share = 100 * count[i] / all;
+    if (share == 0.0) continue;
+    f.bar(
+        {from, 0.0}, {from + step, share}, "bar alpha",
+        fmt::format("{} to {}{}: {} %", shown(from), shown(from + step), scene.unit, shown(share)));
+  }
+  add_percentiles(f, scene);
+  return f;
+}
+
+Figure cumulative_figure(const DistributionScene& scene) {
+  std::vector<double> sorted = scene.values;
+  std::sort(sorted.begin(), sorted.end());
+  Figure f{.id = scene.id + "-below",
+           .title = "Share below a value: " + scene.words,
+           .description = "The share of the samples that lie below each value, from 0 to 100 %.",
+           .caption = ": how many pairs stay below a limit.",
+           .x = value_axis(scene),
+           .y = {"share of the samples below", "%", 0.0, 112.0}};
+  const std::size_t points = std::min(kMostPoints, sorted.size());
+  std::vector<Vec2> curve;
+  for (std::size_t k = 0; k < points; ++k) {
+    const std::size_t i = k * (sorted.size() - 1) / (points - 1);
+    curve.push_back(
+        {sorted[i], 100.0 * static_cast<double>(i + 1) / static_cast<double>(sorted.size())});
+  }
+  f.line(std::move(curve), "curve ink", "share below");
+  add_percentiles(f, scene);
+  return f;
+}
+
+Figure index_figure(const IndexScene& scene) {
+  GW_EXPECTS(!scene.groups.empty());
+  const auto n = static_cast<double>(scene.groups.size());
+  Figure f{
+      .id = scene.id,
+      .title = "Share of the variance: " + scene.words,
+      .description =
+          "For each tolerance the share of the variance that it explains alone, and the share in "
+          "which it takes part.",
+      .caption = ", by Sobol’s indices: what a tolerance explains alone, and in all.",
+      .x = {"tolerance", "", 0.3, n + 0.7, true},
+      .y = {"share of the variance", "", 0.0, 1.0}};
+  f.keys = {{"alpha", "alone"}, {"beta", "in all"}};
+  for (std::size_t g = 0; g < scene.groups.size(); ++g) {
+    const auto& [name, first, total] = scene.groups[g];
+    const double at = static_cast<double>(g) + 1.0;
+    f.bar({at - 0.36, 0.0}, {at, std::max(0.0, first)}, "bar alpha",
+          fmt::format("{}, alone: {}", name, shown(first)));
+    f.bar({at, 0.0}, {at + 0.36, std::max(0.0, total)}, "bar beta",
+          fmt::format("{}, in all: {}", name, shown(total)));
+    f.y.hi = std::max(f.y.hi, 1.06 * total);
+  }
+  return f;
+}
+
+}  // namespace gearwright

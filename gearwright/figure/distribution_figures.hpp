@@ -1,0 +1,45 @@
+// Distribution of a quantity over many samples, and the contribution of each input to its variance.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gearwright/figure/figure.hpp"
+
+namespace gearwright {
+
+struct DistributionScene {
+  std::string id;     ///< unique in a page, "scatter-te"
+  std::string words;  ///< of the number: "transmission error, peak to peak"
+  std::string unit;   ///< "″"; empty: a pure number
+  std::vector<double> values;
+  std::vector<std::pair<double, double>> percentiles;  ///< percent and value
+};
+
+/// Number of samples in each of several equal steps.
+///
+/// Domain    at least two values that differ (contract)
+Figure histogram_figure(const DistributionScene& scene);
+
+/// The share of the samples below each value.
+///
+/// Domain    at least two values that differ (contract)
+Figure cumulative_figure(const DistributionScene& scene);
+
+struct IndexScene {
+  std::string id;
+  std::string words;  ///< of the number whose variance is shared
+  struct Group {
+    std::string name;  ///< plain text
+    double first, total;
+  };
+  std::vector<Group> groups;
+};
+
+/// First and total Sobol indices, a pair of bars for each group.
+///
+/// Domain    at least one group (contract)
+Figure index_figure(const IndexScene& scene);
+
+}  // namespace gearwright

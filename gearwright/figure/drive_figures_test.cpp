@@ -1,0 +1,100 @@
+// Laws: (1) everything that is drawn lies within the axes; (2) the scheme names every gear, and grounds
+// what is held; (3) bands are named with their powers, and what leaves all meshes as losses is what the
+// output lacks.
+#include "gearwright/figure/drive_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+namespace {
+
+using M = SetMember;
+
+Drive made(const std::vector<std::pair<M, int>>& teeth, const std::string& held,
+           const std::string& in, const std::string& out) {
+  PlanetarySpec set;
+  for (const auto& [member, z] : teeth) set.z(member) = z;
+  set.planets = 3;
+  set.fixed = {{held}};
+  set.inputs = {in};
+  set.output = out;
+  set.efficiency.all = 0.99;
+  set.speeds_rpm = {1500};
+  set.torque_Nm = 40;
+  auto drive = make_drive({*graph_of(set), {}});
+  EXPECT_TRUE(drive) << drive.error().message();
+  return std::move(drive).take();
+}
+
+std::vector<Drive> drives() {
+  return {made({{M::sun, 20}, {M::planet, 25}, {M::ring, 70}}, "ring", "sun", "carrier"),
+          made({{M::sun, 20}, {M::planet, 25}, {M::ring, 70}}, "carrier", "ring", "sun"),
+          made({{M::planet, 21}, {M::ring, 57}, {M::ring2, 60}}, "ring", "carrier", "ring2"),
+          made({{M::sun, 12}, {M::planet, 24}, {M::planet2, 21}, {M::ring, 60}, {M::ring2, 57}},
+               "ring", "sun", "ring2"),
+          made({{M::sun, 28}, {M::idler, 22}, {M::planet, 22}, {M::sun2, 38}, {M::ring, 82}},
+               "carrier", "sun", "ring")};
+}
+
+void expect_inside(const Figure& figure) {
+  for (const FigureMark& mark : figure.marks)
+    for (const Vec2& p : mark.points) {
+      if (std::isnan(p.x())) continue;
+      EXPECT_GE(p.x(), figure.x.lo) << figure.id << mark.style << mark.words;
+      EXPECT_LE(p.x(), figure.x.hi) << figure.id << mark.style << mark.words;
+      EXPECT_GE(p.y(), figure.y.lo) << figure.id << mark.style << mark.words;
+      EXPECT_LE(p.y(), figure.y.hi) << figure.id << mark.style << mark.words;
+    }
+}
+
+TEST(DriveFigures, SchemesNameAllGearsAndGroundWhatIsHeld) {
+  for (const Drive& drive : drives()) {
+    const auto places = drive_places(drive);
+    ASSERT_TRUE(places) << places.error().message();
+    EXPECT_FALSE(places->true_scale);  // there is no module
+    const Figure figure = scheme_figure(drive, *places);
+    expect_inside(figure);
+    int grounds = 0;
+    for (const FigureMark& mark : figure.marks) grounds += mark.style == "ground";
+    EXPECT_GT(grounds, 0);
+    for (const DriveGear& gear : drive.graph.gears) {
+      int named = 0;
+      for (const FigureMark& mark : figure.marks)
+        named += mark.kind == FigureMark::Kind::text &&
+                 mark.words.find(gear.name + " " + std::to_string(std::abs(gear.teeth))) !=
+                     std::string::npos;
+      EXPECT_EQ(named, 1) << gear.name;
+    }
+  }
+}
+
+// "loss 0.89 %" → 0.0089
+double share_after(const std::string& words, const std::string& word) {
+  if (!words.starts_with(word)) return 0.0;
+  return std::strtod(words.c_str() + word.size(), nullptr) / 100;
+}
+
+TEST(DriveFigures, LossesAreWhatTheOutputLacks) {
+  for (const Drive& drive : drives()) {
+    const auto figure = power_figure(drive);
+    ASSERT_TRUE(figure);
+    expect_inside(*figure);
+    double in = 0.0, out = 0.0, lost = 0.0;
+    for (const FigureMark& mark : figure->marks) {
+      in += share_after(mark.words, "in ");
+      out += share_after(mark.words, "out ");
+      lost += share_after(mark.words, "loss ");
+    }
+    EXPECT_NEAR(in, 1.0, 1e-3);
+    EXPECT_NEAR(out, drive.flow->efficiency, 1e-3);
+    EXPECT_NEAR(in - out, lost, 2e-3);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

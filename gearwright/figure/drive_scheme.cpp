@@ -1,0 +1,340 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/drive_figures.hpp"
+#include "gearwright/figure/markup.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// In units of the picture: the greatest radius is kTall, slots follow each other by kSlot.
+constexpr double kTall = 2.0, kSlot = 1.7;
+constexpr double kHalf = 0.3;     // half a tooth bar
+constexpr double kWeb = 0.62;     // from the middle of a slot to the web of a carrier
+constexpr double kBell = 0.85;    // … of a ring
+constexpr double kLevel = 0.2;    // between coaxial shafts
+constexpr double kApart = 0.05;   // between the bars of a mesh
+constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
+constexpr double kFurther = 2.5;  // of each shaft inside it
+
+// A vertical line from the shaft of a body: of a gear, of a carrier or of the bell of a ring.
+struct Rise {
+  double x, to;
+};
+
+class Scheme {
+ public:
+  Scheme(const Drive& drive, const DrivePlaces& places)
+      : drive_(drive), graph_(drive.graph), places_(places) {}
+
+  Figure figure() {
+    f_.id = "scheme";
+    f_.title = "The kinematic scheme.";
+    f_.description =
+        "Gears as sticks with their teeth as bars, shafts as lines, carriers with one planet each, "
+        "and what is held, with speeds and torques at the ends of the shafts.";
+    f_.caption =
+        " A half section: sets are drawn above their axis, with one planet. Radii are to scale, "
+        "lengths along the axes are not.";
+    f_.bare = true;
+    measure();
+    draw_gears();
+    draw_carriers();
+    draw_shafts();
+    frame();
+    return std::move(f_);
+  }
+
+ private:
+  bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
+  bool is_end(std::size_t body) const {
+    return graph_.is_input(body) || graph_.output == body || graph_.is_fixed(body);
+  }
+  // Ends of the shafts: inputs at the left, the output at the right, fixed bodies on the free side.
+  bool leaves_left(std::size_t body) const {
+    return graph_.output != body && (graph_.is_input(body) || !left_taken(body));
+  }
+  bool left_taken(std::size_t body) const {
+    return std::any_of(graph_.inputs.begin(), graph_.inputs.end(), [&](std::size_t in) {
+      return (places_.axes[in] - places_.axes[body]).norm() < 1e-9;
+    });
+  }
+
+  double slot_x(int slot) const { return kSlot * slot; }
+  double axis_y(std::size_t body) const { return scale_ * places_.axes[body].x(); }
+
+  void measure() {
+    double most = 0.0;
+    for (const double r : places_.radii) most = std::max(most, r);
+    scale_ = kTall / most;
+    rises_.resize(graph_.bodies.size());
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) radii_.push_back(working_radius(g));
+  }
+
+  // Of the working pitch circle in the first mesh.
+  double working_radius(std::size_t g) const {
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      const auto& gears = graph_.meshes[m].gears;
+      if (gears[0] != g && gears[1] != g) continue;
+      const std::size_t a = graph_.gears[gears[0]].body, b = graph_.gears[gears[1]].body;
+      const double distance = (places_.axes[a] - places_.axes[b]).norm();
+      const int sum = graph_.gears[gears[0]].teeth + graph_.gears[gears[1]].teeth;
+      return scale_ * distance * std::abs(graph_.gears[g].teeth) / std::abs(sum);
+    }
+    return scale_ * places_.radii[g];
+  }
+
+  std::string stick(std::size_t body) const { return "stick " + body_style(body); }
+
+  void draw_gears() {
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+      const DriveGear& gear = graph_.gears[g];
+      const SlotRange slots = places_.slots[g];
+      const double from = slot_x(slots.first) - kHalf, to = slot_x(slots.last) + kHalf;
+      const double x = (from + to) / 2, y = axis_y(gear.body);
+      const std::string style = stick(gear.body);
+      const auto bar = [&](double at) {
+        f_.line({{from, at}, {to, at}}, "bar-stick " + body_style(gear.body));
+      };
+      std::string name = escaped(gear.name) + fmt::format(" {}", std::abs(gear.teeth));
+      if (rides(gear.body) && graph_.bodies[gear.body].count > 1)
+        name = fmt::format("{} × {}", graph_.bodies[gear.body].count, name);
+      if (gear.teeth < 0) {
+        const double r = radii_[g] + kApart;
+        bar(y + r);
+        if (graph_.is_fixed(gear.body)) {
+          ground({x, y + r}, true);
+          f_.text({x, y + r + 0.28}, name, Anchor::middle, "", {0.0, -4.0});
+        } else {
+          const double side = bell_side(gear.body, slots);
+          f_.line({{x, y + r}, {side, y + r}}, style);
+          rises_[gear.body].push_back({side, y + r});
+          f_.text({x, y + r}, name, Anchor::middle, "", {0.0, -7.0});
+        }
+        top_ = std::max(top_, y + r + 0.9);
+        continue;
+      }
+      const double r = radii_[g] - kApart;
+      const bool whole = rides(gear.body) || !in_a_set(g);
+      bar(y + r);
+      if (whole) bar(y - r);
+      if (rides(gear.body)) {
+        f_.line({{x, y - r}, {x, y + r}}, style);
+      } else if (whole) {
+        f_.line({{x, y - r}, {x, y + r}}, style);
+        rises_[gear.body].push_back({x, y});
+      } else {
+        rises_[gear.body].push_back({x, y + r});
+      }
+      f_.text({to, rides(gear.body) ? y + r * 0.6 : y + r * 0.55}, name, Anchor::start, "halo",
+              {5.0, 4.0});
+      top_ = std::max(top_, y + r + 0.35);
+      bottom_ = std::min(bottom_, whole ? y - r - 0.35 : y - 0.9);
+      right_ = std::max(right_, to + 0.3);
+      left_ = std::min(left_, from - 0.3);
+    }
+  }
+
+  bool in_a_set(std::size_t g) const {
+    return std::any_of(graph_.meshes.begin(), graph_.meshes.end(), [&](const DriveMesh& m) {
+      return (m.gears[0] == g || m.gears[1] == g) && graph_.frame(m);
+    });
+  }
+
+  // Side beyond the slots of everything inside the bell, where the body ends or continues.
+  double bell_side(std::size_t body, const SlotRange& slots) const {
+    return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
+  }
+  bool goes_right(std::size_t body, const SlotRange& slots) const {
+    if (is_end(body)) return !leaves_left(body);
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g)
+      if (graph_.gears[g].body == body && places_.slots[g].first > slots.last) return true;
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g)
+      if (graph_.gears[g].body == body && places_.slots[g].last < slots.first) return false;
+    return true;
+  }
+
+  void draw_carriers() {
+    for (const PlanetSet& set : drive_.sets) {
+      const std::size_t carrier = set.group.carrier;
+      SlotRange all{1000, -1};
+      double top = 0.0;
+      for (const std::size_t rider : set.group.riders) {
+        SlotRange own{1000, -1};
+        for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+          if (graph_.gears[g].body != rider) continue;
+          own = {std::min(own.first, places_.slots[g].first),
+                 std::max(own.last, places_.slots[g].last)};
+        }
+        if (own.last < 0) continue;
+        all = {std::min(all.first, own.first), std::max(all.last, own.last)};
+      }
+      if (all.last < 0) continue;
+      const bool right = goes_right(carrier, all);
+      const double web = right ? slot_x(all.last) + kWeb : slot_x(all.first) - kWeb;
+      const double far = right ? slot_x(all.first) - kHalf - 0.12 : slot_x(all.last) + kHalf + 0.12;
+      for (const std::size_t rider : set.group.riders) {
+        const double y =
+            axis_y(carrier) + scale_ * (places_.axes[rider] - places_.axes[carrier]).norm();
+        f_.line({{far, y}, {web, y}}, stick(carrier));
+        top = std::max(top, y);
+      }
+      rises_[carrier].push_back({web, top});
+      left_ = std::min(left_, web - 0.2);
+      right_ = std::max(right_, web + 0.2);
+    }
+  }
+
+  struct Shaft {
+    std::size_t body;
+    double from, to, y;
+    bool left = false, right = false;  // leaves there
+    int level = 0;
+  };
+
+  void draw_shafts() {
+    for (const auto& rises : rises_)
+      for (const Rise& rise : rises) {
+        left_ = std::min(left_, rise.x - 0.25);
+        right_ = std::max(right_, rise.x + 0.25);
+      }
+    std::map<long, std::vector<Shaft>> axes;  // by the place of their axis
+    for (std::size_t b = 0; b < graph_.bodies.size(); ++b) {
+      if (rides(b) || rises_[b].empty()) continue;
+      const auto [lo, hi] =
+          std::minmax_element(rises_[b].begin(), rises_[b].end(),
+                              [](const Rise& p, const Rise& q) { return p.x < q.x; });
+      Shaft shaft{b, lo->x, hi->x, axis_y(b)};
+      if (is_end(b)) (leaves_left(b) ? shaft.left : shaft.right) = true;
+      axes[std::lround(1e6 * shaft.y)].push_back(shaft);
+    }
+    for (auto& [place, shafts] : axes) draw_axis(shafts);
+  }
+
+  // Shafts that overlap get different levels: the one that reaches farther inwards is inside.
+  void draw_axis(std::vector<Shaft>& shafts) {
+    for (Shaft& s : shafts) {
+      if (s.left) s.from = left_;
+      if (s.right) s.to = right_;
+    }
+    std::stable_sort(shafts.begin(), shafts.end(),
+                     [](const Shaft& a, const Shaft& b) { return a.to - a.from > b.to - b.from; });
+    int most = 0;
+    for (std::size_t i = 0; i < shafts.size(); ++i) {
+      for (bool clash = true; clash;) {
+        clash = false;
+        for (std::size_t k = 0; k < i; ++k)
+          clash =
+              clash || (shafts[k].level == shafts[i].level && shafts[k].from < shafts[i].to + 0.1 &&
+                        shafts[k].to > shafts[i].from - 0.1);
+        if (clash) ++shafts[i].level;
+      }
+      most = std::max(most, shafts[i].level);
+    }
+    const double y = shafts.front().y;
+    for (Shaft& s : shafts) {
+      const double out = kEnd + kFurther * (most - s.level);
+      if (s.left) s.from = left_ - out;
+      if (s.right) s.to = right_ + out;
+      left_most_ = std::min(left_most_, s.from - 0.3);
+      right_most_ = std::max(right_most_, s.to + 0.3);
+    }
+    const auto from = [](const Shaft& a, const Shaft& b) { return a.from < b.from; };
+    const auto to = [](const Shaft& a, const Shaft& b) { return a.to < b.to; };
+    f_.line({{std::min_element(shafts.begin(), shafts.end(), from)->from - 0.3, y},
+             {std::max_element(shafts.begin(), shafts.end(), to)->to + 0.3, y}},
+            "thin dashdot");
+    for (const Shaft& s : shafts) {
+      const double at = y + kLevel * (s.level + 0.25);
+      if (s.to > s.from) f_.line({{s.from, at}, {s.to, at}}, "shaft " + body_style(s.body));
+      for (const Rise& rise : rises_[s.body])
+        f_.line({{rise.x, at}, {rise.x, rise.to}}, stick(s.body));
+      if (s.left || s.right) end_of(s.body, {s.left ? s.from : s.to, at}, s.left);
+    }
+    bottom_ = std::min(bottom_, y - 1.0);
+    top_ = std::max(top_, y + 0.8);
+  }
+
+  // The name above the end of a shaft, its numbers below.
+  void end_of(std::size_t body, const Vec2& at, bool left) {
+    if (graph_.is_fixed(body)) ground(at, false);
+    const char* part = graph_.is_input(body) ? "in" : graph_.output == body ? "out" : "held";
+    const Anchor anchor = left ? Anchor::start : Anchor::end;
+    f_.text(at, fmt::format("{} {}", escaped(graph_.bodies[body].name), part), anchor, "panel halo",
+            {0.0, -7.0});
+    std::vector<std::string> lines;
+    if (const auto n = drive_.speed_rpm(body); n && !graph_.is_fixed(body))
+      lines.push_back(fmt::format("{:.5g} /min", *n));
+    else if (const auto ratio = drive_.speed_ratio(body); ratio && !graph_.is_fixed(body))
+      lines.push_back(fmt::format("n {:.4g} n_in", *ratio));
+    if (drive_.flow && !drive_.flow->self_locking()) {
+      const double t = drive_.flow->torque[body];
+      const auto& given = graph_.torque_Nm;
+      lines.push_back(given ? fmt::format("{:.5g} N m", t * *given)
+                            : fmt::format("T {:.4g} T_in", t));
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      f_.text(at, symbol_text(lines[i]), anchor, "tick halo",
+              {0.0, 17.0 + 15.0 * static_cast<double>(i)});
+    bottom_ = std::min(bottom_, at.y() - 1.2);
+  }
+
+  // True minus signs; n_in and T_in with subscripts.
+  static std::string symbol_text(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '-')
+        out += "−";
+      else if (text.compare(i, 3, "_in") == 0) {
+        out += "<tspan class=\"s\" dy=\"3\">in</tspan>";
+        i += 2;
+      } else
+        out += text[i];
+    }
+    return out;
+  }
+
+  // Symbol of a fixed body: above a ring, or across the end of a shaft.
+  void ground(const Vec2& at, bool above) {
+    const Vec2 along = above ? Vec2(1, 0) : Vec2(0, 1),
+               out = above ? Vec2(0, 1) : Vec2(at.x() < 0 ? -1 : 1, 0);
+    const Vec2 base = at + (above ? 0.14 : 0.0) * out;
+    if (above) f_.line({at, base}, "ground");
+    f_.line({base - 0.3 * along, base + 0.3 * along}, "ground");
+    for (int k = -2; k <= 2; ++k) {
+      const Vec2 foot = base + 0.13 * k * along;
+      f_.line({foot, foot + 0.13 * out + 0.1 * along}, "thin");
+    }
+  }
+
+  void frame() {
+    f_.x = {"", "", std::min(left_, left_most_) - 0.1, std::max(right_, right_most_) + 0.1};
+    f_.y = {"", "", bottom_ - 0.1, top_ + 0.1};
+    f_.tall = (f_.y.hi - f_.y.lo) / (f_.x.hi - f_.x.lo);
+  }
+
+  const Drive& drive_;
+  const DriveGraph& graph_;
+  const DrivePlaces& places_;
+  Figure f_;
+  double scale_ = 1.0;
+  std::vector<double> radii_;             // of each gear, in units of the picture
+  std::vector<std::vector<Rise>> rises_;  // of each body
+  double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;
+  double left_most_ = 0.0, right_most_ = 0.0;
+};
+
+}  // namespace
+
+std::string body_style(std::size_t body) { return fmt::format("b{}", body % 8); }
+
+Figure scheme_figure(const Drive& drive, const DrivePlaces& places) {
+  return Scheme(drive, places).figure();
+}
+
+}  // namespace gearwright

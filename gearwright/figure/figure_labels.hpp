@@ -1,0 +1,22 @@
+// Positions of the labels of a figure's marks. Internal to figure.
+#pragma once
+
+#include <functional>
+
+#include "gearwright/figure/figure.hpp"
+#include "gearwright/figure/free_labels.hpp"
+
+namespace gearwright {
+
+/// Transformation from a figure to its picture.
+struct FigurePlace {
+  PixelBox plot;
+  std::function<Vec2(const Vec2&)> px;
+  double per_unit;  ///< px per unit of x
+};
+
+/// Writes the label of each mark where it overlaps no other: first dots and crosses, which are
+/// always labelled, then lines, then circles, which are labelled if there is room.
+void write_labels(Svg& svg, const Figure& figure, const FigurePlace& place);
+
+}  // namespace gearwright

@@ -1,0 +1,85 @@
+// The gears of a spec in section, as a figure: the housing frame seen from +z, axis 1 left, axis 2
+// right (an internal gear's too), y up; on crossed axes both gears side by side, each along its axis.
+//
+// A pair on parallel axes stands so that gear 1, which turns clockwise, touches with its leading flank
+// at C; a backlash opens on the other side. The gears are shapes that a script turns about their
+// axes, and the contact slides along the path (`FigureSlide`).
+//
+//   t    rotation of gear 1 out of that position, in its pitches
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/figure/figure.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+struct NamedCircle {
+  std::string symbol;      ///< "d_a"
+  double radius;           ///< mm
+  const char* style = "";  ///< further classes, with a leading space
+  std::string words = {};  ///< "tip diameter", for the pointer
+  std::string key = {};    ///< key of the quantity in the catalogue
+};
+
+/// The symbol with the number of gear `i` (0, 1) in its index: "d_a1".
+std::string symbol_of(const NamedCircle& circle, std::size_t i);
+
+/// Solid, dash-dot, dashed or dotted, by the symbol: tip and root, pitch, base, other circles.
+const char* style_of_circle(std::string_view symbol);
+
+/// Tip, working pitch and base circle of gear `i` (0, 1).
+std::vector<NamedCircle> mesh_circles(const InvolutePair& pair, std::size_t i);
+
+struct MeshScene {
+  std::vector<const Gear*> gears;          ///< one or two
+  const MountedGears* pair = nullptr;      ///< null: not mounted
+  const InvolutePair* involute = nullptr;  ///< the same pair if it is involute, else null
+  std::array<std::string, 2> shapes;       ///< names of the definitions (gear_shape.hpp)
+  std::array<std::vector<NamedCircle>, 2> circles{};
+};
+/// With the circles of mesh_circles, and the root circle of a gear without outline.
+MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
+
+/// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
+/// are shown whole.
+enum class MeshFrame { whole, mesh, flank };
+/// The window of a picture with this ratio of width to height.
+Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
+
+/// Bodies and circles with their names, axes, both lines of action, the path of contact with its
+/// letters.
+Figure mesh_figure(const MeshScene& scene, const Bounds& window);
+
+/// The whole gears with their directions of rotation; `framed` marks the window of another picture.
+Figure whole_figure(const MeshScene& scene, const Bounds& window, const Bounds& framed);
+
+/// The bodies alone.
+Figure bodies_figure(const MeshScene& scene, const Bounds& window);
+
+/// Two bodies, first filled, then their outlines, so that an overlap is visible. Angles in degrees.
+void add_bodies(Figure& figure, const MeshScene& scene, const std::array<double, 2>& angles);
+
+/// The circles of the scene about both axes, with their symbols if `named`.
+void add_circles(Figure& figure, const MeshScene& scene, bool named);
+
+/// Rotations of gear 1 and gear 2 out of the rest position of pair/pair.hpp at which the leading
+/// flanks touch at C, counter-clockwise seen from +z: each turns its flank's point on the working
+/// pitch circle onto the centre line.
+///
+/// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2);  ψ_i = s_bti/d_bi − inv α_wt the half angles of
+///           the teeth on the working pitch circles, of an internal gear's s_bt2/d_b2 + inv α_wt
+/// Units     rad        Domain  parallel axes
+std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
+
+/// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch, clockwise
+/// positive, as SVG has it.
+///
+/// Formula   360/z_1, −σ 360/|z_2|
+double turn_per_pitch(const MountedGears& pair, std::size_t i);
+
+}  // namespace gearwright

@@ -1,0 +1,120 @@
+#include "gearwright/job/corrected_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+
+namespace gearwright {
+
+namespace {
+
+const char* needs(CorrectionOf what) {
+  switch (what) {
+    case CorrectionOf::tool_setting:
+      return "is the setting of a rack F (one of circular arcs), which cuts neither gear";
+    case CorrectionOf::cutter_lead: return "needs a helical gear cut by a rack";
+    case CorrectionOf::end_relief:
+      return "needs end_relief_length_mm in the modifications of the gear, which says where the "
+             "relief "
+             "lies; its amount may be 0";
+    default:
+      return "needs the start of the relief in the modifications of the gear, tip_relief_start_mm "
+             "for "
+             "example; its amount may be 0";
+  }
+}
+
+}  // namespace
+
+Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup,
+                                                       const std::vector<std::size_t>& places,
+                                                       const std::string& field) {
+  if (places.empty()) return usual_corrections(setup);
+  std::vector<WorkshopCorrection> list;
+  for (const std::size_t place : places) {
+    const WorkshopCorrection& c = kCorrections[place].correction;
+    if (!can_take(setup, c)) return Error{field, std::string(entry_of(c).key), needs(c.what)};
+    list.push_back(c);
+  }
+  return list;
+}
+
+std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& c, bool gear2_drives) {
+  if (c.what == CorrectionOf::tool_setting)
+    return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
+  if (c.what == CorrectionOf::cutter_lead) return fmt::format("errors.{}", entry_of(c).key);
+  const bool left = gear2_drives != (c.gear == 2 && setup.gear(2).internal());
+  return fmt::format("gear{}.modifications.{}{}", c.gear,
+                     !c.slope() ? ""
+                     : left     ? "left_"
+                                : "right_",
+                     entry_of(c).own_key());
+}
+
+bool at_bound(const Correction& range, double value) {
+  const double reach = 0.02 * range.step;
+  return value != 0.0 && (value - range.lo < reach || range.hi - value < reach);
+}
+
+FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
+                                 std::string spec_key, bool at_bound) {
+  const CorrectionEntry& c = entry_of(correction);
+  return {std::string(c.key),
+          std::string(c.unit()),
+          std::string(c.words),
+          std::string(c.shown_unit()),
+          value,
+          std::move(spec_key),
+          at_bound};
+}
+
+Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
+                    const std::vector<WorkshopCorrection>& which, const std::vector<double>& v,
+                    bool gear2_drives) {
+  Json tree = job.spec.tree->tables;
+  const auto add = [](Json& table, const std::string& key, double value) {
+    // A sum of decimals has none of the digits that binary addition leaves.
+    constexpr double kDigits = 1e9;
+    const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
+    table[key] = std::round(sum * kDigits) / kDigits;
+  };
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const WorkshopCorrection& c = which[k];
+    if (v[k] == 0.0) continue;
+    if (c.what == CorrectionOf::tool_setting) {
+      const int gear = *setup.convex_gear();
+      Json& rack = tree[gear_field(gear)]["rack"];
+      const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
+      rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
+      rack.erase("pressure_angle_deg");  // it was a check of the old setting
+    } else if (c.what == CorrectionOf::cutter_lead) {
+      add(tree["errors"], std::string(entry_of(c).key), v[k]);  // an error of the same name
+    } else {
+      const std::string name(entry_of(c).own_key());
+      const bool slope = c.slope();
+      Json& table = tree[gear_field(c.gear)]["modifications"];
+      const std::string path = spec_key(setup, c, gear2_drives);
+      const std::string own = path.substr(path.rfind('.') + 1);
+      // What holds for both flanks so far is the amount to add to.
+      if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
+      add(table, own, v[k]);
+      // What is meant for both is added where a flank has its own, too.
+      for (const char* side : {"left_", "right_"})
+        if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
+      // With one of its own each, what was meant for both has no effect.
+      if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
+    }
+  }
+  // Tables after plain values, as a TOML file has them.
+  Json ordered = Json::object();
+  for (const bool tables : {false, true})
+    for (const auto& [key, value] : tree.items())
+      if (value.is_object() == tables) ordered[key] = value;
+  return ordered;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,164 @@
+// What the doors of drives say: (1) a spec and the graph to which it expands have the same numbers;
+// (2) the drives of a search have those of the verb drive for their specs; (3) gears of stages and of
+// the graph take the keys of a gear, and what they cannot be is refused; (4) rate rates every mesh.
+#include "gearwright/job/drive_answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gearwright/job/drive_search_answer.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/toml_text.hpp"
+
+namespace gearwright {
+namespace {
+
+JobSpec drive_job(const std::string& toml) {
+  auto spec = read_spec(toml, SpecFormat::toml);
+  EXPECT_TRUE(spec) << spec.error().message();
+  return std::move(spec).take();
+}
+
+Json drive_record(const JobSpec& spec) {
+  const auto answer = answer_drive(spec);
+  EXPECT_TRUE(answer) << answer.error().message();
+  return answer->record["drive"];
+}
+
+std::string refused_drive_key(const std::string& toml) {
+  const auto spec = read_spec(toml, SpecFormat::toml);
+  return spec ? "" : spec.error().field;
+}
+
+constexpr const char* kSet = R"(
+[planetary]
+sun = 20
+planet = 25
+ring = 70
+planets = 3
+normal_module_mm = 2
+helix_angle_deg = 12
+profile_shift = { sun = 0.2, planet = 0.1 }
+thickness_allowance_mm = { sun = -0.05, planet = -0.06 }
+tip_diameter_mm = { ring = 141 }
+mesh_efficiency = { sun_planet = 0.985 }
+speed_rpm = 1500
+torque_Nm = 40
+material = { sun = { name = "17CrNiMo6" }, planet = { name = "34CrNiMo6" } }
+)";
+
+constexpr const char* kTrain = R"(
+[[stage]]
+planetary = { sun = 20, planet = 19, ring = 58, planets = 4, spacing = "opposite" }
+normal_module_mm = 2
+friction_coefficient = 0.07
+speed_rpm = 1500
+torque_Nm = 40
+[[stage]]
+gears = [ { teeth = 19, normal_module_mm = 3, helix_angle_deg = 10, modifications = { profile_crowning_um = 12, lead_crowning_um = 6 } }, { teeth = 58 } ]
+)";
+
+TEST(DriveAnswerTest, ExpandedSpecsHaveTheSameNumbers) {
+  for (const char* toml : {kSet, kTrain}) {
+    const JobSpec spec = drive_job(toml);
+    const auto answer = answer_drive(spec);
+    ASSERT_TRUE(answer) << answer.error().message();
+    ASSERT_EQ(answer->specs.size(), 1u);
+    const std::string text = toml_text(answer->specs[0]);
+    Json expected = answer->record["drive"];
+    Json got = drive_record(drive_job(text));
+    expected.erase("stages");
+    got.erase("stages");
+    EXPECT_EQ(json_text(got), json_text(expected)) << text;
+    EXPECT_EQ(drive_materials(answer->specs[0]).size(), drive_materials(spec.tree->tables).size());
+  }
+}
+
+TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
+  const Json drive = drive_record(drive_job(kTrain));
+  EXPECT_EQ(drive["assembly"]["angles_deg"][2], 180.0);
+  EXPECT_EQ(drive["bodies"]["s1_sun"]["speed_rpm"], 1500.0);
+  // The second gear has module and the opposite helix from the first.
+  EXPECT_EQ(drive["meshes"]["s2_gear1_gear2"]["pair"]["kind"], "parallel_external");
+  EXPECT_GT(drive["transmission_error"]["output_arcsec_peak_to_peak"], 0.1);
+}
+
+TEST(DriveAnswerTest, GearsOfADriveAreRefusedWhatTheyCannotBe) {
+  const auto stage = [](const std::string& gear) {
+    return "[[stage]]\ngears = [ { teeth = 19, normal_module_mm = 2, " + gear +
+           " }, { teeth = 58 } ]\n";
+  };
+  EXPECT_EQ(refused_drive_key(stage("profile_shift = 0.1")), "");
+  EXPECT_EQ(refused_drive_key(stage("cut_by = \"gear2\"")), "stage[1].gears[1].cut_by");
+  EXPECT_EQ(refused_drive_key(stage("tip_fillet = { radius_mm = 0.2 }")),
+            "stage[1].gears[1].tip_fillet");
+  EXPECT_EQ(refused_drive_key(stage("tolerance = { thickness_series = \"cd25\" }")),
+            "stage[1].gears[1].tolerance.thickness_series");
+  EXPECT_EQ(refused_drive_key("[planetary]\nplanet = 20\nring = 60\nmaterial = { sun = 3 }\n"),
+            "planetary.material.sun.material");
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nstages = 2\n"),
+            "search.stages");
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nsun2_teeth = 20\n"),
+            "search.sun2_teeth");
+}
+
+TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
+  for (const std::string search :
+       {"kind = \"planetary\"\nratio = [4.4, 4.6]\nplanets = [3, 4]\nsun_teeth = [15, 24]\n"
+        "objective = [\"efficiency\", \"size\"]",
+        "kind = \"wolfrom\"\nratio = [-60, 60]\nplanet_teeth = [20, 22]\nmesh_efficiency = 0.99",
+        "kind = \"two_suns\"\nratio = [-40, -10]\nplanets = 2\nplanet_teeth = [38, 40]\n"
+        "mesh_efficiency = 0.98",
+        "kind = \"train\"\nratio = [11.9, 12.1]\npinion_teeth = [17, 19]\nwheel_teeth = [55, "
+        "70]"}) {
+    const JobSpec spec =
+        drive_job("[search]\n" + search + "\nnormal_module_mm = 2\nspeed_rpm = 1500\n");
+    ASSERT_TRUE(searches_drives(spec));
+    const auto answer = answer_drive_search(spec, 4, 1);
+    ASSERT_TRUE(answer) << answer.error().message();
+    const Json& designs = answer->record["search"]["designs"];
+    ASSERT_GE(designs.size(), 4u) << search;
+    ASSERT_EQ(answer->specs.size(), designs.size());
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      const Json drive = drive_record(drive_job(toml_text(answer->specs[i])));
+      for (const char* key :
+           {"ratio", "ratio_exact", "efficiency", "efficiency_backward", "center_distance_mm"})
+        EXPECT_EQ(designs[i][key], drive[key]) << search << " " << key;
+      if (!drive["assembly"].is_null()) {
+        EXPECT_EQ(designs[i]["positions"], drive["assembly"]["positions"]);
+        EXPECT_EQ(designs[i]["neighbour_clearance_mm"],
+                  drive["assembly"]["neighbour_clearance_mm"]);
+      }
+    }
+    for (std::size_t i = 1; i < designs.size(); ++i)
+      EXPECT_GE(designs[i - 1]["efficiency"], designs[i]["efficiency"]);
+  }
+}
+
+TEST(DriveAnswerTest, RateRatesEveryMesh) {
+  const JobSpec spec = drive_job(std::string(kSet) +
+                                 "[rating]\nquality = [6, 6]\nface_load_factor = 1.2\n"
+                                 "mesh_load_factor = 1.15\nsafety_root_min = 30\n"
+                                 "material = { name = \"42CrMo4\" }\n");
+  const auto answer = answer_drive_rating(spec);
+  ASSERT_TRUE(answer) << answer.error().message();
+  const Json& meshes = answer->record["drive"]["meshes"];
+  for (const char* mesh : {"sun_planet", "planet_ring"}) {
+    const Json& rating = meshes[mesh]["rating"];
+    EXPECT_GT(rating["S_H"][0], 0.1) << mesh;
+    EXPECT_EQ(rating["K_gamma"], 1.15);
+  }
+  EXPECT_EQ(meshes["sun_planet"]["rating"]["Y_M"][1], 0.7);
+  EXPECT_EQ(meshes["planet_ring"]["rating"]["Y_M"][0], 0.7);
+  // A safety of 30 is wanted and not there.
+  EXPECT_NE(answer->verdict->level, Level::green);
+  const auto without = answer_drive(spec);
+  ASSERT_TRUE(without);
+  EXPECT_EQ(without->verdict->not_judged, std::vector<std::string>{"rating"});
+  EXPECT_FALSE(without->record["drive"]["meshes"]["sun_planet"].contains("rating"));
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/job/drive_job.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/run_folder.hpp"
+#include "gearwright/job/value_json.hpp"
+#include "gearwright/report/drive_report.hpp"
+
+namespace gearwright {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& folder,
+                                         const FileOptions& options) {
+  std::vector<JobFile> files;
+  if (!job.layout) return files;
+  const auto bodies = drive_bodies(job);
+  if (!bodies) return files;  // the report gives the reason
+  std::vector<FileKind> kinds{FileKind::step, FileKind::glb, FileKind::threemf};
+  if (job.layout->sections.size() == 1) {
+    kinds.push_back(FileKind::dxf);
+    kinds.push_back(FileKind::svg);
+  }
+  for (const FileKind kind : kinds) {
+    if (!options.wants(ending(kind).substr(1))) continue;
+    auto file = make_file(kind, kind == FileKind::threemf ? laid_out(*bodies) : *bodies,
+                          folder / ("drive" + std::string(ending(kind))), options);
+    if (!file) return file.error();
+    files.push_back(std::move(file).take());
+  }
+  return files;
+}
+
+}  // namespace
+
+Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
+  auto shapes = shape_files(job, folder, options);
+  if (!shapes) return shapes.error();
+  std::vector<JobFile> files = std::move(shapes).take();
+  if (options.wants("report")) {
+    DriveReportInput report;
+    report.title = job.spec.title;
+    report.drive = &job.drive;
+    report.places = job.places ? &*job.places : nullptr;
+    report.layout = job.layout ? &*job.layout : nullptr;
+    report.why_no_layout = job.why_no_layout;
+    report.verdict = job.verdict;
+    report.files = report_files(files);
+    report.spec_text = job.spec.text;
+    report.version = kVersion;
+    files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
+                                 "one self-contained page", drive_report_html(report)});
+  }
+  Json result = titled_record(job.spec);
+  result["drive"] = to_json(drive_quantities().of(job.drive));
+  result["warnings"] = warnings_json(job.drive.findings);
+  result["verdict"] = verdict_json(job.verdict);
+  result["files"] = files_json(files);
+  const std::string text = json_text(result, 2) + "\n";
+  if (options.wants("result"))
+    files.insert(files.begin(),
+                 {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
+  return RunFiles{std::move(files), text, job.verdict};
+}
+
+Result<RunFiles> write_drive_files(const DriveJob& job, const fs::path& folder,
+                                   const FileOptions& options) {
+  auto made = make_drive_files(job, folder, options);
+  if (made) write_run_into(folder, made->files, options);
+  return made;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,166 @@
+#include "gearwright/job/drive_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/arrange/body.hpp"
+#include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/base/contract.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/drive/drive_error.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The key of a change in the table that describes the drive; empty: there is none.
+std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
+  const auto key = [&]() -> const char* {
+    switch (change.what) {
+      case Adjustable::center_distance: return "center_distance_mm";
+      case Adjustable::tip_diameter: return "tip_diameter_mm";
+      case Adjustable::profile_shift: return "profile_shift";
+      case Adjustable::thickness_allowance: return "thickness_allowance_mm";
+      case Adjustable::face_width: return "face_width_mm";
+      default: return nullptr;
+    }
+  }();
+  const bool mesh = change.what == Adjustable::center_distance;
+  const std::string name = mesh ? graph.meshes[change.index].name : graph.gears[change.index].name;
+  if (key == nullptr) return "";
+  if (tree.contains("planetary")) return fmt::format("planetary.{}.{}", key, name);
+  if (tree.contains("drive"))
+    return fmt::format("drive.{}[{}].{}", mesh ? "mesh" : "gear", change.index + 1, key);
+  return "";  // stages use other names
+}
+
+// The first body with this shape among the bodies of the drive's gears.
+ToothedBody body_of(const DriveJob& job, const PlacedGear& placed) {
+  const DriveGear& named = job.drive.graph.gears[placed.gear];
+  const Gear& gear = *job.drive.geometry.gears[placed.gear];
+  const int count = job.drive.graph.bodies[named.body].count;
+  ToothedBody body{count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name,
+                   gear.tooth->outline,
+                   gear.twist(),
+                   gear.spec.face_width,
+                   gear.internal() ? rim(gear) : gear.bore,
+                   Eigen::Isometry3d::Identity()};
+  body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
+  body.pose.rotate(Eigen::AngleAxisd(placed.angle, Vec3::UnitZ()));
+  body.colour = named.body;
+  return body;
+}
+
+double reach(const ToothedBody& body) {
+  double radius = body.bore ? body.bore->diameter / 2 : 0.0;
+  for (const Arc& arc : body.outline.arcs)
+    radius = std::max({radius, arc.begin_point.norm(), arc.end_point.norm()});
+  return radius;
+}
+
+}  // namespace
+
+Result<DriveJob> solve_drive(const JobSpec& spec) {
+  if (!spec.drive) {
+    return absent_input(
+        "planetary",
+        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
+        "planet = 25, ring = 70 and planets = 3 for example");
+  }
+  auto made = make_drive(*spec.drive);
+  if (!made) return of_drive_table(made.error(), spec.tree->tables);
+  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
+  if (spec.errors.any()) {
+    job.drive.error = transmission_error(job.drive, spec.drive->harmonics, [&](std::size_t mesh) {
+      ContactErrors errors;
+      const auto& pair = *job.drive.geometry.pairs[mesh];
+      const std::array<const Gear*, 2> gears{&pair.gear(1), &pair.gear(2)};
+      for (std::size_t i = 0; i < kErrorCount; ++i)
+        error_entries()[i].set(errors, gears, spec.errors.value[i]);
+      return errors;
+    });
+  }
+  if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
+  if (auto layout = drive_layout(job.drive)) {
+    job.layout = std::move(layout).take();
+  } else {
+    const Error& why = layout.error();
+    job.why_no_layout = fmt::format("The drive is not put together here: {}{}.",
+                                    why.value.empty() ? "" : why.value + " ", why.rule);
+  }
+  job.verdict = judge(job);
+  return job;
+}
+
+Verdict judge(const DriveJob& job) {
+  const RatingTable& rating = job.spec.rating;
+  return judge_drive(job.drive, *job.spec.drive,
+                     [&](const DriveChange& change) {
+                       return key_of(job.spec.tree->tables, job.drive.graph, change);
+                     },
+                     {rating.safety_flank_min.value_or(1.0), rating.safety_root_min.value_or(1.0)});
+}
+
+Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
+  if (!job.layout) return Error{"", "", job.why_no_layout};
+  std::vector<ToothedBody> bodies;
+  std::vector<std::optional<std::size_t>> first(job.drive.graph.gears.size());
+  for (const PlacedGear& placed : job.layout->gears) {
+    const Gear& gear = *job.drive.geometry.gears[placed.gear];
+    const std::string& name = job.drive.graph.gears[placed.gear].name;
+    if (!gear.tooth || !gear.exists())
+      return Error{"", "",
+                   fmt::format("{} has no outline: {}", name,
+                               gear.tooth ? gear.warnings.back().message
+                                          : std::string("no default cutter generates it"))};
+    ToothedBody body = body_of(job, placed);
+    if (first[placed.gear]) {
+      body.same_as = first[placed.gear];
+    } else {
+      first[placed.gear] = bodies.size();
+    }
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
+  constexpr double kBetween = 5.0;  // mm
+  double area = 0.0, widest = 0.0;
+  for (const ToothedBody& body : bodies) {
+    const double size = 2 * reach(body) + kBetween;
+    area += size * size;
+    widest = std::max(widest, size);
+  }
+  // Rows that make the plate nearly square.
+  const double row = std::max(widest, 1.1 * std::sqrt(area));
+  double x = 0.0, y = 0.0, tall = 0.0;
+  for (ToothedBody& body : bodies) {
+    const double size = 2 * reach(body) + kBetween;
+    if (x > 0.0 && x + size > row) {
+      x = 0.0;
+      y += tall;
+      tall = 0.0;
+    }
+    body.pose = Eigen::Isometry3d::Identity();
+    body.pose.translate(Vec3(x + size / 2, y + size / 2, body.face_width / 2));
+    x += size;
+    tall = std::max(tall, size);
+  }
+  return bodies;
+}
+
+Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
+                                const std::filesystem::path& path, const FileOptions& options) {
+  auto bodies = drive_bodies(job);
+  if (!bodies) return bodies.error();
+  return make_file(kind, kind == FileKind::threemf ? laid_out(std::move(bodies).take()) : *bodies,
+                   path, options);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,54 @@
+// A spec of a drive and the drive that it describes, put together; its files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/drive/drive_layout.hpp"
+#include "gearwright/job/files.hpp"
+#include "gearwright/spec/spec.hpp"
+
+namespace gearwright {
+
+struct DriveJob {
+  JobSpec spec;
+  Drive drive;
+  std::optional<DrivePlaces> places;  ///< none: it has a rack, or axes that cannot be placed
+  std::optional<DriveLayout> layout;  ///< none: it has no teeth, or they cannot mesh
+  std::string why_no_layout;          ///< reason as a sentence; empty if there is a layout
+  Verdict verdict;
+};
+
+/// The drive of a spec, with its transmission error for the spec's [errors] in every mesh.
+///
+/// Errors    a spec without a drive; as make_drive(), with the keys of the spec
+Result<DriveJob> solve_drive(const JobSpec& spec);
+
+/// The verdict over the drive, including safeties if it is rated.
+Verdict judge(const DriveJob& job);
+
+/// Every copy of every gear in its place, in one file's frame; copies refer to the first body with
+/// their shape, and gears of one body have the same colour.
+///
+/// Errors    a drive that has no layout; a gear without an outline
+Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
+
+/// The same bodies standing side by side on the plane z = 0, for printing.
+std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies);
+
+/// Files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb,
+/// drive.3mf (laid out), and the outlines of a drive with one section, drive.dxf and drive.svg.
+Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
+                                  const FileOptions& options);
+
+/// Writes them as write_everything() does.
+Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
+                                   const FileOptions& options);
+
+/// One file of the whole drive, as make_file(); a 3MF file has it laid out.
+Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
+                                const std::filesystem::path& path, const FileOptions& options);
+
+}  // namespace gearwright

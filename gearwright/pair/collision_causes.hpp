@@ -1,0 +1,18 @@
+// The causes of a collision as documents list them: each with its word in answers and a sentence.
+#pragma once
+
+#include <span>
+
+#include "gearwright/pair/collision.hpp"
+
+namespace gearwright {
+
+struct CauseMeaning {
+  CollisionCause cause;
+  const char* text;      ///< its word in answers
+  const char* sentence;  ///< of docs/spec.md
+};
+
+std::span<const CauseMeaning> collision_causes();
+
+}  // namespace gearwright

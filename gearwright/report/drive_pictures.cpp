@@ -1,0 +1,284 @@
+#include "gearwright/report/drive_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/figure/drive_figures.hpp"
+#include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kSectionWidth = 640.0, kSectionTall = 1.0;  // px; height over width
+constexpr double kPhaseWidth = 170.0, kPhaseTall = 140.0;
+constexpr double kPhaseModules = 6.5;    // size of the region in a picture of a phase
+constexpr double kTeethPerSecond = 1.2;  // of the fastest mesh while the picture turns
+constexpr int kSliderSteps = 240;        // of the slider
+
+// Degrees, clockwise as in SVG, by which a body with `ratio` to the input turns while t runs from 0
+// to 1.
+double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input_turns; }
+
+std::string turn_attribute(double degrees) { return fmt::format("data-turn=\"{:.12g}\"", degrees); }
+
+class Pictures {
+ public:
+  Pictures(const Drive& drive, const DriveLayout& layout)
+      : drive_(drive), graph_(drive.graph), layout_(layout) {
+    const auto alike = turns_until_alike(drive);
+    turns_ = alike ? alike->value() : 1.0;
+    Bounds all;
+    for (const PlacedGear& p : layout.gears) {
+      const Vec2 r = Vec2::Constant(drawn_radius(*drive.geometry.gears[p.gear]));
+      all.cover(p.axis - r);
+      all.cover(p.axis + r);
+      // Planets move: the whole circle of their carrier is shown.
+      if (const auto carrier = graph_.bodies[graph_.gears[p.gear].body].carrier) {
+        const Vec2 about = layout.places.axes[*carrier];
+        const Vec2 reach = r + Vec2::Constant((p.axis - about).norm());
+        all.cover(about - reach);
+        all.cover(about + reach);
+      }
+    }
+    const Vec2 size = all.size();
+    const double scale =
+        std::min((kSectionWidth - 24) / size.x(), (kSectionTall * kSectionWidth - 24) / size.y());
+    view_ = {kSectionWidth, scale * size.y() + 24, (all.lo + all.hi) / 2, scale};
+  }
+
+  std::string all() {
+    std::string figures;
+    for (std::size_t k = 0; k < layout_.sections.size(); ++k) figures += section(k);
+    return "<div class=\"figures drive\">\n" + figures + phases() + "</div>\n";
+  }
+
+ private:
+  double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
+
+  void use_gear(Svg& svg, const Viewport& view, std::size_t placed, double height, const Vec2& at,
+                double turned, double relative) {
+    const PlacedGear& p = layout_.gears[placed];
+    const Gear& gear = *drive_.geometry.gears[p.gear];
+    if (!has_outline(gear)) {
+      svg.circle(at, view.scale * gear.tip_diameter / 2,
+                 "stick " + body_style(graph_.gears[p.gear].body));
+      return;
+    }
+    const double degrees = kDegPerRad * (layout_.angle_at(drive_, placed, height) + turned);
+    svg.use(shape_name(p.gear), at, view.scale * outline_unit_mm(gear), degrees,
+            "part " + body_style(graph_.gears[p.gear].body),
+            turn_attribute(turn_of(relative, turns_)));
+  }
+
+  // Rings first, so that gears inside them are drawn over their rims.
+  std::vector<std::size_t> drawn_order(const DriveSection& section) const {
+    std::vector<std::size_t> order = section.gears;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return graph_.gears[layout_.gears[a].gear].teeth < 0 &&
+             graph_.gears[layout_.gears[b].gear].teeth > 0;
+    });
+    return order;
+  }
+
+  std::string section(std::size_t k) {
+    const DriveSection& section = layout_.sections[k];
+    Svg svg(fmt::format("section-{}", k + 1), kSectionWidth, view_.height, "The drive in section",
+            "All gears of this section in their places, true to scale, with all planets.");
+    std::set<std::size_t> carriers;
+    for (const std::size_t i : drawn_order(section)) {
+      const std::size_t body = graph_.gears[layout_.gears[i].gear].body;
+      if (const auto carrier = graph_.bodies[body].carrier) {
+        carriers.insert(*carrier);
+        continue;
+      }
+      use_gear(svg, view_, i, section.height, view_.px(layout_.gears[i].axis), 0.0, ratio(body));
+    }
+    for (const std::size_t carrier : carriers) draw_carrier(svg, section, carrier);
+    for (std::size_t b = 0; b < graph_.bodies.size(); ++b) {
+      if (graph_.bodies[b].carrier) continue;
+      const Vec2 at = view_.px(layout_.places.axes[b]);
+      svg.line(at - Vec2(6, 0), at + Vec2(6, 0), "cross");
+      svg.line(at - Vec2(0, 6), at + Vec2(0, 6), "cross");
+    }
+    const std::string caption = fmt::format(
+        "<strong>In section{}</strong>, true to scale{}. {}",
+        k == 0 ? "" : fmt::format(" {}", k + 1),
+        layout_.sections.size() > 1 ? fmt::format(", at z = {} mm", fixed(section.height, 1)) : "",
+        keys(section));
+    return captioned(svg.str() + (k == 0 ? control() : ""), caption);
+  }
+
+  // The planets in a group that turns with the carrier, and lines from its axis to theirs.
+  void draw_carrier(Svg& svg, const DriveSection& section, std::size_t carrier) {
+    const Vec2 center = view_.px(layout_.places.axes[carrier]);
+    svg.begin_group(fmt::format("transform=\"translate({} {})\" {}", pixel(center.x()),
+                                pixel(center.y()),
+                                turn_attribute(turn_of(ratio(carrier), turns_))));
+    std::vector<Vec2> pins;
+    for (const std::size_t i : section.gears) {
+      const std::size_t body = graph_.gears[layout_.gears[i].gear].body;
+      if (graph_.bodies[body].carrier != carrier) continue;
+      const Vec2 at = view_.px(layout_.gears[i].axis) - center;
+      use_gear(svg, view_, i, section.height, at, 0.0, ratio(body) - ratio(carrier));
+      pins.push_back(at);
+    }
+    for (const Vec2& at : pins) {
+      svg.line(Vec2::Zero(), at, "stick " + body_style(carrier));
+      svg.circle(at, 4.0, "stick " + body_style(carrier));
+    }
+    svg.end_group();
+  }
+
+  std::string keys(const DriveSection& section) const {
+    std::string text;
+    std::set<std::size_t> said, carriers;
+    for (const std::size_t i : section.gears) {
+      const DriveGear& gear = graph_.gears[layout_.gears[i].gear];
+      if (!said.insert(layout_.gears[i].gear).second) continue;
+      const int count = graph_.bodies[gear.body].count;
+      text += key(gear.body, fmt::format("{}{} {}", count > 1 ? fmt::format("{} × ", count) : "",
+                                         gear.name, std::abs(gear.teeth)));
+      if (const auto carrier = graph_.bodies[gear.body].carrier) carriers.insert(*carrier);
+    }
+    for (const std::size_t c : carriers) text += key(c, graph_.bodies[c].name);
+    return text;
+  }
+
+  std::string key(std::size_t body, const std::string& words) const {
+    std::string speed;
+    if (graph_.is_fixed(body))
+      speed = ", held";
+    else if (const auto n = drive_.speed_rpm(body))
+      speed = fmt::format(", {}/min", fixed(*n, 1));
+    return caption_key(body_style(body), escaped(words + speed)) + " ";
+  }
+
+  std::string control() const {
+    double teeth = 0.0;
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m)
+      teeth = std::max(teeth, drive_.frequency_ratio(m).value_or(0.0));
+    const double seconds = std::max(3.0, teeth * turns_ / kTeethPerSecond);
+    return fmt::format(
+        "<div class=\"turn\" data-pitch=\"{:.12g}\" data-seconds=\"{:.6g}\" hidden><button "
+        "type=\"button\">Turn</button> <label>{} <input type=\"range\" min=\"0\" max=\"1\" "
+        "step=\"{:.9g}\" value=\"0\"></label> <output>0.00°</output></div>\n",
+        360.0 * turns_, seconds, escaped(graph_.bodies[graph_.inputs.front()].name),
+        1.0 / kSliderSteps);
+  }
+
+  // The meshes of each planet with a central gear, each drawn with the planet above: a planet with
+  // phase γ is drawn γ pitches behind.
+  std::string phases() {
+    std::string text;
+    for (const PlanetSet& set : drive_.sets) {
+      if (set.group.count < 2) continue;
+      std::string pictures;
+      for (const std::size_t m : set.group.meshes) {
+        const DriveMesh& mesh = graph_.meshes[m];
+        const bool first_rides = graph_.body(graph_.gear(mesh, 0)).carrier.has_value();
+        const bool second_rides = graph_.body(graph_.gear(mesh, 1)).carrier.has_value();
+        if (first_rides == second_rides) continue;
+        const int central = first_rides ? 1 : 0;
+        const auto list = mesh_phases(graph_.gear(mesh, central).teeth, set.assembly.turns);
+        for (int copy = 0; copy < set.group.count; ++copy)
+          pictures += phase(set, m, central, copy, list[static_cast<std::size_t>(copy)]);
+      }
+      if (pictures.empty()) continue;
+      text += fmt::format(
+          "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Every planet as its "
+          "carrier "
+          "sees it, turned upright. Equal pictures touch at the same time; γ is the part of a "
+          "period "
+          "by which a mesh comes after that of the first planet.</p>\n<div class=\"multiples\">\n{}"
+          "</div>\n{}</div>\n",
+          escaped(graph_.bodies[set.group.carrier].name), pictures, resultants(set));
+    }
+    return text;
+  }
+
+  std::string phase(const PlanetSet& set, std::size_t m, int central, int copy,
+                    const Rational& gamma) {
+    const DriveMesh& mesh = graph_.meshes[m];
+    const std::size_t rider_gear = mesh.gears[static_cast<std::size_t>(1 - central)];
+    const std::size_t central_gear = mesh.gears[static_cast<std::size_t>(central)];
+    const auto find = [&](std::size_t gear, int which) {
+      const auto it =
+          std::find_if(layout_.gears.begin(), layout_.gears.end(),
+                       [&](const PlacedGear& p) { return p.gear == gear && p.copy == which; });
+      return static_cast<std::size_t>(it - layout_.gears.begin());
+    };
+    const std::size_t planet = find(rider_gear, copy), other = find(central_gear, 0);
+    const Vec2 along = layout_.gears[planet].axis - layout_.gears[other].axis;
+    const double upright = kHalfPi - std::atan2(along.y(), along.x());
+    const double height =
+        layout_.sections[static_cast<std::size_t>(layout_.places.mesh_slot[m])].height;
+    const double sum = graph_.gears[rider_gear].teeth + graph_.gears[central_gear].teeth;
+    const double pitch_radius = std::abs(along.norm() * graph_.gears[central_gear].teeth / sum);
+    const double module = drive_.geometry.gears[rider_gear]->spec.normal_module;
+    const Viewport view{
+        kPhaseWidth, kPhaseTall, {0.0, pitch_radius}, kPhaseWidth / (kPhaseModules * module)};
+    Svg svg(fmt::format("phase-{}-{}", m + 1, copy + 1), kPhaseWidth, kPhaseTall,
+            fmt::format("{}, planet {}", mesh.name, copy + 1),
+            "The teeth of the planet and of the central gear about their pitch point.");
+    svg.begin_clip(0, 0, kPhaseWidth, kPhaseTall);
+    const double carried = ratio(set.group.carrier);
+    for (const bool ring : {true, false}) {
+      for (const std::size_t i : {other, planet}) {
+        const DriveGear& gear = graph_.gears[layout_.gears[i].gear];
+        if ((gear.teeth < 0) != ring) continue;
+        const Vec2 at = i == planet ? Vec2(0.0, along.norm()) : Vec2(Vec2::Zero());
+        use_gear(svg, view, i, height, view.px(at), upright, ratio(gear.body) - carried);
+      }
+    }
+    svg.end_group();
+    return captioned(svg.str(), fmt::format("{}, planet {}: <var>γ</var> {}", escaped(mesh.name),
+                                            copy + 1, fixed(gamma.value(), 4)));
+  }
+
+  static std::string resultants(const PlanetSet& set) {
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t k = 0; k < set.phasing.resultants.size(); ++k) {
+      const Resultant& r = set.phasing.resultants[k];
+      rows.push_back({fmt::format("{}", k + 1), fixed(r.torque, 4), fixed(r.force_forward, 4),
+                      fixed(r.force_backward, 4)});
+    }
+    return value_table(
+        "What is left of each harmonic of the mesh frequency, as a part of what one "
+        "planet makes times their number",
+        {"Harmonic", "Torque, axial force", "Force turning with the sun",
+         "Force turning against it"},
+        rows);
+  }
+
+  const Drive& drive_;
+  const DriveGraph& graph_;
+  const DriveLayout& layout_;
+  double turns_ = 1.0;
+  Viewport view_{};
+};
+
+}  // namespace
+
+std::string shape_name(std::size_t gear) { return fmt::format("gear{}", gear + 1); }
+
+std::string drive_definitions(const Drive& drive) {
+  std::string shapes;
+  for (std::size_t g = 0; g < drive.geometry.gears.size(); ++g)
+    if (const auto& gear = drive.geometry.gears[g]) shapes += gear_definition(*gear, shape_name(g));
+  if (shapes.empty()) return {};
+  return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + shapes +
+         "</defs></svg>\n";
+}
+
+std::string drive_section_figures(const Drive& drive, const DriveLayout& layout) {
+  return Pictures(drive, layout).all();
+}
+
+}  // namespace gearwright

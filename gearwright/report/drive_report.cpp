@@ -1,0 +1,194 @@
+#include "gearwright/report/drive_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/figure/drive_figures.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/report/drive_pictures.hpp"
+#include "gearwright/report/gear_figures.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/key_figures.hpp"
+#include "gearwright/report/page_parts.hpp"
+#include "gearwright/report/report_sections.hpp"
+#include "gearwright/report/table_builder.hpp"
+#include "gearwright/report/turning.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kKeyFigures{"ratio", "efficiency", "efficiency_backward",
+                                                      "center_distance_mm", "output_deg"};
+constexpr double kSchemeWidth = 640.0;
+
+std::string drive_title(const Drive& drive) {
+  std::string teeth;
+  for (const DriveGear& gear : drive.graph.gears)
+    teeth += fmt::format("{}{}", teeth.empty() ? "" : " / ", std::abs(gear.teeth));
+  return fmt::format("{} {}", drive.sets.empty() ? "Gear train" : "Planetary drive", teeth);
+}
+
+std::string drive_kind(const Drive& drive) {
+  const DriveGraph& graph = drive.graph;
+  const auto name = [&](std::size_t b) { return graph.bodies[b].name; };
+  std::string text = drive.sets.empty() ? "Gear train" : "Planetary drive";
+  for (const std::size_t in : graph.inputs)
+    text += fmt::format("{}{}", in == graph.inputs.front() ? ": in " : ", ", name(in));
+  text += ", out " + name(graph.output);
+  for (const std::size_t held : graph.fixed)
+    text += fmt::format("{}{}", held == graph.fixed.front() ? ", held " : ", ", name(held));
+  return text;
+}
+
+// A table of the bodies or of the meshes, with a column for each.
+template <class View, class List>
+std::string table_of(const std::string& caption, const Quantities<View>& quantities,
+                     const Drive& drive, const List& list) {
+  std::vector<std::string> names;
+  std::vector<ValueRecord> records;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    names.push_back(list[i].name);
+    records.push_back(quantities.of({&drive, i}));
+  }
+  TableBuilder table(caption, names);
+  table.groups(text_groups(quantities.table(), records, kPage));
+  return table.str();
+}
+
+std::string drive_overview(const DriveReportInput& input) {
+  const Drive& drive = *input.drive;
+  std::string text = "<section>\n<h2>The drive</h2>\n";
+  if (input.places) text += figure_html(scheme_figure(drive, *input.places), kSchemeWidth);
+  text += table_of("Bodies", drive_body_quantities(), drive, drive.graph.bodies);
+  return text + "</section>\n";
+}
+
+std::string section_part(const DriveReportInput& input) {
+  const std::string head = "<section>\n<h2>In section</h2>\n";
+  if (!input.layout)
+    return head +
+           fmt::format("<p class=\"nopicture\">{}</p>\n</section>\n", escaped(input.why_no_layout));
+  return head + drive_section_figures(*input.drive, *input.layout) + "</section>\n";
+}
+
+std::string power_part(const Drive& drive) {
+  std::string text = "<section>\n<h2>Power</h2>\n";
+  if (const auto figure = power_figure(drive)) text += figure_html(*figure, kSchemeWidth);
+  text += table_of("Meshes", drive_mesh_quantities(), drive, drive.graph.meshes);
+  const auto groups =
+      text_groups(drive_quantities().table(), {drive_quantities().of(drive)}, kPage);
+  TableBuilder whole("The whole drive", {"Value"});
+  whole.groups(groups);
+  return text + whole.str() + "</section>\n";
+}
+
+std::string planets_part(const Drive& drive) {
+  std::string text;
+  for (const PlanetSet& set : drive.sets) {
+    TableBuilder table(fmt::format("Planets of {}", drive.graph.bodies[set.group.carrier].name),
+                       {"Value"});
+    table.groups(
+        text_groups(assembly_quantities().table(), {assembly_quantities().of(set)}, kPage));
+    table.groups(text_groups(phasing_quantities().table(), {phasing_quantities().of(set)}, kPage));
+    text += table.str();
+  }
+  return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
+}
+
+// Names in pictures must be unique in a page: those of a mesh get its prefix.
+std::string with_prefix(const std::string& html, const std::string& prefix) {
+  constexpr std::array<std::string_view, 3> kMarks{" id=\"", " aria-labelledby=\"", "url(#"};
+  std::string text;
+  for (std::size_t at = 0; at < html.size();) {
+    std::size_t next = html.size();
+    std::string_view mark;
+    for (const std::string_view m : kMarks) {
+      const std::size_t found = html.find(m, at);
+      if (found < next) {
+        next = found;
+        mark = m;
+      }
+    }
+    text += html.substr(at, next - at);
+    if (mark.empty()) break;
+    text += mark;
+    at = next + mark.size();
+    const std::size_t end = html.find(mark.front() == 'u' ? ')' : '"', at);
+    std::string names = prefix + html.substr(at, end - at);
+    for (std::size_t blank = names.find(' '); blank != std::string::npos;
+         blank = names.find(' ', blank + prefix.size() + 1))
+      names.insert(blank + 1, prefix);
+    text += names;
+    at = end;
+  }
+  return text;
+}
+
+std::string mesh_parts(const Drive& drive) {
+  std::string text;
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    const auto& pair = drive.geometry.pairs[m];
+    const ParallelPair* const parallel = pair ? pair->parallel() : nullptr;
+    if (!parallel) continue;
+    const DriveMesh& mesh = drive.graph.meshes[m];
+    const std::string heading = fmt::format(
+        "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
+        escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
+    std::string section =
+        pair_section(*parallel, {shape_name(mesh.gears[0]), shape_name(mesh.gears[1])});
+    constexpr std::string_view kHead = "<h2>Pair</h2>\n";
+    const std::size_t at = section.find(kHead);
+    GW_EXPECTS(at != std::string::npos);
+    section.replace(at, kHead.size(), heading);
+    text += with_prefix(section, fmt::format("mesh{}-", m + 1));
+  }
+  return text;
+}
+
+std::string gears_part(const Drive& drive) {
+  std::string pictures;
+  for (std::size_t g = 0; g < drive.geometry.gears.size(); ++g)
+    if (const auto& gear = drive.geometry.gears[g])
+      pictures += tooth_figure(*gear, shape_name(g), drive.graph.gears[g].name);
+  if (pictures.empty()) return {};
+  return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + "</section>\n";
+}
+
+std::string drive_foot(const DriveReportInput& input) {
+  return fmt::format(
+      "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions; teeth are those that the "
+      "given racks and pinion cutters leave. Lengths in mm, angles in degrees, “{}”: there is no "
+      "such value. Speeds, torques and powers are positive counter-clockwise, and where power "
+      "flows "
+      "in. Losses are those of the teeth.</p>\n</footer>\n",
+      input.version.empty() ? std::string() : " " + escaped(input.version), kNoValue);
+}
+
+}  // namespace
+
+std::string drive_report_html(const DriveReportInput& input) {
+  GW_EXPECTS(input.drive != nullptr);
+  const Drive& drive = *input.drive;
+  const std::string title = input.title.empty() ? drive_title(drive) : input.title;
+  std::string page = page_head(title, input.version) + "<body>\n" + drive_definitions(drive);
+  page += fmt::format(
+      "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
+      "{}</p>\n<dl class=\"keyfigures\">\n{}</dl>\n{}{}</header>\n",
+      escaped(drive_kind(drive)), escaped(title), to_string(input.verdict.level),
+      to_string(input.verdict.level), escaped(input.verdict.headline),
+      key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures),
+      finding_list(input.verdict, ""), picture_hint());
+  const std::string sections = drive_overview(input) + section_part(input) + power_part(drive) +
+                               planets_part(drive) + mesh_parts(drive) + gears_part(drive) +
+                               file_section(input.files) + spec_section(input.spec_text);
+  page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
+  return page + fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", figure_script(),
+                            page_script(), turn_script());
+}
+
+}  // namespace gearwright

@@ -1,0 +1,30 @@
+// One HTML page about a whole drive: verdict, scheme, the drive in section and turning, power, phases,
+// then each mesh as a pair of gears.
+//
+// The page is a function of its input alone, as report_html()'s: its laws hold here too.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/drive/drive_layout.hpp"
+#include "gearwright/report/report.hpp"
+
+namespace gearwright {
+
+struct DriveReportInput {
+  std::string title;  ///< empty: one is made from the tooth numbers
+  const Drive* drive = nullptr;
+  const DrivePlaces* places = nullptr;  ///< null: the axes cannot be placed, and there is no scheme
+  const DriveLayout* layout = nullptr;  ///< null: it cannot be assembled
+  std::string why_no_layout;            ///< a sentence
+  Verdict verdict;
+  std::vector<ReportFile> files;
+  std::string spec_text;  ///< the spec, verbatim; empty: left out
+  std::string version;    ///< of the program
+};
+
+/// The page, UTF-8.   Domain  a drive (contract)
+std::string drive_report_html(const DriveReportInput& input);
+
+}  // namespace gearwright

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/figure/distribution_figures.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/report_sections.hpp"
+#include "gearwright/report/table_builder.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string shown(const ScatterEntry& entry, double value) {
+  return fixed(entry.shown(value), entry.digits);
+}
+
+std::string distribution_table(const ScatterView& view) {
+  std::vector<std::string> columns{"Mean", "Standard deviation"};
+  for (const double p : view.task->percentiles) columns.push_back(format_number(p) + " %");
+  TableBuilder table("Distribution over all pairs", columns);
+  for (const auto& spread : view.spread) {
+    if (!spread) continue;
+    const ScatterEntry& entry = *spread->entry;
+    std::vector<std::string> values{shown(entry, spread->spread->mean.value),
+                                    shown(entry, spread->spread->standard_deviation.value)};
+    for (const Percentile& p : spread->spread->percentiles)
+      values.push_back(shown(entry, p.estimate.value));
+    table.row(entry.words, "", unit_text(entry.unit), values);
+  }
+  return table.str();
+}
+
+std::string event(const char* words, const Probability& p) {
+  return fmt::format("{} in {} of {} pairs ({} %)", words, counted(p.count), counted(p.of),
+                     p.count == 0 ? fmt::format("less than {:.2g}", 100 * p.interval.upper)
+                                  : fmt::format("{:.3g}", 100 * p.value));
+}
+
+// The samples of a quantity, if it varies at all.
+std::optional<DistributionScene> scene_of(const ScatterView& view, ScatterQuantity quantity,
+                                          const char* id) {
+  const auto& spread = view.spread[static_cast<std::size_t>(quantity)];
+  if (!spread || !(spread->spread->least < spread->spread->greatest)) return std::nullopt;
+  const ScatterEntry& entry = *spread->entry;
+  DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
+  for (const ScatterSample& s : view.scatter->samples) {
+    const double value = s.member[quantity];
+    if (!s.member.lost && !std::isnan(value)) scene.values.push_back(entry.shown(value));
+  }
+  for (const Percentile& p : spread->spread->percentiles)
+    scene.percentiles.emplace_back(p.percent, entry.shown(p.estimate.value));
+  return scene;
+}
+
+std::string index_part(const ScatterView& view) {
+  const auto& indices =
+      view.scatter->indices[static_cast<std::size_t>(ScatterQuantity::peak_to_peak)];
+  if (!indices) return {};
+  IndexScene scene{"scatter-indices", scatter_entries()[0].words, {}};
+  std::string names;
+  for (std::size_t g = 0; g < view.task->groups.size(); ++g) {
+    const std::string& name = view.task->groups[g].name;
+    scene.groups.push_back({name, indices->first[g].value, indices->total[g].value});
+    names += fmt::format("{}{}: {}", g == 0 ? "" : ", ", g + 1, escaped(name));
+  }
+  return html_of(index_figure(scene)) + "<p>" + names + ".</p>\n";
+}
+
+std::string robust_part(const ScatterView& view) {
+  if (!view.robust) return {};
+  const RobustView& r = *view.robust;
+  std::string list;
+  for (const FoundCorrection& c : r.corrections)
+    list += fmt::format("{}{} {:g} {}", list.empty() ? "" : ", ", c.words, c.value, c.shown_unit);
+  const auto percentile = [](const JudgedView& j) {
+    return shown(scatter_entries()[0], RobustCorrections::percentile(*j.scatter).estimate.value);
+  };
+  return fmt::format(
+      "<p>Corrections that lower the {} % point of the transmission error: {}. It is then {}″ "
+      "instead of "
+      "{}″, by samples that the search has not seen.</p>\n",
+      format_number(r.percent), escaped(list), percentile(r.after), percentile(r.before));
+}
+
+std::string loosening_part(const ScatterView& view) {
+  if (!view.scatter->loosening) return {};
+  const Loosening& l = *view.scatter->loosening;
+  const ScatterEntry& te = scatter_entries()[0];
+  TableBuilder table(
+      fmt::format("How far each tolerance may grow until the {} % point grows by {:g} %",
+                  format_number(l.percent), 100 * kLooser),
+      {"Factor", "The point with half the tolerance"});
+  for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
+    const Loosening::Change& c = l.by_tolerance[i];
+    table.row(view.inputs[i], "", "″",
+              {c.factor ? fixed(*c.factor, 2) : fmt::format("over {:g}", kMostFactor),
+               shown(te, c.halved)});
+  }
+  const std::string first = l.tighten_first ? fmt::format("<p>Tighten {} first.</p>\n",
+                                                          escaped(view.inputs[*l.tighten_first]))
+                                            : "";
+  return table.str() + first;
+}
+
+}  // namespace
+
+std::string scatter_section(const ScatterView& view) {
+  const Scatter& s = *view.scatter;
+  std::string figures;
+  if (const auto te = scene_of(view, ScatterQuantity::peak_to_peak, "scatter-te"))
+    figures += figure_html(histogram_figure(*te)) + figure_html(cumulative_figure(*te));
+  if (const auto play = scene_of(view, ScatterQuantity::least_play, "scatter-play"))
+    figures += figure_html(histogram_figure(*play));
+  return fmt::format(
+             "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>What the tolerances make of this "
+             "pair: {} "
+             "pairs drawn from them. {}; {}; {}.</p>\n",
+             counted(static_cast<std::int64_t>(s.samples.size())),
+             event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
+             event("contact is lost", s.contact_lost)) +
+         distribution_table(view) + side_by_side(figures) + index_part(view) +
+         loosening_part(view) + robust_part(view) + "</section>\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,36 @@
+// Deviations of flanks that a grade of ISO 1328-1 allows, as random variables.
+//
+//   f_H   limit of the slope over an evaluation range      f_f   limit of the form around that slope
+//                                    theory: docs/theory/14-scatter.md, [T14.23]
+#pragma once
+
+#include <optional>
+
+#include "gearwright/inspection/flank_tolerances.hpp"
+#include "gearwright/scatter/tolerance.hpp"
+
+namespace gearwright {
+
+/// All in mm.
+struct GradedFlank {
+  double profile_slope;              ///< ±, f_Hα, over the whole usable flank instead of L_α
+  double helix_slope;                ///< ±, f_Hβ, over the whole face instead of L_β
+  double profile_form, helix_form;   ///< f_fα, f_fβ
+  double total_pitch, single_pitch;  ///< F_p, f_pt
+  double helix_total;                ///< F_β
+};
+
+/// Formula   [T14.23], with the values of flank_tolerances()
+/// Domain    a grade of the edition (contract)
+/// None      circular-arc teeth, which the standard does not have
+std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
+
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad; the bearing span cancels.
+///
+/// Formula   [T14.23]
+struct GradedAxes {
+  double crossing, intersecting;
+};
+GradedAxes graded_axes(double greater_helix_total, double face_width);
+
+}  // namespace gearwright

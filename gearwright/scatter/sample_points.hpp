@@ -1,0 +1,46 @@
+// The points x of the samples of a family: Sobol's points or random ones, with the distributions of
+// its tolerances, and the peak to peak at these points.
+//                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6]
+// Internal to scatter/.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gearwright/math/sobol.hpp"
+#include "gearwright/scatter/scatter.hpp"
+
+namespace gearwright {
+
+class SamplePoints {
+ public:
+  /// The task must outlive it.
+  explicit SamplePoints(const ScatterTask& task);
+
+  /// x of sample n of a replicate, in the users' units.
+  std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
+  /// The same for the second half of a point set of twice the dimension.
+  std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
+    return from(dimensions_, replicate, n);
+  }
+  /// The first samples of a replicate.
+  std::vector<std::vector<double>> first(int replicate, int count) const;
+
+ private:
+  std::vector<double> from(int first_coordinate, int replicate, std::uint32_t n) const;
+
+  const ScatterTask& task_;
+  int dimensions_;
+  SobolPoints points_;
+};
+
+/// Peak to peak of the continuous curve of the members at these points, rad, and its slopes.
+std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& task,
+                                 const std::vector<std::vector<double>>& places,
+                                 std::span<const Influence> influences = {});
+
+/// f of each member; kLostSpan if contact is lost, which ranks it below all others.
+std::vector<double> ranked(const std::vector<MemberSpan>& spans);
+constexpr double kLostSpan = 1e3;  ///< rad
+
+}  // namespace gearwright

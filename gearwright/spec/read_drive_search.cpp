@@ -1,0 +1,69 @@
+#include "gearwright/spec/read_drive_search.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gearwright/catalogue/drive_keys.hpp"
+#include "gearwright/catalogue/drive_search_keys.hpp"
+#include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Rejects keys that do not apply to this kind.
+void check_members(TableReader& t, const DriveSearchProblem& p) {
+  constexpr const char* kTeeth[] = {"sun_teeth",     "sun2_teeth", "idler_teeth", "planet_teeth",
+                                    "planet2_teeth", "ring_teeth", "ring2_teeth"};
+  const std::string kind(kDriveKindNames[static_cast<std::size_t>(p.kind)]);
+  const std::vector<SetMember> members = members_of(p);
+  for (std::size_t m = 0; m < kSetMembers; ++m) {
+    if (!p.teeth[m]) continue;
+    if (std::find(members.begin(), members.end(), static_cast<SetMember>(m)) == members.end())
+      t.fail(kTeeth[m], fmt::format("belongs to no drive of kind \"{}\"", kind));
+  }
+  const bool train = p.kind == DriveKind::train;
+  for (const char* key : {"stages", "pinion_teeth", "wheel_teeth"})
+    if (!train) t.refuse(key, "belongs to kind = \"train\"");
+  for (const char* key :
+       {"planets", "neighbour_clearance_min", "phasing", "spacing", "fixed", "input", "output"})
+    if (train) t.refuse(key, "belongs to planetary sets; a train of pairs has none");
+}
+
+}  // namespace
+
+bool is_drive_search(const Json& search) { return search.is_object() && search.contains("kind"); }
+
+Json shared_keys(const Json& search, bool train) {
+  Json shared = Json::object();
+  const KeyTable& own = train ? stage_keys() : planetary_keys();
+  for (const auto& [key, value] : search.items())
+    if (own.find(key) && key != "planets" && key != "teeth") shared[key] = value;
+  return shared;
+}
+
+DriveSearchProblem read_drive_search(const Json& search) {
+  TableReader t(drive_search_keys(), search, "search");
+  DriveSearchProblem p;
+  t.read(p);
+  t.require_all();
+  check_members(t, p);
+  for (const Key& key : drive_search_keys().keys)
+    if (!key.place) t.any(std::string(key.key));
+  t.finish();
+  if (p.kind == DriveKind::train) {
+    for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
+      if (search.contains(key) && !search[key].is_number())
+        t.fail(key, "must be a number, of all stages of a train");
+  }
+  Json set = shared_keys(search, false);
+  set["planet"] = 20;
+  p.base = read_set(set, "search");
+  if (!search.contains("spacing")) p.base.spacing = Spacing::equal;
+  complete_ends(p);
+  return p;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,158 @@
+"""run and export on drives: every example is green and has its files; bad drives say what would help."""
+import json
+import re
+import unittest
+import zipfile
+
+from cli import SOURCE, Run
+
+EXAMPLES = sorted((SOURCE / "examples" / "drives").glob("*.toml"))
+SET = """
+[planetary]
+sun = 20
+planet = 25
+ring = 70
+planets = 3
+normal_module_mm = 2
+"""
+
+
+class Examples(unittest.TestCase):
+    def test_every_example_is_green_and_whole(self):
+        self.assertGreaterEqual(len(EXAMPLES), 6)
+        for example in EXAMPLES:
+            with self.subTest(example=example.name):
+                text = example.read_text()
+                self.assertIn("examples/drives/" + example.name, text)
+                r = Run("run", text, "--out", "o", "--json", name=example.name)
+                self.assertEqual(r.status, 0, r.err)
+                self.assertEqual(r.json["verdict"]["level"], "green", r.json["verdict"]["headline"])
+                names = {f["file"] for f in r.json["files"]}
+                self.assertLessEqual({"result.json", "report.html", "drive.step", "drive.glb", "drive.3mf"},
+                                     {name.rsplit("/", 1)[-1] for name in names})
+                page = (r.folder / "o/report.html").read_text()
+                ids = re.findall(r' id="([^"]*)"', page)
+                self.assertEqual(len(ids), len(set(ids)), "names of pictures are unique")
+                for used in re.findall(r'href="#([^"]*)"|url\(#([^)]*)\)', page):
+                    self.assertIn(used[0] or used[1], ids)
+                self.assertIn('id="scheme"', page)
+                self.assertIn('id="power"', page)
+                self.assertIn('id="section-1"', page)
+                self.assertNotIn("nan", re.sub(r"<[^>]*>", "", page).lower().split())
+
+
+class Files(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = Run("run", SET, "--out", "o", "--json")
+
+    def file(self, name):
+        return self.made.folder / "o" / name
+
+    def test_planets_are_copies_of_one_shape_in_places_of_their_own(self):
+        step = self.file("drive.step").read_text()
+        self.assertEqual(step.count("MANIFOLD_SOLID_BREP"), 3)
+        for name in ("sun", "planet 1", "planet 2", "planet 3", "ring"):
+            self.assertIn(f"'{name}'", step)
+        self.assertEqual(step.count("NEXT_ASSEMBLY_USAGE_OCCURRENCE"), 5)
+        data = self.file("drive.glb").read_bytes()
+        length = int.from_bytes(data[12:16], "little")
+        scene = json.loads(data[20:20 + length])
+        self.assertEqual([n["name"] for n in scene["nodes"]], ["sun", "planet 1", "planet 2", "planet 3", "ring"])
+        self.assertEqual([n["mesh"] for n in scene["nodes"]], [0, 1, 1, 1, 2])
+        self.assertEqual(len(scene["meshes"]), 3)
+        # Planet 2 stands a third of a turn round the sun, at the centre distance of 45 mm.
+        at = scene["nodes"][2]["matrix"][12:15]
+        self.assertAlmostEqual(at[0], -0.0225, places=9)
+        self.assertAlmostEqual(at[1], 0.045 * 3 ** 0.5 / 2, places=9)
+
+    def test_parts_for_a_printer_stand_on_the_plate_and_apart(self):
+        with zipfile.ZipFile(self.file("drive.3mf")) as z:
+            model = z.read("3D/3dmodel.model").decode()
+        items = [list(map(float, t.split())) for t in re.findall(r'<item [^>]*transform="([^"]*)"', model)]
+        self.assertEqual(len(items), 5)
+        self.assertEqual({t[11] for t in items}, {10.0})  # half a face of 20 mm
+        tips = [22.0, 27.0, 27.0, 27.0, 77.5]
+        for i, a in enumerate(items):
+            for k in range(i):
+                b = items[k]
+                self.assertGreater(((a[9] - b[9]) ** 2 + (a[10] - b[10]) ** 2) ** 0.5, tips[i] + tips[k])
+
+    def test_export_writes_the_named_files(self):
+        r = Run("export", SET, "--step", "s.step", "--3mf", "p.3mf", "--json")
+        self.assertEqual(r.status, 0, r.err)
+        step = (r.folder / "s.step").read_text()
+        self.assertEqual(len(step.splitlines()), len(self.file("drive.step").read_text().splitlines()))
+        self.assertEqual(len(r.json["files"]), 2)
+
+    def test_without_a_module_there_is_a_report_and_no_solid(self):
+        r = Run("run", SET.replace("normal_module_mm = 2\n", ""), "--out", "o", "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual({f["file"].rsplit("/", 1)[-1] for f in r.json["files"]}, {"result.json", "report.html"})
+        page = (r.folder / "o/report.html").read_text()
+        self.assertIn('id="scheme"', page)
+        self.assertNotIn('id="section-1"', page)
+
+    def test_a_red_drive_has_a_remedy_that_helps(self):
+        red = SET + "profile_shift = { sun = 0.2, planet = 0.1 }\ntip_diameter_mm = { ring = 137.6 }\n"
+        r = Run("drive", red, "--json")
+        verdict = r.json["verdict"]
+        self.assertEqual(verdict["level"], "red")
+        change = verdict["findings"][0]["change"]
+        self.assertEqual(list(change), ["planetary.tip_diameter_mm.ring"])
+        value = change["planetary.tip_diameter_mm.ring"]
+        again = Run("drive", red.replace("137.6", str(value)), "--json")
+        self.assertNotEqual(again.json["verdict"]["level"], "red")
+
+
+class BadInput(unittest.TestCase):
+    def error(self, spec, key, *words):
+        r = Run("drive", spec)
+        self.assertEqual(r.status, 1, r.out)
+        for word in (key, *words):
+            self.assertIn(word, r.err)
+
+    def test_impossible_assemblies_name_teeth_and_numbers_of_planets(self):
+        self.error(SET.replace("planets = 3", 'planets = 4\nspacing = "equal"'), "planetary.spacing",
+                   "sun 18 or 22", "ring 68 or 72", "3 or 5 planets")
+
+    def test_a_ring_that_is_no_ring(self):
+        self.error(SET.replace("ring = 70", "ring = 24"), "planetary.ring", "more teeth than planet = 25")
+        self.error(SET.replace("ring = 70", "ring = 25"), "planetary.ring", "more teeth than planet = 25")
+        self.error(SET.replace("ring = 70\n", ""), "planetary.ring", "a second sun")
+
+    def test_unknown_members(self):
+        self.error(SET + "profile_shift = { suun = 0.1 }\n", "planetary.profile_shift.suun", "sun, sun2")
+        self.error(SET + 'output = "carier"\n', "planetary.output", "carrier")
+
+    def test_an_output_that_stands_still(self):
+        self.error("[planetary]\nplanet = 20\nring = 60\nring2 = 60\nplanets = 3\n"
+                   'input = "carrier"\noutput = "ring2"\n', "planetary.output", "stands still")
+
+    def test_loops_whose_ratios_disagree_name_their_meshes(self):
+        bodies = "".join(f'[[drive.body]]\nname = "{b}"\n' for b in "abc")
+        gears = "".join(f'[[drive.gear]]\nname = "{n}"\nbody = "{n[0]}"\nteeth = {z}\n'
+                        for n, z in (("a1", 20), ("b1", 30), ("c1", 40), ("c2", 41), ("b2", 33)))
+        meshes = "".join(f'[[drive.mesh]]\ngears = ["{a}", "{b}"]\n'
+                         for a, b in (("a1", "b1"), ("b1", "c1"), ("b2", "c2")))
+        self.error('[drive]\ninput = "a"\noutput = "c"\n' + bodies + gears + meshes, "drive.fixed", "b1_c1, b2_c2")
+
+    def fact(self, spec, code, *words):
+        r = Run("drive", spec, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        worst = r.json["verdict"]["findings"][0]
+        self.assertEqual((worst["code"], worst["level"]), (code, "red"))
+        for word in words:
+            self.assertIn(word, worst["message"])
+
+    def test_planets_that_collide(self):
+        self.fact("[planetary]\nsun = 14\nplanet = 40\nring = 94\nplanets = 4\nnormal_module_mm = 1\n",
+                  "planets_collide", "at most 3 fit")
+
+    def test_distances_that_no_shift_reaches(self):
+        self.fact(SET + "center_distance_mm = 30\n", "not_coaxial", "reference centre distance: 45 mm")
+        self.fact(SET + "center_distance_mm = 60\n", "not_coaxial", "sun_planet", "60.0000 mm", "profile shifts of")
+
+
+if __name__ == "__main__":
+    unittest.main()

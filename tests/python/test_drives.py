@@ -1,0 +1,49 @@
+"""Drives: made by keys, read by name, the numbers of the program."""
+
+import copy
+import math
+import pickle
+
+import pytest
+
+import gearwright as gw
+
+KEYS = {"sun": 21, "planet": 24, "ring": 69, "planets": 3, "normal_module": 2, "thickness_allowance": -0.05,
+        "speed_rpm": 1500, "torque_Nm": 40}
+
+
+def test_numbers_are_those_of_the_program():
+    drive = gw.planetary(**KEYS)
+    answer = gw.solve({"planetary": {**KEYS}}, "drive")
+    assert drive.as_dict() == answer["drive"]
+    assert drive.ratio == drive["ratio"] == pytest.approx(30 / 7)
+    assert drive.bodies["carrier"].speed_rpm == pytest.approx(350)
+    assert drive.center_distance == drive["center_distance_mm"]
+    assert drive.backlash.output == pytest.approx(math.radians(drive["backlash"]["output_deg"]))
+    assert drive.meshes["sun_planet"].pair.contact_ratio == pytest.approx(1.5855, abs=1e-4)  # docs/programming.md
+    assert drive.verdict.level in ("green", "amber", "red")
+    assert "30/7" in repr(drive)
+    with pytest.raises(AttributeError):
+        drive.efficency
+
+
+def test_values_do_not_change():
+    drive = gw.planetary(**KEYS)
+    four = drive.replace(planets=4)
+    assert drive.assembly.positions == four.assembly.positions == 90
+    assert drive.assembly.equal and not four.assembly.equal
+    assert drive.replace(normal_module_mm=3).center_distance == pytest.approx(1.5 * drive.center_distance)
+    drive.as_dict()["ratio"] = drive.spec["planetary"]["sun"] = 0
+    assert drive == pickle.loads(pickle.dumps(drive)) == copy.deepcopy(drive) == gw.planetary(**KEYS)
+
+
+def test_trains_and_ratings():
+    train = gw.train({"teeth": [19, 58], "mesh_efficiency": 0.985}, {"teeth": [17, 67], "mesh_efficiency": 0.984})
+    assert train["ratio_exact"] == [58 * 67, 19 * 17]
+    assert [stage.ratio for stage in train.stages] == [pytest.approx(-58 / 19), pytest.approx(-67 / 17)]
+    rated = gw.planetary(**KEYS).rate(material={"name": "17CrNiMo6"}, quality=[6, 6], face_load_factor=1.2)
+    assert set(rated) == {"sun_planet", "planet_ring"}
+    assert rated["sun_planet"].Y_M == [1.0, 0.7]
+    with pytest.raises(gw.SpecError) as error:
+        gw.planetary(sun=20, planet=25, ring=70, fixed="rign")
+    assert error.value.key == "planetary.fixed"

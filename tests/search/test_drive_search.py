@@ -1,0 +1,48 @@
+"""Searches for drives: what is listed is what the verb drive says of the spec that --take writes."""
+import json
+import unittest
+
+from searching import Run, folder, spec
+
+SET = {"kind": "planetary", "ratio": [4.4, 4.6], "planets": [3, 4], "sun_teeth": [15, 24], "normal_module_mm": 2,
+       "objective": ["efficiency", "size"]}
+TRAIN = {"kind": "train", "ratio": [11.9, 12.1], "pinion_teeth": [17, 19], "wheel_teeth": [55, 70], "objective": "size"}
+
+
+class DriveSearch(unittest.TestCase):
+    def test_taken_specs_have_the_listed_numbers(self):
+        for keys in (SET, TRAIN):
+            where = folder(spec(keys))
+            found = Run("search", None, "--json", folder=where)
+            self.assertEqual(found.status, 0, found.err)
+            search = found.json["search"]
+            self.assertEqual(search["tested"], sum(search["rejected"].values()) + search["feasible_count"])
+            for place in (1, len(search["designs"])):
+                taken = Run("search", None, "--take", str(place), folder=where)
+                again = folder(taken.out)
+                drive = Run("drive", None, "--json", folder=again).json["drive"]
+                design = search["designs"][place - 1]
+                for key in ("ratio", "ratio_exact", "efficiency"):
+                    self.assertEqual(design[key], drive[key], key)
+                expanded = folder(Run("drive", None, "--expand", folder=again).out)
+                graph = Run("drive", None, "--json", folder=expanded).json["drive"]
+                self.assertEqual(json.dumps(graph["meshes"]), json.dumps(drive["meshes"]))
+
+    def test_threads_do_not_matter(self):
+        where = folder(spec(SET))
+        one, two = (Run("search", None, "--json", "--threads", n, folder=where).out for n in ("1", "3"))
+        self.assertEqual(one, two)
+
+    def test_what_a_search_cannot_be(self):
+        for keys, key in (({"sun2_teeth": 20}, "search.sun2_teeth"), ({"stages": 2}, "search.stages"),
+                          ({"kind": "conical"}, "search.kind"), ({"output": "ring"}, "search.output"),
+                          ({"ratio": [5, 4]}, "search.ratio"), ({"objective": "noise"}, "search.objective")):
+            refused = Run("search", None, "--json", folder=folder(spec(SET | keys)))
+            self.assertEqual((refused.status, refused.json["error"]["key"]), (1, key), refused.err)
+        folder_wanted = Run("search", None, "--out", "o", folder=folder(spec(SET)))
+        self.assertEqual(folder_wanted.status, 2)
+        self.assertIn("--json", folder_wanted.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
