@@ -63,7 +63,7 @@ describe("a picture of another spec", () => {
     await settled(page);
     await idle(page);
     assert.equal(await page.getAttribute("#room-mesh .canvas-room", "data-stale"), "kept");
-    assert.match(await page.textContent(".kept:not([hidden])"), /last spec without a fault/);
+    assert.match(await page.textContent(".kept:not([hidden])"), /last valid spec/);
     assert.equal(await page.locator(".spinner").isVisible(), false);
     await typed(page, "teeth = 17.5", "teeth = 17");
     await settled(page);
@@ -185,7 +185,7 @@ describe("form and link", () => {
     for (const hash of ["#1.not-a-design", "#1.q1ZK!LS7JzEtXslLKSM1", link.slice(0, -40), link.slice(0, 60) + "AAAA" + link.slice(64), "#1.A"]) {
       const other = await open(browser, address + hash);
       const said = await other.textContent(".said");
-      assert.match(said, /^This link is damaged: .*Copy it again, from its first to its last letter\.$/, hash);
+      assert.match(said, /^This link is damaged: .*Copy it again, from its first to its last character\.$/, hash);
       assert.doesNotMatch(said, /atob|decod|compress|Failed|Error/i);
       assert.deepEqual(other.complaints, []);
       await other.context().close();
