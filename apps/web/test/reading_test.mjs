@@ -69,9 +69,9 @@ describe("pictures", () => {
     await idle(page);
     const shown = await names();
     for (const name of ["da1", "db1", "df1", "da2"]) assert.ok(shown.includes(name), `${name} of ${shown}`);
-    await page.uncheck("text=circles");
+    await page.uncheck('label:has-text("circles")');
     assert.deepEqual(await names(), []);
-    await page.check("text=circles");
+    await page.check('label:has-text("circles")');
     await page.click('[data-choice="mesh"]');
   });
 
