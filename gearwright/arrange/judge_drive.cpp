@@ -215,6 +215,14 @@ std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& ch
   }
 }
 
+Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts) {
+  Level level = Level::green;
+  for (const Part& part : parts_of(drive, wanted))
+    if (unequal_spacing_counts || part.finding.code != WarningCode::unequal_spacing)
+      level = std::max(level, part.finding.level);
+  return level;
+}
+
 Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const std::function<std::string(const DriveChange&)>& key_of,
                     const WantedSafety& wanted) {

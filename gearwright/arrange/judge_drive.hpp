@@ -29,4 +29,8 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const std::function<std::string(const DriveChange&)>& key_of = {},
                     const WantedSafety& wanted = {1.0, 1.0});
 
+/// The level of that verdict, without a search for remedies. Planets at unequal pitch do not count
+/// if the caller has asked for them.
+Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts);
+
 }  // namespace gearwright

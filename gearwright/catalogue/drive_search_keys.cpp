@@ -36,6 +36,15 @@ Key of_set(std::string_view key, std::string_view fallback = {}) {
   return k;
 }
 
+Key face_width() {
+  Key k = of_set("face_width_mm");
+  k.form += ", or a band [least, greatest]";
+  k.meaning =
+      "face width; of a band each rated design takes the least whole number of millimetres that "
+      "has the safeties";
+  return k;
+}
+
 }  // namespace
 
 const KeyTable& drive_search_keys() {
@@ -92,12 +101,23 @@ const KeyTable& drive_search_keys() {
        of_set("fixed"),
        of_set("input"),
        of_set("output"),
-       of_set("normal_module_mm"),
+       Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &Problem::modules,
+                   "no geometry; sizes are in modules",
+                   "normal module of all meshes; of several each set is tried with every one")
+           .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift"),
        of_set("thickness_allowance_mm"),
-       of_set("face_width_mm"),
+       face_width(),
+       Key::positive("face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",
+                     "greatest face width, of a band, in reference diameters of the smallest gear"),
+       Key::positive("safety_flank_min", "S_Hmin", &Problem::safety_flank,
+                     "of `[rating]`, otherwise 1",
+                     "least safety against pitting of every mesh; designs are rated with it, with "
+                     "`safety_root_min`, or with a table `[rating]`"),
+       Key::positive("safety_root_min", "S_Fmin", &Problem::safety_root,
+                     "of `[rating]`, otherwise 1", "least safety against root breakage, likewise"),
        of_set("mesh_efficiency"),
        of_set("friction_coefficient"),
        of_set("speed_rpm"),

@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 
 namespace gearwright {
 
@@ -40,10 +41,6 @@ Value stages_of(const F& f) {
   return list;
 }
 
-const char* level_of(Level level) {
-  return level == Level::green ? "green" : level == Level::amber ? "amber" : "red";
-}
-
 void say_found(Quantities<F>& q) {
   q.add(Type::map, "teeth", "numbers of teeth", "z", "by member; null for a train", teeth_of)
       .doors(kJson);
@@ -80,10 +77,19 @@ void say_found(Quantities<F>& q) {
   q.word("phasing", "class of phasing", "of the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
-  q.word("verdict", "verdict", "of the drive as the verb drive has it",
-         [](const F& f) { return Value(level_of(f.verdict.level)); })
-      .always()
-      .one_of({"green", "amber", "red"});
+  q.number("normal_module_mm", "normal module", "m_n", "of all meshes; null without geometry",
+           [](const F& f) {
+             const auto& gear = f.drive.geometry.gears.front();
+             return gear ? Value(f.candidate.module) : Value();
+           });
+  q.number(
+      "face_width_mm", "face width", "b", "null if the search does not size it",
+      [](const F& f) { return f.candidate.face_width ? Value(*f.candidate.face_width) : Value(); });
+  q.number("safety_flank", "safety against pitting", "S_H",
+           "the least of all meshes; null if designs are not rated",
+           [](const F& f) { return Value(least_safety(f.drive, &Rating::S_H)); });
+  q.number("safety_root", "safety against root breakage", "S_F", "likewise",
+           [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
 }
 
 void say_search(Quantities<DriveSearchView>& q) {
@@ -109,15 +115,36 @@ void say_search(Quantities<DriveSearchView>& q) {
         })
       .always()
       .doors(kJson);
+  q.add(Type::index, "computed", "computed", "",
+        "those of them whose teeth were computed, best first, until enough could be listed",
+        [](const S& s) { return Value(static_cast<long long>(s.designs->computed)); })
+      .always();
+  q.add(Type::map, "left_out", "left out", "",
+        "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
+        "mounted), `neighbours` (planets too close with their profile shifts), `safety`, `verdict` "
+        "(amber or red)",
+        [](const S& s) {
+          ValueMap map;
+          for (std::size_t i = 0; i < kDriveFaultNames.size(); ++i)
+            map.emplace_back(std::string(kDriveFaultNames[i]),
+                             static_cast<long long>(s.designs->left_out[i]));
+          return Value(std::move(map));
+        })
+      .always()
+      .doors(kJson);
   q.add(Type::index, "pareto", "Pareto front", "",
         "positions in `designs` of the Pareto-optimal ones, with several objectives",
-        [](const S& s) { return Value(ValueList(s.pareto->begin(), s.pareto->end())); })
+        [](const S& s) {
+          return Value(ValueList(s.designs->pareto.begin(), s.designs->pareto.end()));
+        })
       .list({0})
       .always()
       .doors(kJson);
   q.record<found_drive_quantities>(
-       "designs", "best first, as many as `--top` says; their numbers are those of the verb drive",
-       [](const S& s) { return Value(found_drive_quantities().each(*s.designs)); })
+       "designs",
+       "best first, as many as `--top` says; their numbers are those of the verb drive, whose "
+       "verdict is green",
+       [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
       .list({0})
       .always()
       .doors(kJson);

@@ -2,28 +2,38 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/design/drive_search.hpp"
 #include "gearwright/drive/drive.hpp"
-#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
-/// A drive that a search has found, computed as the verb drive does.
+/// A drive that a search lists, computed as the verb drive does. Its verdict is green.
 struct FoundDrive {
   DriveCandidate candidate;
   Drive drive;
-  Verdict verdict;
 };
 const Quantities<FoundDrive>& found_drive_quantities();
+
+/// Reasons for leaving out a candidate that was computed.
+enum class DriveFault { no_teeth, neighbours, safety, verdict };
+inline constexpr std::array<std::string_view, 4> kDriveFaultNames{"no_teeth", "neighbours",
+                                                                  "safety", "verdict"};
+
+struct DriveDesigns {
+  std::vector<FoundDrive> list;     ///< best first by the first objective
+  std::vector<std::size_t> pareto;  ///< indices in `list`
+  std::size_t computed = 0;
+  std::array<std::size_t, kDriveFaultNames.size()> left_out{};
+};
 
 struct DriveSearchView {
   const DriveSearchProblem* problem;
   const DriveSearchResult* result;
-  const std::vector<FoundDrive>* designs;
-  const std::vector<std::size_t>* pareto;
+  const DriveDesigns* designs;
 };
 const Quantities<DriveSearchView>& drive_search_quantities();
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -89,7 +90,6 @@ class SetSearch {
   SetSearch(const DriveSearchProblem& problem, const Ends& ends)
       : problem_(problem), ends_(ends), space_(problem) {
     const double cosine = std::cos(Angle::degrees(helix()).rad());
-    module_ = problem.base.normal_module.value_or(1.0);
     transverse_ = 1.0 / cosine;
   }
 
@@ -131,7 +131,8 @@ class SetSearch {
         reject(DriveLimit::phasing, 1);
         continue;
       }
-      result.found.push_back({z, {}, n, ratio, places, clearance, size_of(z, meshes), 0.0, 0.0});
+      result.found.push_back(
+          {z, {}, n, 1.0, ratio, places, clearance, size_of(z, meshes), 0.0, 0.0});
     }
   }
 
@@ -169,14 +170,14 @@ class SetSearch {
     return static_cast<double>(std::abs(mesh.rider + mesh.central)) * transverse_ / 2;
   }
 
-  double size_of(const TeethOfSet& z, const SetMeshes& meshes) const {
+  double size_of(const TeethOfSet& z, const SetMeshes& meshes) const {  // modules
     constexpr double kRootDepth = 1.25;  // modules, of the basic rack
     const int rings = std::max(z[at(M::ring)], z[at(M::ring2)]);
     const int planets = std::max(z[at(M::planet)], z[at(M::planet2)]);
     const double outer = 2 * distance(meshes.list[0]) + planets * transverse_ + 2.0;
     const double ring = rings > 0 ? rings * transverse_ + 2 * kRootDepth : 0.0;
     const int suns = std::max(z[at(M::sun)], z[at(M::sun2)]);
-    return module_ * std::max({outer, ring, suns > 0 ? suns * transverse_ + 2.0 : 0.0});
+    return std::max({outer, ring, suns > 0 ? suns * transverse_ + 2.0 : 0.0});
   }
 
   bool phased(const SetMeshes& meshes, int n, long long places) const {
@@ -195,7 +196,7 @@ class SetSearch {
   const DriveSearchProblem& problem_;
   Ends ends_;
   DriveSpace space_;
-  double module_ = 1.0, transverse_ = 1.0;
+  double transverse_ = 1.0;
 };
 
 // Fixed, input and output members: those of the short form where the problem gives none.
@@ -227,7 +228,7 @@ Result<Ends> ends_of(const DriveSearchProblem& problem) {
 
 void find_efficiency(const DriveSearchProblem& problem, DriveCandidate& candidate) {
   PlanetarySpec set = set_of(problem, candidate);
-  set.normal_module.reset();  // without a module: only speeds and powers are computed
+  set.normal_module.reset();  // Without a module only speeds and powers are computed.
   const auto graph = graph_of(set);
   if (!graph) return;
   const auto motion = drive_motion(*graph);
@@ -270,6 +271,23 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
   parallel_for(
       result.found.size(), [&](std::size_t k) { find_efficiency(problem, result.found[k]); },
       threads);
+}
+
+// Repeats every candidate, whose size is in modules, with each of the modules.
+void give_modules(const std::vector<double>& modules, DriveSearchResult& result) {
+  if (modules.empty()) return;
+  const auto count = static_cast<std::int64_t>(modules.size());
+  result.tested *= count;
+  for (std::int64_t& n : result.rejected) n *= count;
+  std::vector<DriveCandidate> each;
+  each.reserve(result.found.size() * modules.size());
+  for (const DriveCandidate& one : result.found)
+    for (const double m : modules) {
+      each.push_back(one);
+      each.back().module = m;
+      each.back().size *= m;
+    }
+  result.found = std::move(each);
 }
 
 }  // namespace
@@ -322,7 +340,20 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
     if (candidate.teeth[m] > 0) set.teeth[m] = candidate.teeth[m];
   }
   set.planets = candidate.planets;
+  if (!problem.modules.empty()) set.normal_module = candidate.module;
   return set;
+}
+
+double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
+  GW_EXPECTS(problem.face_width);
+  int least = std::numeric_limits<int>::max();
+  for (const int z : candidate.teeth)
+    if (z > 0) least = std::min(least, z);
+  for (const auto& [z1, z2] : candidate.stages) least = std::min({least, z1, z2});
+  const PerMember& helix = problem.base.helix_deg;
+  const double beta = Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad();
+  const double diameter = candidate.module * least / std::cos(beta);
+  return std::min((*problem.face_width)[1], problem.face_diameters * diameter);
 }
 
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
@@ -375,6 +406,7 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
     if (!ends) return ends.error();
     search_sets(problem, *ends, threads, result);
   }
+  give_modules(problem.modules, result);
   const DriveObjective first = problem.objectives.front();
   std::stable_sort(result.found.begin(), result.found.end(),
                    [&](const DriveCandidate& a, const DriveCandidate& b) {

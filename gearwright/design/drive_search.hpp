@@ -45,7 +45,7 @@ struct DriveSearchProblem {
   TeethBand planets{3, 3};
   /// Of the members of the kind; absent: the defaults of teeth_band().
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
-  TeethBand stages{2, 2};  ///< number of them, of a train
+  TeethBand stages{2, 2};  ///< number of them, of a train, which have one module
   TeethBand pinion{17, 40}, wheel{17, 150};
   /// Greatest difference between the sums of teeth of meshes on one circle; absent: 1, for two
   /// rings on one planet gear the number of planets, for a train no limit.
@@ -53,7 +53,13 @@ struct DriveSearchProblem {
   double neighbour_clearance = 1.0;   ///< c ≥ this  modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; empty: all
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
-  /// Module, helix, losses, spacing, and the fixed and driving members; its numbers of teeth are
+  /// m_n of all meshes  mm; each set is tried with every one. Empty: sets without teeth, whose sizes
+  /// are in modules.
+  std::vector<double> modules;
+  std::optional<std::array<double, 2>> face_width;  ///< b, to be sized in this closed band  mm
+  double face_diameters = 1.2;                      ///< greatest sized b/d of the smallest gear
+  std::optional<double> safety_flank, safety_root;  ///< least S_H and S_F of every mesh
+  /// Helix, losses, spacing, and the fixed and driving members; its numbers of teeth are
   /// not used.
   PlanetarySpec base;
 
@@ -76,12 +82,14 @@ struct DriveCandidate {
   std::array<int, kSetMembers> teeth{};      ///< > 0 for rings too; 0: no such member
   std::vector<std::array<int, 2>> stages{};  ///< of a train
   int planets = 1;
+  double module = 1.0;     ///< m_n  mm
   double ratio = 0.0;      ///< i
   long long places = 0;    ///< N*; 0 of a train
   double clearance = 0.0;  ///< c  modules, without shifts; of a train and one planet infinite
   double size = 0.0;  ///< diameter over all without shifts, of a train the sum of its distances; mm
   /// With given or estimated losses; 0: self-locking, or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
+  std::optional<double> face_width{};  ///< b  mm, if the search sizes it
 };
 
 struct DriveSearchResult {
@@ -101,8 +109,11 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
 /// held and the other one is driven; of others as a set has it by itself.
 void complete_ends(DriveSearchProblem& problem);
 
-/// The set of a candidate, with the module, losses and ends of the problem. No train.
+/// The set of a candidate, with the losses and ends of the problem. No train.
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+
+/// The greatest face width that the search may size: that of the band and of b/d  mm
+double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 
 /// What an objective ranks by, the less the better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,

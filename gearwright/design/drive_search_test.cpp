@@ -18,7 +18,7 @@ DriveSearchProblem problem_of(DriveKind kind, std::array<double, 2> ratio) {
   DriveSearchProblem problem;
   problem.kind = kind;
   problem.ratio = ratio;
-  problem.base.normal_module = 1.0;
+  problem.modules = {1.0};
   problem.base.efficiency.all = 0.99;
   problem.base.spacing = Spacing::equal;
   return problem;

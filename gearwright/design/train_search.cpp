@@ -56,9 +56,8 @@ class TrainSearch {
   // The ratio exactly, as one fraction.
   int keep() {
     double p = 1.0, q = 1.0, size = 0.0;
-    const double module = problem_.base.normal_module.value_or(1.0);
     const auto& helix = problem_.base.helix_deg.all;
-    const double transverse = module / std::cos(Angle::degrees(helix.value_or(0.0)).rad());
+    const double transverse = 1.0 / std::cos(Angle::degrees(helix.value_or(0.0)).rad());
     for (const auto& [z1, z2] : stages_) {
       p *= -z2;
       q *= z1;
@@ -75,7 +74,7 @@ class TrainSearch {
     for (const auto& [z1, z2] : stages_)
       eta *= problem_.base.efficiency.all.value_or(
           estimated_efficiency(z1, z2, problem_.base.friction));
-    result_.found.push_back({{}, stages_, 1, ratio, 0, kInfinity, size, eta, eta});
+    result_.found.push_back({{}, stages_, 1, 1.0, ratio, 0, kInfinity, size, eta, eta});
     return 1;
   }
 

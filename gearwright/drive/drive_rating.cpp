@@ -128,4 +128,15 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
   return ratings;
 }
 
+std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety) {
+  std::optional<double> least;
+  for (const auto& r : drive.ratings) {
+    if (!r) continue;
+    const auto& [one, two] = r->rating.*safety;
+    const double s = std::min(one.value, two.value);
+    least = std::min(least.value_or(s), s);
+  }
+  return least;
+}
+
 }  // namespace gearwright

@@ -37,4 +37,7 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);
 
+/// The least S_H or S_F of all meshes; none: no mesh is rated.
+std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
+
 }  // namespace gearwright

@@ -9,13 +9,11 @@
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
-#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
-#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 
@@ -146,27 +144,6 @@ Result<Answer> answer_drive(const JobSpec& spec) {
 
 namespace {
 
-// The load, which [rating] or the drive may give.
-Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
-  DriveLoad load;
-  load.common = spec.rating.input;
-  load.common.speed.reset();
-  const auto& own = drive.graph.torque_Nm;
-  const auto& rated = spec.rating.torque;
-  if (!own && !rated)
-    return absent_input("rating.torque_Nm",
-                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
-                        "[rating] torque_Nm, or power_kW with speed_rpm");
-  load.torque = std::abs(rated.value_or(own.value_or(0.0)));
-  if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
-  if (spec.rating.input.speed) {
-    load.speed = spec.rating.input.speed;
-  } else if (!drive.graph.speeds_rpm.empty()) {
-    load.speed = std::abs(drive.graph.speeds_rpm.front());
-  }
-  return load;
-}
-
 std::string safety_listing(const Drive& drive) {
   std::string out =
       fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
@@ -191,19 +168,7 @@ Result<Answer> answer_drive_rating(const JobSpec& spec) {
   auto solved = solve_drive(spec);
   if (!solved) return solved.error();
   DriveJob rated_job = std::move(solved).take();
-  Drive& rated = rated_job.drive;
-  const auto load = load_of(spec, rated);
-  if (!load) return load.error();
-  const auto materials = drive_materials(spec.tree->tables);
-  auto ratings = rate_meshes(rated, *load, [&](std::size_t gear) {
-    const auto own = materials.find(rated.graph.gears[gear].name);
-    const MaterialInput given = own != materials.end() ? own->second
-                                : spec.rating.material ? *spec.rating.material
-                                                       : MaterialInput();
-    return material_of(given, "rating.material", spec.rating.input.edition);
-  });
-  if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
-  rated.ratings = std::move(ratings).take();
+  if (auto error = rate_drive(spec, rated_job.drive)) return *error;
   rated_job.verdict = judge(rated_job);
   const auto job = std::make_shared<const DriveJob>(std::move(rated_job));
   Answer answer;

@@ -10,6 +10,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/drive/drive_error.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -63,6 +64,27 @@ double reach(const ToothedBody& body) {
   return radius;
 }
 
+// The load, which [rating] or the drive may give.
+Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
+  DriveLoad load;
+  load.common = spec.rating.input;
+  load.common.speed.reset();
+  const auto& own = drive.graph.torque_Nm;
+  const auto& rated = spec.rating.torque;
+  if (!own && !rated)
+    return absent_input("rating.torque_Nm",
+                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
+                        "[rating] torque_Nm, or power_kW with speed_rpm");
+  load.torque = std::abs(rated.value_or(own.value_or(0.0)));
+  if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
+  if (spec.rating.input.speed) {
+    load.speed = spec.rating.input.speed;
+  } else if (!drive.graph.speeds_rpm.empty()) {
+    load.speed = std::abs(drive.graph.speeds_rpm.front());
+  }
+  return load;
+}
+
 }  // namespace
 
 Result<DriveJob> solve_drive(const JobSpec& spec) {
@@ -97,13 +119,33 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   return job;
 }
 
+std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
+  const auto load = load_of(spec, drive);
+  if (!load) return load.error();
+  const auto materials = drive_materials(spec.tree->tables);
+  auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {
+    const auto own = materials.find(drive.graph.gears[gear].name);
+    const MaterialInput given = own != materials.end() ? own->second
+                                : spec.rating.material ? *spec.rating.material
+                                                       : MaterialInput();
+    return material_of(given, "rating.material", spec.rating.input.edition);
+  });
+  if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
+  drive.ratings = std::move(ratings).take();
+  return std::nullopt;
+}
+
+WantedSafety wanted_safety(const JobSpec& spec) {
+  return {spec.rating.safety_flank_min.value_or(1.0), spec.rating.safety_root_min.value_or(1.0)};
+}
+
 Verdict judge(const DriveJob& job) {
-  const RatingTable& rating = job.spec.rating;
-  return judge_drive(job.drive, *job.spec.drive,
-                     [&](const DriveChange& change) {
-                       return key_of(job.spec.tree->tables, job.drive.graph, change);
-                     },
-                     {rating.safety_flank_min.value_or(1.0), rating.safety_root_min.value_or(1.0)});
+  return judge_drive(
+      job.drive, *job.spec.drive,
+      [&](const DriveChange& change) {
+        return key_of(job.spec.tree->tables, job.drive.graph, change);
+      },
+      wanted_safety(job.spec));
 }
 
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {

@@ -26,6 +26,14 @@ struct DriveJob {
 /// Errors    a spec without a drive; as make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
+/// Rates each mesh under the load of [rating], or under the drive's own torque.
+///
+/// Errors    `rating.…` for a load that is missing and as material_of(); as rate_meshes()
+std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
+
+/// The least safeties of [rating], 1 where it has none.
+WantedSafety wanted_safety(const JobSpec& spec);
+
 /// The verdict over the drive, including safeties if it is rated.
 Verdict judge(const DriveJob& job);
 

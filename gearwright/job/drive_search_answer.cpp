@@ -7,15 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
-#include "gearwright/job/drive_answer.hpp"
-#include "gearwright/job/drive_job.hpp"
+#include "gearwright/job/drive_designs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
-#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive_search.hpp"
 
 namespace gearwright {
@@ -23,140 +20,87 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kListedDrives = 20;
-/// Number of candidates that are computed for each requested drive, as some turn out to have no
-/// teeth.
-constexpr std::size_t kTries = 5;
-
-std::string teeth_text(const DriveCandidate& c) {
-  std::vector<std::string> list;
-  for (std::size_t m = 0; m < kSetMembers; ++m)
-    if (c.teeth[m] > 0)
-      list.push_back(fmt::format("{} {}", to_string(static_cast<SetMember>(m)), c.teeth[m]));
-  for (const auto& [z1, z2] : c.stages) list.push_back(fmt::format("{}:{}", z1, z2));
-  return fmt::format("{}", fmt::join(list, ", "));
-}
-
-// A candidate as a spec of the verb drive: the common keys of the search, and its numbers of teeth.
-Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c) {
-  const Json& tree = spec.tree->tables;
-  const Json& search = tree["search"];
-  Json made;
-  made["title"] = fmt::format("{}{}", spec.title.empty() ? "" : spec.title + ", ", teeth_text(c));
-  for (const auto& [key, value] : tree.items())
-    if (key != "title" && key != "search") made[key] = value;
-  if (!c.stages.empty()) {
-    Json shared = shared_keys(search, true);
-    for (std::size_t k = 0; k < c.stages.size(); ++k) {
-      Json stage = shared;
-      for (const char* key : {"speed_rpm", "torque_Nm"})
-        if (k > 0) stage.erase(key);
-      stage["teeth"] = c.stages[k];
-      made["stage"].push_back(std::move(stage));
-    }
-    return made;
-  }
-  Json set = shared_keys(search, false);
-  for (std::size_t m = 0; m < kSetMembers; ++m)
-    if (c.teeth[m] > 0) set[to_string(static_cast<SetMember>(m))] = c.teeth[m];
-  set["planets"] = c.planets;
-  const PlanetarySpec& base = problem.base;
-  if (!set.contains("spacing")) set["spacing"] = "equal";
-  if (base.fixed && !set.contains("fixed")) set["fixed"] = *base.fixed;
-  if (!base.inputs.empty() && !set.contains("input")) set["input"] = base.inputs;
-  if (!base.output.empty() && !set.contains("output")) set["output"] = base.output;
-  made["planetary"] = std::move(set);
-  return made;
-}
-
-bool has_gears(const Drive& drive) {
-  return std::none_of(
-      drive.geometry.faults.begin(), drive.geometry.faults.end(),
-      [](const GeometryFault& f) { return f.kind == GeometryFault::Kind::not_coaxial; });
-}
-
-// The drive of a candidate; none: it has no teeth, or its planets are too close with their profile
-// shifts.
-std::optional<FoundDrive> computed_drive(const JobSpec& spec, const DriveSearchProblem& problem,
-                                         const DriveCandidate& candidate) {
-  const auto own = read_spec_tree(drive_spec(spec, problem, candidate), {}, SpecUse::geometry);
-  if (!own) return std::nullopt;
-  auto solved = solve_drive(*own);
-  if (!solved || !has_gears(solved->drive)) return std::nullopt;
-  DriveJob job = std::move(solved).take();
-  FoundDrive found{candidate, std::move(job.drive), std::move(job.verdict)};
-  if (!found.drive.sets.empty() && found.drive.sets.front().neighbours) {
-    const double module = problem.base.normal_module.value_or(1.0);
-    found.candidate.clearance = found.drive.sets.front().neighbours->clearance / module;
-    if (found.candidate.clearance < problem.neighbour_clearance) return std::nullopt;
-  }
-  if (found.drive.flow) found.candidate.efficiency = found.drive.flow->efficiency;
-  if (found.drive.backward) found.candidate.efficiency_backward = found.drive.backward->efficiency;
-  return found;
-}
-
-// The candidates to compute: the best by the first objective, and the Pareto front.
-std::vector<DriveCandidate> chosen_drives(const DriveSearchProblem& problem,
-                                          const std::vector<DriveCandidate>& found,
-                                          std::size_t top) {
-  std::vector<bool> take(found.size());
-  std::fill_n(take.begin(), std::min(found.size(), top), true);
-  std::size_t more = 0;
-  for (const std::size_t i : pareto_front(problem, found))
-    if (!take[i] && more++ < top) take[i] = true;
-  std::vector<DriveCandidate> list;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (take[i]) list.push_back(found[i]);
-  return list;
-}
 
 struct FoundDrives {
   DriveSearchProblem problem;
   DriveSearchResult result;
-  std::vector<FoundDrive> designs;
-  std::vector<std::size_t> pareto;
-
-  DriveSearchView view() const { return {&problem, &result, &designs, &pareto}; }
+  DriveDesigns designs;
+  bool rated = false;
 };
-
-void compute_drives(const JobSpec& spec, std::size_t top, int threads, FoundDrives& found) {
-  const std::vector<DriveCandidate> list =
-      chosen_drives(found.problem, found.result.found, std::max(top, std::size_t{1}));
-  std::size_t next = 0, wanted = list.size();
-  const auto block = [&](const std::vector<DriveCandidate>& candidates) {
-    std::vector<std::optional<FoundDrive>> made(candidates.size());
-    parallel_for(
-        made.size(),
-        [&](std::size_t i) { made[i] = computed_drive(spec, found.problem, candidates[i]); },
-        threads);
-    for (auto& one : made)
-      if (one) found.designs.push_back(std::move(*one));
-  };
-  block(list);
-  // Replaces candidates without teeth by the next ones.
-  next = std::min(top, found.result.found.size());
-  const std::size_t last = std::min(found.result.found.size(), next + kTries * top);
-  while (found.designs.size() < std::min(top, wanted) && next < last) {
-    const std::size_t end = std::min(last, next + top - found.designs.size());
-    block({found.result.found.begin() + static_cast<std::ptrdiff_t>(next),
-           found.result.found.begin() + static_cast<std::ptrdiff_t>(end)});
-    next = end;
-  }
-  const auto cost = [&](const FoundDrive& f) {
-    return cost_of(found.problem, f.candidate, found.problem.objectives.front());
-  };
-  std::stable_sort(found.designs.begin(), found.designs.end(),
-                   [&](const FoundDrive& a, const FoundDrive& b) { return cost(a) < cost(b); });
-  std::vector<DriveCandidate> exact;
-  for (const FoundDrive& f : found.designs) exact.push_back(f.candidate);
-  found.pareto = pareto_front(found.problem, exact);
-}
 
 std::string drive_number(const std::optional<double>& x, int decimals) {
   return x && std::isfinite(*x) ? fixed_decimals(*x, decimals) : "-";
 }
 
+// What the user may try if no drive is listed.
+std::string advice(const FoundDrives& f) {
+  const auto& left_out = f.designs.left_out;
+  const auto most = std::max_element(left_out.begin(), left_out.end());
+  if (f.result.found.empty() || *most == 0)
+    return "No drive is within all limits. Widen the band of the ratio, the bands of teeth, or "
+           "coaxial_teeth, or use spacing = \"nearest\".";
+  switch (static_cast<DriveFault>(most - left_out.begin())) {
+    case DriveFault::safety:
+      return "No drive has the safeties. Try greater modules, a greater face_width_mm, more "
+             "planets "
+             "or a stronger material.";
+    case DriveFault::neighbours:
+      return "The planets of every set are too close. Try fewer planets or a smaller "
+             "neighbour_clearance_min.";
+    case DriveFault::no_teeth:
+    case DriveFault::verdict: break;
+  }
+  return "No drive has a green verdict. Try greater numbers of teeth, profile_shift or another "
+         "coaxial_teeth; the verb drive gives the reason for one set.";
+}
+
+// A row of words and numbers: the values whose column the search has.
+std::string design_row(const FoundDrives& f, const std::string& rank, const auto& cell) {
+  const bool rated = f.rated;
+  std::string row = fmt::format("{:>4}  {:<42} {:>2}", rank, cell("teeth"), cell("N"));
+  const auto add = [&](const char* name, int width) {
+    row += fmt::format(" {:>{}}", cell(name), width);
+  };
+  if (f.problem.modules.size() > 1) add("m_n mm", 6);
+  if (f.problem.face_width) add("b mm", 5);
+  add("ratio", 10);
+  add("η", 8);
+  add("η back", 8);
+  add("size mm", 9);
+  add("c mm", 8);
+  if (rated) {
+    add("S_H", 6);
+    add("S_F", 6);
+  }
+  return row + fmt::format("  {}\n", cell("phases"));
+}
+
+std::string design_cell(const FoundDrive& d, std::string_view name) {
+  const DriveCandidate& c = d.candidate;
+  const auto eta = [](const std::optional<PowerFlow>& flow) {
+    return drive_number(flow ? std::optional(flow->efficiency) : std::nullopt, 5);
+  };
+  const PlanetSet* set = d.drive.sets.empty() ? nullptr : &d.drive.sets.front();
+  if (name == "teeth") return teeth_text(c);
+  if (name == "N") return fmt::format("{}", c.planets);
+  if (name == "m_n mm") return fmt::format("{:g}", c.module);
+  if (name == "b mm") return drive_number(c.face_width, 0);
+  if (name == "ratio") return drive_number(d.drive.motion.ratio->value(), 5);
+  if (name == "η") return eta(d.drive.flow);
+  if (name == "η back") return eta(d.drive.backward);
+  if (name == "size mm") return drive_number(c.size, 2);
+  if (name == "c mm")
+    return drive_number(
+        set && set->neighbours ? std::optional(set->neighbours->clearance) : std::nullopt, 3);
+  if (name == "S_H" || name == "S_F")
+    return drive_number(least_safety(d.drive, name == "S_H" ? &Rating::S_H : &Rating::S_F), 3);
+  constexpr const char* kClasses[] = {"in phase", "sequential", "counter", "mixed"};
+  return set ? kClasses[static_cast<std::size_t>(set->phasing.kind)] : "-";
+}
+
 std::string drives_listing(const FoundDrives& f) {
-  std::string text = fmt::format("{} sets of numbers of teeth, {} hold all limits\n",
+  const DriveDesigns& designs = f.designs;
+  std::string text = fmt::format("{} sets of numbers of teeth, {} within all limits\n",
                                  f.result.tested, f.result.found.size());
   constexpr const char* kWords[] = {"the ratio", "places at which the planets assemble",
                                     "the clearance of neighbouring planets",
@@ -164,52 +108,42 @@ std::string drives_listing(const FoundDrives& f) {
   for (std::size_t i = 0; i < std::size(kWords); ++i)
     if (f.result.rejected[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kWords[i], f.result.rejected[i]);
-  if (f.designs.empty())
-    return text +
-           "\nNo drive holds all limits. Widen the band of the ratio, the bands of teeth, or "
-           "coaxial_teeth, or use spacing = \"nearest\".\n";
-  text += fmt::format("\n{:>4}  {:<46} {:>2} {:>10} {:>8} {:>8} {:>9} {:>8} {:<10} {}\n", "rank",
-                      "teeth", "N", "ratio", "η", "η back", "size mm", "c mm", "phases", "verdict");
-  for (std::size_t i = 0; i < f.designs.size() && i < kListedDrives; ++i) {
-    const FoundDrive& d = f.designs[i];
-    std::optional<double> clearance;
-    std::string phases = "-";
-    if (!d.drive.sets.empty()) {
-      const PlanetSet& set = d.drive.sets.front();
-      if (set.neighbours) clearance = set.neighbours->clearance;
-      constexpr const char* kClasses[] = {"in phase", "sequential", "counter", "mixed"};
-      phases = kClasses[static_cast<std::size_t>(set.phasing.kind)];
-    }
-    constexpr const char* kLevels[] = {"green", "amber", "red"};
-    const auto eta = [](const std::optional<PowerFlow>& flow) {
-      return drive_number(flow ? std::optional(flow->efficiency) : std::nullopt, 5);
-    };
-    const bool front = std::find(f.pareto.begin(), f.pareto.end(), i) != f.pareto.end();
-    text += fmt::format("{:>4}  {:<46} {:>2} {:>10} {:>8} {:>8} {:>9} {:>8} {:<10} {}{}\n", i + 1,
-                        teeth_text(d.candidate), d.candidate.planets,
-                        drive_number(d.drive.motion.ratio->value(), 5), eta(d.drive.flow),
-                        eta(d.drive.backward), drive_number(d.candidate.size, 2),
-                        drive_number(clearance, 3), phases,
-                        kLevels[static_cast<std::size_t>(d.verdict.level)], front ? ", front" : "");
+  if (designs.computed > 0)
+    text += fmt::format("{} computed with their teeth, {} of them without a fault\n",
+                        designs.computed, designs.list.size());
+  constexpr const char* kFaults[] = {"teeth that cannot be made or mounted",
+                                     "planets too close with their profile shifts", "the safeties",
+                                     "the verdict"};
+  for (std::size_t i = 0; i < std::size(kFaults); ++i)
+    if (designs.left_out[i] > 0)
+      text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
+  if (designs.list.empty()) return text + "\n" + advice(f) + "\n";
+  text += "\n" + design_row(f, "rank", [](const char* name) { return std::string(name); });
+  for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
+    const bool front =
+        std::find(designs.pareto.begin(), designs.pareto.end(), i) != designs.pareto.end();
+    text += design_row(f, fmt::format("{}{}", front ? "*" : "", i + 1),
+                       [&](const char* name) { return design_cell(designs.list[i], name); });
   }
-  if (f.result.found.size() > kListedDrives)
-    text +=
-        fmt::format("  … {} more; --top N lists more in JSON, and --take N writes one as a spec\n",
-                    f.result.found.size() - kListedDrives);
+  if (!designs.pareto.empty()) text += "  *  on the Pareto front of the objectives\n";
+  if (designs.list.size() > kListedDrives)
+    text += fmt::format(
+        "  … {} more; --json lists them all, --top N computes more, --take N writes one as a "
+        "spec\n",
+        designs.list.size() - kListedDrives);
   return text;
 }
 
 std::string drives_csv(const FoundDrives& f) {
-  std::string out = "teeth,planets,ratio,efficiency,efficiency_backward,size_mm,verdict\r\n";
-  for (const FoundDrive& d : f.designs) {
+  constexpr const char* kColumns[] = {"ratio",        "efficiency",       "efficiency_backward",
+                                      "size_mm",      "normal_module_mm", "face_width_mm",
+                                      "safety_flank", "safety_root"};
+  std::string out = fmt::format("teeth,planets,{}\r\n", fmt::join(kColumns, ","));
+  for (const FoundDrive& d : f.designs.list) {
     const Json row = to_json(found_drive_quantities().of(d));
-    const auto cell = [&](const char* key) {
-      return row[key].is_null() ? "" : json_text(row[key]);
-    };
-    out += fmt::format("{},{},{},{},{},{},{}\r\n", csv_cell(Value(teeth_text(d.candidate))),
-                       d.candidate.planets, cell("ratio"), cell("efficiency"),
-                       cell("efficiency_backward"), cell("size_mm"),
-                       row["verdict"].get<std::string>());
+    out += fmt::format("{},{}", csv_cell(Value(teeth_text(d.candidate))), d.candidate.planets);
+    for (const char* key : kColumns) out += "," + (row[key].is_null() ? "" : json_text(row[key]));
+    out += "\r\n";
   }
   return out;
 }
@@ -232,14 +166,16 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
       error.field = "search." + error.field.substr(kGraph.size());
     return error;
   }
-  const auto found =
-      std::make_shared<FoundDrives>(FoundDrives{problem, std::move(result).take(), {}, {}});
-  compute_drives(spec, top, threads, *found);
+  auto designs = drive_designs(spec, problem, *result, top, threads);
+  if (!designs) return designs.error();
+  const auto found = std::make_shared<FoundDrives>(FoundDrives{
+      problem, std::move(result).take(), std::move(designs).take(), rates_drives(spec, problem)});
   Answer answer;
-  answer.record["search"] = to_json(drive_search_quantities().of(found->view()));
-  for (const FoundDrive& d : found->designs)
+  answer.record["search"] =
+      to_json(drive_search_quantities().of({&found->problem, &found->result, &found->designs}));
+  for (const FoundDrive& d : found->designs.list)
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
-  answer.why_none = "no drive holds all limits";
+  answer.why_none = "no drive is within all limits";
   answer.listing = [found] { return drives_listing(*found); };
   answer.csv = [found] { return drives_csv(*found); };
   return answer;

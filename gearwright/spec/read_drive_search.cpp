@@ -32,6 +32,15 @@ void check_members(TableReader& t, const DriveSearchProblem& p) {
     if (train) t.refuse(key, "belongs to planetary sets; a train of pairs has none");
 }
 
+std::array<double, 2> read_width_band(const TableReader& t, const Json& band) {
+  const bool numbers = band.size() == 2 && band[0].is_number() && band[1].is_number();
+  if (!numbers || !(band[0].get<double>() > 0.0 && band[0] <= band[1]))
+    t.fail("face_width_mm",
+           "must be a number, a table by member, or a band of two positive numbers, the lower one "
+           "first: [20, 60] for example");
+  return {band[0].get<double>(), band[1].get<double>()};
+}
+
 }  // namespace
 
 bool is_drive_search(const Json& search) { return search.is_object() && search.contains("kind"); }
@@ -60,6 +69,11 @@ DriveSearchProblem read_drive_search(const Json& search) {
   }
   Json set = shared_keys(search, false);
   set["planet"] = 20;
+  set.erase("normal_module_mm");
+  if (const auto band = set.find("face_width_mm"); band != set.end() && band->is_array()) {
+    p.face_width = read_width_band(t, *band);
+    set.erase("face_width_mm");
+  }
   p.base = read_set(set, "search");
   if (!search.contains("spacing")) p.base.spacing = Spacing::equal;
   complete_ends(p);

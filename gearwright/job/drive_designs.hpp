@@ -1,0 +1,33 @@
+// The designs of a search for drives: the candidates in their order, each computed as the verb drive
+// does, rated if the search wants safeties, and listed if its verdict is green.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/catalogue/drive_search_quantities.hpp"
+#include "gearwright/spec/spec.hpp"
+
+namespace gearwright {
+
+/// Its numbers of teeth, "sun 19, planet 17, ring 56".
+std::string teeth_text(const DriveCandidate& c);
+
+/// A candidate as a spec of the verb drive: the common keys of the search, and its own numbers.
+Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
+
+/// Whether the designs of the search are rated.
+bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
+
+/// The candidates that the answer lists: the `top` best by the first objective and, with several
+/// objectives, at most as many more of the Pareto front. Candidates without a green verdict are
+/// replaced by the next ones, until kMostComputedDrives have been computed.
+///
+/// Errors    of a rating: its load or a material is missing or wrong
+Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
+                                   const DriveSearchResult& result, std::size_t top, int threads);
+
+/// Greatest number of candidates that are computed.
+inline constexpr std::size_t kMostComputedDrives = 20000;
+
+}  // namespace gearwright
