@@ -78,14 +78,20 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
     with.rating = JudgedRating{&rated->pair, &rated->input, &rated->rating, rated->wanted};
     for (const Warning& limit : rated->rating.limits) arranged.warnings.push_back(limit);
   }
-  drawn.runs = drawn.wider_helps = true;
-  for (const Finding& finding : findings_within_tolerances(arranged, with)) {
-    if (finding.level == Level::green || finding.code == WarningCode::rating_plastic) continue;
-    drawn.runs = false;
-    const bool safety =
-        finding.code == WarningCode::flank_safety || finding.code == WarningCode::root_safety;
-    drawn.wider_helps = drawn.wider_helps && safety;
-  }
+  drawn.runs = true;
+  bool wider_helps = problem.sizes_faces();
+  visit_states(arranged, with, [&](const JudgedState& state) {
+    for (const Finding& finding : state.findings) {
+      if (finding.level == Level::green || finding.code == WarningCode::rating_plastic) continue;
+      drawn.runs = false;
+      const bool safety =
+          finding.code == WarningCode::flank_safety || finding.code == WarningCode::root_safety;
+      wider_helps = wider_helps && safety;
+    }
+    if (state.pair) drawn.at_ends.push_back(*state.pair);
+    return drawn.runs || wider_helps;
+  });
+  if (drawn.runs || !wider_helps) drawn.at_ends.clear();
   return drawn;
 }
 

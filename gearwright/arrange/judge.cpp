@@ -44,9 +44,8 @@ std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRati
   return RatedAgain{*pair, std::move(rating).take()};
 }
 
-std::vector<Finding> findings_at(const Arranged& arranged,
-                                 const std::vector<TolerancedNumber>& tolerances,
-                                 const ToleranceCorner& corner, const JudgedWith& with) {
+JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
+                     const ToleranceCorner& corner, const JudgedWith& with) {
   const auto there = at_corner(arranged, tolerances, corner);
   if (!there) return {};  // the ends themselves have been solved
   JudgedWith of_there;
@@ -55,7 +54,9 @@ std::vector<Finding> findings_at(const Arranged& arranged,
     of_there.rating =
         JudgedRating{&rated->pair, with.rating->input, &rated->rating, with.rating->wanted};
   of_there.errors = with.errors;
-  return findings_of(judged_of(*there, of_there));
+  JudgedState state{findings_of(judged_of(*there, of_there)), {}};
+  if (rated) state.pair = rated->pair;
+  return state;
 }
 
 auto same_finding(const Finding& like) {
@@ -72,7 +73,7 @@ ToleranceCorner what_matters(const Arranged& arranged,
     less[k].reset();
     if (std::none_of(less.begin(), less.end(), [](const auto& end) { return end.has_value(); }))
       continue;
-    const auto found = findings_at(arranged, tolerances, less, with);
+    const auto found = state_at(arranged, tolerances, less, with).findings;
     const auto it = std::find_if(found.begin(), found.end(), same_finding(finding));
     if (it != found.end() && !worse(finding, *it)) corner = less;
   }
@@ -80,6 +81,15 @@ ToleranceCorner what_matters(const Arranged& arranged,
 }
 
 }  // namespace
+
+void visit_states(const Arranged& arranged, const JudgedWith& with,
+                  const std::function<bool(const JudgedState&)>& visit) {
+  if (!visit({findings_of(judged_of(arranged, with)), {}})) return;
+  const std::vector<TolerancedNumber> tolerances = tolerances_of(arranged);
+  if (tolerances.empty()) return;
+  for (const ToleranceCorner& corner : corners_of(tolerances))
+    if (!visit(state_at(arranged, tolerances, corner, with))) return;
+}
 
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with) {
   std::vector<Finding> findings = findings_of(judged_of(arranged, with));
@@ -91,7 +101,8 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const 
   };
   std::vector<Worst> list;
   for (const ToleranceCorner& corner : corners_of(tolerances)) {
-    for (Finding& f : findings_at(arranged, tolerances, corner, with)) {
+    JudgedState state = state_at(arranged, tolerances, corner, with);
+    for (Finding& f : state.findings) {
       const auto drawn = std::find_if(findings.begin(), findings.end(), same_finding(f));
       if (f.level <= (drawn == findings.end() ? Level::green : drawn->level)) continue;
       const auto same = std::find_if(list.begin(), list.end(),

@@ -25,6 +25,17 @@ struct JudgedWith {
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
 };
 
+/// The gears as drawn, or at one combination of the ends of their tolerances.
+struct JudgedState {
+  std::vector<Finding> findings;
+  std::optional<RatedPair> pair;  ///< of the rating at ends; none if the standard does not cover it
+};
+
+/// Judges the gears as drawn and then at every combination of the ends of their tolerances, until
+/// `visit` returns false.
+void visit_states(const Arranged& arranged, const JudgedWith& with,
+                  const std::function<bool(const JudgedState&)>& visit);
+
 /// All findings for the nominal values, and those that get worse at an end of the tolerances,
 /// without remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,

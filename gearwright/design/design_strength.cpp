@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "gearwright/design/face_width.hpp"
 #include "gearwright/design/ring_cuts.hpp"
@@ -148,51 +150,72 @@ void set_face_width(const ShiftGraph& graph, DesignRow& row, double width) {
   row.mass = mass_of(graph, row);
 }
 
-// The safeties at the row's face width.
-void rate_row(const SearchRating& asked, const RatedPair& pair, DesignRow& row) {
-  const RatedPair wide = with_face_width(pair, row.face_width);
-  std::optional<RatingInput> on_web;
-  if (asked.web) {
-    on_web = asked.input;
-    on_web->body = rated_body(wide, *asked.web, *asked.rim);
-  }
-  const auto rating = rate(wide, on_web ? *on_web : asked.input);
+struct Safeties {
+  std::array<std::optional<double>, 2> flank{}, root{};
+};
+
+// The safeties of a state of the teeth. The body is that of the design itself.
+Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
+  const auto rating = rate(pair, input);
+  if (!rating) return {};
   // Far outside the standard's limits a factor may have no value.
   const auto number = [](const Factor& f) {
     return std::isfinite(f.value) ? std::optional(f.value) : std::nullopt;
   };
+  Safeties found;
   for (const std::size_t i : {0, 1}) {
-    row.flank_safety[i] = rating ? number(rating->S_H[i]) : std::nullopt;
-    row.root_safety[i] = rating ? number(rating->S_F[i]) : std::nullopt;
+    found.flank[i] = number(rating->S_H[i]);
+    found.root[i] = number(rating->S_F[i]);
   }
+  return found;
 }
 
-// The least ratio of a safety to its limit; none if a safety has no number.
-std::optional<double> required_share(const SearchLimits& limits, const DesignRow& row) {
+// The least ratio of a safety to its limit; 0 if a safety has no number. The verdict over a drawing
+// requires 1 where there is no limit.
+double share_of(const SearchProblem& problem, const Safeties& found) {
   double share = std::numeric_limits<double>::infinity();
+  const auto keep = [&](const std::optional<double>& safety, std::optional<double> least) {
+    if (!least && problem.draw) least = 1.0;
+    if (least) share = std::min(share, safety ? *safety / *least : 0.0);
+  };
   for (const std::size_t i : {0, 1}) {
-    if (!row.flank_safety[i] || !row.root_safety[i]) return std::nullopt;
-    if (limits.safety_flank) share = std::min(share, *row.flank_safety[i] / *limits.safety_flank);
-    if (limits.safety_root) share = std::min(share, *row.root_safety[i] / *limits.safety_root);
+    keep(found.flank[i], problem.limits.safety_flank);
+    keep(found.root[i], problem.limits.safety_root);
   }
   return share;
 }
 
-// The least width of the band at which the design meets its limits; otherwise the greatest.
-// Safeties grow with at most the fourth power of the width (rating/sizing.cpp), so widths that are
-// certainly insufficient are skipped.
-void size_face(const ShiftGraph& graph, const RatedPair& pair, DesignRow& row) {
+// The least share of all states at the row's face width. The row gets the safeties of the first.
+double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
+                      DesignRow& row) {
+  const SearchRating& asked = *problem.rating;
+  RatingInput input = asked.input;
+  double share = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const RatedPair wide = with_face_width(states[k], row.face_width);
+    if (k == 0 && asked.web) input.body = rated_body(wide, *asked.web, *asked.rim);
+    const Safeties found = safeties_of(wide, input);
+    if (k == 0) row.flank_safety = found.flank, row.root_safety = found.root;
+    share = std::min(share, share_of(problem, found));
+  }
+  return share;
+}
+
+// The least width of the band at which the design has its safeties in every state of its teeth;
+// otherwise the greatest. Safeties grow with at most the fourth power of the width
+// (rating/sizing.cpp), so widths that are certainly insufficient are skipped. Every step is to a
+// greater width. The row keeps the safeties of the design itself, the first state.
+void size_face(const ShiftGraph& graph, const std::vector<RatedPair>& states, DesignRow& row) {
   constexpr double kPower = 4.0;
   const SearchProblem& problem = graph.problem();
-  rate_row(*problem.rating, pair, row);
-  while (problem.sizes_faces() && short_of(problem, row)) {
-    const auto share = required_share(problem.limits, row);
-    const double width = share ? row.face_width * std::pow(*share, -1 / kPower) : row.face_width;
-    const auto next = next_face_width(problem, row.trial, row.face_width, width);
+  for (;;) {
+    const double share = required_share(problem, states, row);
+    if (share >= 1.0 || !problem.sizes_faces()) return;
     const double most = face_widths(problem, row.trial)[1];
-    if (!next && row.face_width >= most) return;
+    if (row.face_width >= most) return;
+    const double width = share > 0.0 ? row.face_width * std::pow(share, -1 / kPower) : 0.0;
+    const auto next = next_face_width(problem, row.trial, row.face_width, width);
     set_face_width(graph, row, next.value_or(most));
-    rate_row(*problem.rating, pair, row);
   }
 }
 
@@ -200,22 +223,24 @@ void size_face(const ShiftGraph& graph, const RatedPair& pair, DesignRow& row) {
 
 DesignRow rated(const ShiftGraph& graph, DesignRow row) {
   const SearchProblem& problem = graph.problem();
-  std::optional<RatedPair> pair;
+  std::vector<RatedPair> states;
   if (problem.rating) {
     auto made = pair_of_design(graph, row);
     if (!made) return row;
-    pair = std::move(made).take();
-    size_face(graph, *pair, row);
+    states.push_back(std::move(made).take());
+    size_face(graph, states, row);
   }
   while (problem.draw && !short_of(problem, row)) {
-    const DrawnDesign drawn = problem.draw(problem, row);
+    DrawnDesign drawn = problem.draw(problem, row);
     row.runs = drawn.runs;
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
-    if (drawn.runs || !drawn.wider_helps || !pair || !wider) break;
-    // The thinnest teeth have the least safety.
+    if (drawn.runs || drawn.at_ends.empty() || !wider) break;
+    // The safeties are too low at an end of the tolerances: the width is that of the worst end.
+    states.resize(1);
+    std::move(drawn.at_ends.begin(), drawn.at_ends.end(), std::back_inserter(states));
     set_face_width(graph, row, *wider);
-    size_face(graph, *pair, row);
+    size_face(graph, states, row);
     row.runs = true;
   }
   return row;

@@ -1,18 +1,23 @@
 // What a design bears. Laws: (1) the pair in closed form is the pair that is cut and mounted, and its
 // safeties are the mounted pair's; (2) a search with safeties is the search without, less the designs
 // that fall short; (3) by mass and by safety the list is in order; (4) a greater load takes designs
-// away and adds none.
+// away and adds none; (5) a face has the least width of its band that holds as drawn and at the ends
+// of the tolerances, and at most two drawings are judged for it.
 #include "gearwright/design/design_strength.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/design/search.hpp"
+#include "gearwright/rating/sizing.hpp"
 #include "gearwright/rating/testing/sample_pairs.hpp"
 
 namespace gearwright {
@@ -209,6 +214,57 @@ TEST(DesignStrength, MoreLoadLeavesFewer) {  // (4)
     before = now;
   }
   EXPECT_EQ(before, 0u);
+}
+
+// The pair with teeth that are cut 0.1 modules deeper, as at the end of a wide tolerance.
+RatedPair thin_teeth(const SearchProblem& p, const DesignRow& row) {
+  RatedPair pair = mounted_design(Search(p).graph(row.trial), row).value();
+  for (RatedGear& gear : pair.gears) gear.generating_shift -= 0.1;
+  return pair;
+}
+
+bool thin_teeth_hold(const SearchProblem& p, const RatedPair& pair) {
+  const auto rating = rate(pair, p.rating->input);
+  return rating && holds(*rating, {*p.limits.safety_flank, *p.limits.safety_root});
+}
+
+// The search for the width did not end if only the verdict rejected a width.
+TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
+  SearchProblem p = wish(100.0);
+  p.helix = {Angle::degrees(12)};
+  p.pinion_teeth = {17, 24};
+  p.face_width = {{10.0, 60.0}};
+  p.limits.safety_flank = 0.8;
+  p.limits.safety_root = 2.2;
+  std::vector<DesignRow> nominal = found(p);
+  std::map<std::int64_t, int> drawings;
+  p.draw = [&](const SearchProblem& problem, const DesignRow& row) {
+    ++drawings[row.trial.index];
+    DrawnDesign drawn;
+    const RatedPair pair = thin_teeth(problem, row);
+    drawn.runs = thin_teeth_hold(problem, pair);
+    if (!drawn.runs) drawn.at_ends = {pair};
+    return drawn;
+  };
+  const std::vector<DesignRow> rows = found(p);
+  ASSERT_GT(rows.size(), 10u);
+  std::size_t wider = 0;
+  for (const DesignRow& row : rows) {
+    EXPECT_TRUE(row.runs);
+    EXPECT_LE(drawings[row.trial.index], 2) << row.trial.index;
+    const RatedPair thin = thin_teeth(p, row);
+    EXPECT_TRUE(thin_teeth_hold(p, thin)) << row.trial.index;
+    const auto same = std::find_if(nominal.begin(), nominal.end(), [&](const DesignRow& other) {
+      return other.trial.index == row.trial.index;
+    });
+    ASSERT_NE(same, nominal.end());
+    EXPECT_LE(same->face_width, row.face_width);
+    if (same->face_width == row.face_width) continue;
+    ++wider;
+    EXPECT_FALSE(thin_teeth_hold(p, with_face_width(thin, row.face_width - 1.0)))
+        << row.trial.index;
+  }
+  EXPECT_GT(wider, 5u);
 }
 
 TEST(DesignStrength, MassOfFullCylinders) {

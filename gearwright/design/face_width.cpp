@@ -35,7 +35,7 @@ std::optional<double> next_face_width(const SearchProblem& problem, const Trial&
   if (!(least <= most) || before >= most) return std::nullopt;
   const double step = problem.face_step;
   double next = std::ceil(std::max(width, least) / step - kRounding) * step;
-  if (next <= before) next += step;
+  if (next <= before) next = (std::floor(before / step + kRounding) + 1.0) * step;
   // A band narrower than a step is used with its least width only.
   const bool only = std::ceil(least / step - kRounding) * step > most * (1.0 + kRounding);
   if (least == most || only)

@@ -106,8 +106,10 @@ struct SearchProblem;
 /// The verdict over the drawing of a design.
 struct DrawnDesign {
   bool runs = false;                                ///< the verdict has no finding above green
-  bool wider_helps = false;                         ///< only safeties are too low
   std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both ends of its tolerances
+  /// The pair at every combination of the ends of its tolerances, if nothing but safeties is too
+  /// low, so that a wider face may help; else empty.
+  std::vector<RatedPair> at_ends{};
 };
 using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;
 

@@ -35,21 +35,22 @@ def drawn(after=STEEL + LOAD, **keys):
 
 class Drawn(Asked):
     def made(self, text, rank):
-        """The pair of a rank, as a spec, and what `rate` says of it."""
+        """The pair of a rank, as a spec, what `rate` says of it, and what `pair` does."""
         take = Run("search", text, "--take", rank, folder=folder())
         self.assertEqual(take.status, 0, take.err)
         rate = Run("rate", take.out, "--json", folder=take.folder, name="pair.toml")
         self.assertEqual(rate.status, 0, rate.err)
-        return tomllib.loads(take.out), rate.json
+        pair = Run("pair", take.out, "--json", folder=take.folder, name="pair.toml")
+        self.assertEqual(pair.status, 0, pair.err)
+        return tomllib.loads(take.out), rate.json, pair.json["pair"]
 
     def findings(self, verdict):
         return [f for f in verdict["findings"] if f["level"] != "green"]
 
     def is_as_listed(self, text, found, rank):
         design = found["designs"][rank - 1]
-        made, answer = self.made(text, rank)
+        made, answer, pair = self.made(text, rank)
         self.assertEqual([self.findings(answer["verdict"]), answer["verdict"]["level"]], [[], "green"], f"rank {rank}")
-        pair = answer["pair"]
         for key in ("S_H", "S_F"):
             for got, want in zip(design[key], answer["rating"][key]):
                 self.assertAlmostEqual(got, want, delta=1e-12 * want, msg=f"{rank} {key}")
@@ -95,7 +96,7 @@ class Listed(Drawn):
         self.assertGreater(len(found["designs"]), 3)
         for rank, design in enumerate(found["designs"][:8], 1):
             self.assertGreaterEqual(design["overlap_ratio"], 1.0)
-            made, _ = self.made(text, rank)
+            made, _, _ = self.made(text, rank)
             module, beta = design["module_mm"], math.radians(abs(design["helix_angle_deg"][0]))
             b = design["face_width_mm"] - 1
             for gear in ("gear1", "gear2"):
