@@ -16,9 +16,11 @@
 #   make figures    draws the figures of the theory pages anew
 #   make python     the Python package as a wheel, build/python/*.whl
 #   make package    .deb and .tgz in build/package
+#   make dist       programs for Windows and Linux that need no package: build/dist
+#   make test-dist  these programs against the native one, under Wine and QEMU
 #   make clean      remove build/
 
-.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package clean
+.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package dist test-dist clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -111,6 +113,17 @@ package:
 	@cmake --build --preset package
 	@cd build/package && cpack
 	@cd build/package && lintian --fail-on error,warning *.deb
+
+dist:
+	@tools/install_packages.sh core dist
+	@tools/dist.sh
+
+test-dist: dist
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine
+	tests/dist/test_portable.py build/release/gearwright build/portable/linux-x86_64/gearwright
+	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
 
 clean:
 	rm -rf build

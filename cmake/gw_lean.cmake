@@ -16,10 +16,18 @@ include_guard()
 
 set(gw_store_sources "/gearwright/store/|/gearwright/job/search_(files|record|tables)\\.cpp$")
 
-# Leaves one of each pair in the list.
+# Leaves one of each pair in the list. On Windows, X_windows.cpp stands in for X.cpp likewise.
 function(gw_choose_twins list_name)
   set(kept "")
   foreach(source IN LISTS ${list_name})
+    if(WIN32)
+      string(REGEX REPLACE "\\.cpp$" "_windows.cpp" twin ${source})
+      if(EXISTS ${twin})
+        continue()
+      endif()
+    elseif(source MATCHES "_windows\\.cpp$")
+      continue()
+    endif()
     if(GEARWRIGHT_LEAN)
       string(REGEX REPLACE "\\.cpp$" "_without.cpp" twin ${source})
       if(EXISTS ${twin} OR source MATCHES "${gw_store_sources}")

@@ -1,41 +1,18 @@
 # The build for WebAssembly: emscripten 3.1.6, preset `wasm`. Included in place of the search for
 # packages, which for a foreign machine would find none: all that is needed here are headers.
-#
-# The system's include folder must not be on emcc's path, its C library is another. So a folder in
-# the build holds links to the libraries' own folders, and targets have the names that Debian's have.
 include_guard()
 
 if(NOT GEARWRIGHT_LEAN)
   message(FATAL_ERROR "A build for WebAssembly is lean: GEARWRIGHT_LEAN=ON")
 endif()
 
-set(gw_links ${PROJECT_BINARY_DIR}/include)
-set(gw_found "")
-# Links `folder` of the system's headers, where `header` must lie below.
-function(gw_link_headers folder header package)
-  find_path(found ${header} PATHS /usr/include /usr/include/eigen3 NO_DEFAULT_PATH
-            NO_CMAKE_FIND_ROOT_PATH NO_CACHE)
-  if(NOT found)
-    message(FATAL_ERROR "${header} not found (Debian: ${package})")
-  endif()
-  file(MAKE_DIRECTORY ${gw_links})
-  file(CREATE_LINK ${found}/${folder} ${gw_links}/${folder} SYMBOLIC)
-endfunction()
-gw_link_headers(Eigen Eigen/Geometry libeigen3-dev)
-gw_link_headers(boost boost/version.hpp libboost-dev)
+include(gw_system_headers)
+gw_system_headers()
 gw_link_headers(fmt fmt/format.h libfmt-dev)
-gw_link_headers(nlohmann nlohmann/json.hpp nlohmann-json3-dev)
-gw_link_headers(toml++ toml++/toml.h libtomlplusplus-dev)
-gw_link_headers(CLI CLI/CLI.hpp libcli11-dev)
 gw_link_headers(stb stb/stb_image_write.h libstb-dev)
-
-foreach(name Eigen3::Eigen Boost::headers fmt::fmt nlohmann_json::nlohmann_json
-        tomlplusplus::tomlplusplus CLI11::CLI11)
-  add_library(${name} INTERFACE IMPORTED)
-  target_include_directories(${name} SYSTEM INTERFACE ${gw_links})
-endforeach()
+add_library(fmt::fmt INTERFACE IMPORTED)
+target_include_directories(fmt::fmt SYSTEM INTERFACE ${gw_links})
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
-set(CLI11_FOUND ON)
 set(gw_libraries "")
 
 # Refusals throw: without this no catch block runs. No -msimd128: clang 14 puts the complex products of

@@ -45,7 +45,7 @@ int batch_verb(const Options& o) {
   if (path != "-") {
     if (std::filesystem::is_directory(path))
       throw IoError("cannot read " + path + ": it is a folder");
-    file.open(path, std::ios::binary);
+    file.open(std::filesystem::path(path), std::ios::binary);
     if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   }
   std::ios::sync_with_stdio(false);

@@ -62,6 +62,7 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
 CommandLine::CommandLine() : app_(kIntroduction, "gearwright") {
   app_.set_version_flag("-V,--version", version_text());
   app_.require_subcommand(1);
+  app_.allow_windows_style_options(false);  // a path may begin with a slash on Windows too
   add_run();
   add_answering();
   add_files();

@@ -34,7 +34,7 @@ namespace {
 
 std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file(fs::path{path}, std::ios::binary);
   if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   constexpr std::size_t kMaxBytes = 1 << 26;  // limit for a file of cases, because a device may
                                               // have no end

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gearwright {
 
@@ -68,7 +69,8 @@ std::optional<GapPlace> GapSearch::nearest(const GapField& field, double z) cons
   for (int i = 0; i < kRows; ++i) {
     const GapJet j = at(row(i));
     const double from_mesh = std::arg(j.w1) - pair_.mesh_azimuth();
-    in[i] = inside(b, j) && std::abs(std::remainder(from_mesh, 2 * M_PI)) < kFarFromMesh;
+    in[i] =
+        inside(b, j) && std::abs(std::remainder(from_mesh, 2 * std::numbers::pi)) < kFarFromMesh;
     if (in[i] && (best < 0 || j.t.v > highest)) {
       best = i;
       highest = j.t.v;

@@ -279,6 +279,9 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
   }
+  // Editors on Windows offer UTF-16 as "Unicode"; such a file begins with the byte order mark U+FEFF.
+  if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF"))
+    return syntax_error(name + " is UTF-16 text; save it as UTF-8");
   const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);
   if (in_folder) read.folder = path.parent_path();
   const std::size_t first = read.text.find_first_not_of(" \t\r\n");

@@ -64,8 +64,9 @@ void ChunkJournal::CloseStatement::operator()(sqlite3_stmt* statement) const {
 ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>& constraints)
     : path_(path), columns_(column_names(constraints)) {
   sqlite3* database = nullptr;
-  const int status =
-      sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  const std::u8string name = path.u8string();  // SQLite reads names in UTF-8 on all systems
+  const int status = sqlite3_open_v2(reinterpret_cast<const char*>(name.c_str()), &database,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   database_.reset(database);  // also after a failure, because it contains the message
   if (status != SQLITE_OK) fail();
   if (sqlite3_busy_handler(database, nap, nullptr) != SQLITE_OK) fail();

@@ -114,6 +114,12 @@ class BadInput(unittest.TestCase):
                            ("a." * 100_000 + "a = 1\n", "case.toml")):
             self.assertEqual(Run("gear", text, "--json", name=name).status, 1, text[:20])
 
+    def test_utf_16_is_named(self):
+        for encoding in ("utf-16-le", "utf-16-be"):
+            r = Run("gear", ("\ufeff" + GEAR).encode(encoding))
+            self.assertEqual(r.status, 1, r.err)
+            self.assertIn("is UTF-16 text; save it as UTF-8", r.err)
+
     def test_any_bytes_give_one_json_object(self):
         for text in (b'{"gear1": "\xff"}', b'{"gear1":{"teeth":17,"normal_module_mm":2},"title":"\xff"}',
                      ('{"gear1": {"teeth": 20, "normal_module_mm": 2, "rack": "x' + "ä" * 50 + '"}}').encode()):

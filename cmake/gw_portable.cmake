@@ -1,0 +1,48 @@
+# The build of a program that runs without any package: every library is linked statically.
+#
+# GEARWRIGHT_LIBRARIES is the folder with the libraries for the target, which tools/portable_libraries.sh compiles
+# from Debian's sources; libraries that are headers only come from this system.
+include_guard()
+include(gw_system_headers)
+gw_system_headers()
+
+set(CMAKE_PREFIX_PATH ${GEARWRIGHT_LIBRARIES})
+set(CMAKE_FIND_ROOT_PATH ${GEARWRIGHT_LIBRARIES})
+set(BUILD_SHARED_LIBS OFF)
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+foreach(package fmt NLopt TBB hwy)
+  find_package(${package} REQUIRED CONFIG PATHS ${GEARWRIGHT_LIBRARIES} NO_DEFAULT_PATH)
+endforeach()
+foreach(library z zstd sqlite3)
+  add_library(gw_${library} STATIC IMPORTED)
+  set_target_properties(gw_${library} PROPERTIES
+    IMPORTED_LOCATION ${GEARWRIGHT_LIBRARIES}/lib/lib${library}.a
+    INTERFACE_INCLUDE_DIRECTORIES ${GEARWRIGHT_LIBRARIES}/include)
+endforeach()
+set(gw_libraries gw_z TBB::tbb NLopt::nlopt_cxx Threads::Threads hwy::hwy gw_zstd gw_sqlite3)
+# The instruction sets that the kernels of the search leave out (Highway chooses among the others at run time).
+if(WIN32)
+  add_link_options(LINKER:--wrap=mbrtowc)  # base/system_windows.cpp
+  # g++ aligns the stack of Windows to 16 bytes, where variables of AVX need 32 (GCC bug 54412).
+  set(gw_without "(HWY_AVX2|HWY_AVX3|HWY_AVX3_DL)")
+elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+  # g++ 12 ends with an internal error at arm_sve.h where a precompiled header is used.
+  set(gw_without "(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+endif()
+file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
+set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=${gw_without}")
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+  # Highway's NEON includes AES, which the compiler never uses by itself; without it the constructor of an array of
+  # lanes is no function of that instruction set.
+  set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS "-march=armv8-a+crypto;-Wno-invalid-pch")
+endif()
+# tools/sbom.py reads the map: the archives whose members the program contains.
+add_link_options(-static -s LINKER:-Map=${PROJECT_BINARY_DIR}/gearwright.map)
+
+set(GEARWRIGHT_MPI OFF)
+set(why_no_mpi "not in a portable build")
+set(GEARWRIGHT_PYTHON OFF)
+set(why_no_python "not in a portable build")
+find_program(GEARWRIGHT_PYTHON_EXECUTABLE python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
+             NO_CMAKE_FIND_ROOT_PATH DOC "Python that runs the script tests")

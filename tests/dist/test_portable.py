@@ -1,0 +1,249 @@
+#!/usr/bin/env python3
+"""Compares a portable program with the native one, and runs what a user of its system runs first.
+
+    tests/dist/test_portable.py NATIVE PROGRAM [--under wine] [--examples N]
+
+1. Every verb on every example: the same exit status and keys, every number of --json within kNear of the native one.
+   The script prints how many numbers differ, and by how many units in the last place (ulp).
+2. `run` on every example: the same files. The script prints how many have the same bytes.
+3. Names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing file, folders that take no file.
+4. The program needs no library beside it; that for Windows has less than 12 MB.
+"""
+import argparse
+import contextlib
+import json
+import math
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
+VERBS = "gear pair contact load measure rate identify fit drive".split()
+# Relative to the value, or to 1 for smaller values. The last steps of a solver follow the sine and the arc tangent of
+# the C library, and a quantity near zero is a difference of large ones.
+kNear = 1e-9
+
+
+class Programs:
+    def __init__(self, native, program, under):
+        self.native = [str(pathlib.Path(native).resolve())]
+        self.other = ([under] if under else []) + [str(pathlib.Path(program).resolve())]
+        self.environment = dict(os.environ, WINEDEBUG="-all", LC_ALL="C.UTF-8")
+
+    def run(self, command, *arguments, folder, stdin=None):
+        # Files, not pipes: what Wine starts in the background keeps the ends of a pipe open.
+        with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            given.write(stdin or b"")
+            given.seek(0)
+            status = subprocess.run([*command, *map(str, arguments)], stdin=given, stdout=out, stderr=err, cwd=folder,
+                                    timeout=600, env=self.environment).returncode
+            out.seek(0)
+            err.seek(0)
+            return status, out.read(), err.read().decode(errors="replace")
+
+
+@contextlib.contextmanager
+def fresh_prefix(programs):
+    """A new Windows for Wine, whose server stays until the end, so that a start of the program takes half a second."""
+    with tempfile.TemporaryDirectory(prefix="gearwright_wine_") as prefix:
+        programs.environment.update(WINEPREFIX=prefix, WINEDLLOVERRIDES="mscoree,mshtml=")
+        quiet = dict(env=programs.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run(["wineboot", "--init"], check=True, timeout=300, **quiet)
+        subprocess.run(["wineserver", "-p"], **quiet)  # status 2: it runs already
+        try:
+            yield
+        finally:
+            subprocess.run(["wineserver", "-k"], **quiet)
+            subprocess.run(["wineserver", "-w"], timeout=60, **quiet)
+
+
+class Report:
+    def __init__(self):
+        self.passed, self.failed = 0, []
+
+    def check(self, name, good, why=""):
+        if good:
+            self.passed += 1
+        else:
+            self.failed.append(name)
+            print(f"FAILED {name}: {why}", flush=True)
+
+
+def place(x):
+    """Doubles in order as integers: neighbours differ by 1, the unit in the last place."""
+    bits = struct.unpack("<q", struct.pack("<d", x))[0]
+    return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
+
+
+class Differences:
+    """Numbers of two answers: how many, the ulp of each difference, and where the greatest relative one is."""
+
+    def __init__(self):
+        self.values, self.ulps, self.greatest, self.where, self.broken = 0, [], 0.0, "", ""
+
+    def compare(self, a, b, path=""):
+        number = (int, float)
+        if isinstance(a, dict) and isinstance(b, dict):
+            if list(a) != list(b):
+                self.broken = f"{path}: keys {sorted(set(a) ^ set(b)) or 'in another order'}"
+                return
+            for key in a:
+                self.compare(a[key], b[key], f"{path}.{key}")
+        elif isinstance(a, list) and isinstance(b, list):
+            if len(a) != len(b):
+                self.broken = f"{path}: {len(a)} and {len(b)} entries"
+                return
+            for i, (x, y) in enumerate(zip(a, b)):
+                self.compare(x, y, f"{path}.{i}")
+        elif isinstance(a, number) and isinstance(b, number) and not isinstance(a, bool) and not isinstance(b, bool):
+            self.values += 1
+            if a == b:
+                return
+            self.ulps.append(abs(place(float(a)) - place(float(b))))
+            relative = abs(a - b) / max(abs(a), abs(b), 1.0)
+            if relative > self.greatest:
+                self.greatest, self.where = relative, path
+        elif a != b and not (isinstance(a, str) and isinstance(b, str)):
+            self.broken = f"{path}: {a} and {b}"  # sentences may hold rounded numbers
+
+
+def compare_answers(programs, report, examples, folder):
+    total, answers, equal_bytes, shares = Differences(), 0, 0, []
+    for example in examples:
+        for verb in VERBS:
+            status, text, _ = programs.run(programs.native, verb, example, "--json", folder=folder)
+            other, other_text, errors = programs.run(programs.other, verb, example, "--json", folder=folder)
+            name = f"{verb} {example.name}"
+            if status != other:
+                report.check(name, False, f"status {other}, native {status}: {errors[-300:]}")
+                continue
+            if status != 0:
+                report.passed += 1
+                continue
+            one = Differences()
+            one.compare(json.loads(text), json.loads(other_text))
+            report.check(name, not one.broken and one.greatest <= kNear,
+                         one.broken or f"{one.where} differs by {one.greatest:.3g}")
+            answers, equal_bytes = answers + 1, equal_bytes + (text == other_text)
+            total.values, total.ulps = total.values + one.values, total.ulps + one.ulps
+            if one.greatest > total.greatest:
+                total.greatest, total.where = one.greatest, f"{name}{one.where}"
+            if one.ulps:
+                shares.append(f"  {name}: {len(one.ulps)} of {one.values}, greatest {one.greatest:.1e} at {one.where}")
+    print("\n".join(shares))
+    below = [sum(u <= limit for u in total.ulps) for limit in (1, 4, 64)]
+    print(f"answers {answers}, of which {equal_bytes} have the same bytes; numbers {total.values}, of which "
+          f"{len(total.ulps)} differ: {below[0]} by 1 ulp, {below[1]} by at most 4, {below[2]} by at most 64; "
+          f"greatest relative difference {total.greatest:.1e} ({total.where})", flush=True)
+
+
+def compare_files(programs, report, examples, folder):
+    kinds = {}
+    for example in examples:
+        ends = []
+        for command, out in ((programs.native, "native"), (programs.other, "other")):
+            status, _, errors = programs.run(command, "run", example, "--out", f"{example.stem}_{out}", folder=folder)
+            ends.append(status)
+        report.check(f"run {example.name}", ends[0] == ends[1], f"status {ends[1]}, native {ends[0]}: {errors[-300:]}")
+        one, two = (pathlib.Path(folder, f"{example.stem}_{out}") for out in ("native", "other"))
+        names = sorted(p.name for p in one.iterdir()) if one.exists() else []
+        others = sorted(p.name for p in two.iterdir()) if two.exists() else []
+        report.check(f"files of {example.name}", names == others, f"{others}, native {names}")
+        for name in set(names) & set(others):
+            count = kinds.setdefault(pathlib.Path(name).suffix, [0, 0])
+            count[0] += 1
+            count[1] += (one / name).read_bytes() == (two / name).read_bytes()
+    print("files with the same bytes: " + ", ".join(f"{k} {same} of {n}" for k, (n, same) in sorted(kinds.items())))
+
+
+def needs_nothing(report, program):
+    """Windows itself has the DLLs below; a program for Linux has neither a loader nor libraries."""
+    if program.endswith(".exe"):
+        text = subprocess.run(["x86_64-w64-mingw32-objdump", "-p", program], capture_output=True, text=True, check=True).stdout
+        needed = {line.split()[-1].lower() for line in text.splitlines() if "DLL Name:" in line}
+        report.check("DLLs", needed <= {"kernel32.dll", "msvcrt.dll", "shell32.dll", "user32.dll", "advapi32.dll"}, needed)
+    else:
+        text = subprocess.run(["readelf", "-dlW", program], capture_output=True, text=True, check=True).stdout
+        report.check("static", "INTERP" not in text and "NEEDED" not in text, text)
+    size = pathlib.Path(program).stat().st_size
+    report.check("below 12 MB", size < 12e6 or not program.endswith(".exe"), size)
+    print(f"size {size / 1e6:.2f} MB")
+
+
+def first_minutes(programs, report, windows, folder):
+    spec = (SOURCE / "examples/spur_pair.toml").read_text()
+
+    def run(*arguments, stdin=None):
+        return programs.run(programs.other, *arguments, folder=folder, stdin=stdin)
+
+    inside = pathlib.Path(folder, "Räder für Übung")
+    inside.mkdir()
+    title = next(line for line in spec.splitlines() if line.startswith("title"))
+    (inside / "Zähne.toml").write_text(spec.replace(title, 'title = "Zahnräder 歯車"'), encoding="utf-8")
+    status, _, errors = run("run", "Räder für Übung/Zähne.toml")
+    page = inside / "Zähne_out/report.html"
+    report.check("run in a folder with a Unicode name", status == 0 and page.exists(), errors)
+    report.check("the title in the report", page.exists() and "歯車" in page.read_text(encoding="utf-8"))
+    status, text, errors = run("pair", "Räder für Übung/Zähne.toml")
+    report.check("a title in Unicode is printed", status == 0 and "歯車" in text.decode(), errors)
+    for name, data, good in (("CRLF", spec.replace("\n", "\r\n").encode(), True),
+                             ("a byte order mark", b"\xef\xbb\xbf" + spec.encode(), True),
+                             ("both", b"\xef\xbb\xbf" + spec.replace("\n", "\r\n").encode(), True),
+                             ("UTF-16", spec.encode("utf-16"), False)):
+        pathlib.Path(folder, "saved.toml").write_bytes(data)
+        status, _, errors = run("pair", "saved.toml")
+        report.check(f"a spec with {name}", status == (0 if good else 1) and (good or "save it as UTF-8" in errors), errors)
+    lines = b'{"gear1":{"teeth":20,"normal_module_mm":2}}\r\n{"gear1":{"teeth":2000000,"normal_module_mm":2}}\r\n'
+    status, text, errors = run("batch", "gear", stdin=lines)
+    answers = text.decode().splitlines()
+    report.check("batch", len(answers) == 2 and '"error"' not in answers[0] and '"error"' in answers[1], text.decode() + errors)
+    status, _, errors = run("pair", "no_such_file.toml")
+    report.check("a missing file", status == 3 and "no_such_file.toml" in errors, errors)
+    status, text, errors = run("pair", "-", stdin=spec.encode())
+    report.check("a spec on standard input", status == 0, errors)
+    status, text, errors = run("--help")
+    report.check("help", status == 0 and b"\r" not in text, errors)
+    # A folder that takes no file, also for the administrator of Linux: /proc, which Wine shows on drive Z.
+    closed = "Z:\\proc\\gearwright_out" if windows else "/proc/gearwright_out"
+    status, text, errors = run("run", SOURCE / "examples/spur_pair.toml", "--out", closed)
+    report.check("a folder that cannot be made", status == 3 and closed in errors, f"{status} {errors}")
+    status, text, errors = run("export", SOURCE / "examples/spur_pair.toml", "--stl", closed + ".stl")
+    report.check("a file that cannot be written", status == 3 and closed in errors, f"{status} {errors}")
+    wish = SOURCE / "examples/housing_search.toml"
+    status, text, errors = run("search", wish, "--out", "found")
+    report.check("a search with a folder", status == 0 and any(pathlib.Path(folder, "found").glob("*.parquet")),
+                 f"{status} {errors} {os.listdir(pathlib.Path(folder, 'found')) if pathlib.Path(folder, 'found').exists() else ''}")
+    status, text, errors = run("compensate", SOURCE / "examples/misaligned_pair.toml")
+    report.check("compensate", status == 0, f"{status} {errors}")
+    if windows:
+        status, text, errors = run("export", "Räder für Übung\\Zähne.toml", "--stl", "Räder für Übung\\a.stl")
+        report.check("paths with backslashes", status == 0 and (inside / "a.stl").exists(), errors)
+        status, text, errors = run("run", SOURCE / "examples/spur_pair.toml", "--out", "o/p")
+        report.check("paths are printed with backslashes", "o\\p\\report.html" in text.decode(), text.decode()[-500:])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("native")
+    parser.add_argument("program")
+    parser.add_argument("--under", help="what runs the program: wine, qemu-aarch64-static")
+    parser.add_argument("--examples", type=int, default=1000, help="the first N examples only")
+    options = parser.parse_args()
+    programs, report = Programs(options.native, options.program, options.under), Report()
+    examples = sorted([*SOURCE.glob("examples/*.toml"), *SOURCE.glob("examples/drives/*.toml")])[:options.examples]
+    with contextlib.ExitStack() as stack:
+        if options.under == "wine":
+            stack.enter_context(fresh_prefix(programs))
+        folder = stack.enter_context(tempfile.TemporaryDirectory())
+        needs_nothing(report, options.program)
+        first_minutes(programs, report, options.program.endswith(".exe"), folder)
+        compare_answers(programs, report, examples, folder)
+        compare_files(programs, report, examples, folder)
+    print(f"{report.passed} passed, {len(report.failed)} failed")
+    sys.exit(1 if report.failed else 0)
+
+
+main()

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Makes the programs that need no package and no compiler: build/dist.
+#
+#   tools/dist.sh [TARGET ...]     default: windows-x86_64 linux-x86_64 linux-aarch64
+#
+#   gearwright-VERSION-windows-x86_64.zip     gearwright.exe, examples, documents, licences, the list of what is linked
+#                                             in (SPDX) and, if `make web` has built it, the page
+#   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux: fully static
+#   gearwright-VERSION-linux-aarch64.tar.gz
+#   SHA256SUMS
+#
+# The program for linux-x86_64 consists of the objects of the preset `release`; the others are cross built.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+[ $# -gt 0 ] || set -- windows-x86_64 linux-x86_64 linux-aarch64
+jobs=${JOBS:-$(nproc)}
+dist=$PWD/build/dist
+portable=$PWD/build/portable
+mkdir -p "$dist"
+
+build() {
+  local target=$1
+  tools/portable_libraries.sh "$target"
+  if [ "$target" = linux-x86_64 ]; then
+    cmake --preset release >/dev/null
+    cmake --build --preset release --target gearwright_static -j "$jobs"
+    return
+  fi
+  # Without -Werror: MinGW's g++ 12 sees uninitialised members of a std::variant where the native g++ 12 sees none.
+  cmake -S . -B "$portable/$target" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
+    -DGEARWRIGHT_TESTS=OFF -DGEARWRIGHT_BENCH=OFF \
+    -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/$target.cmake" \
+    -DGEARWRIGHT_LIBRARIES="$portable/libraries/$target" >/dev/null
+  cmake --build "$portable/$target" --target gearwright_cli -j "$jobs"
+}
+
+pack() {
+  local target=$1 build=$portable/$1 name=gearwright-$version-$1 program=gearwright
+  case $target in windows-*) program=gearwright.exe ;; esac
+  local folder=$build/pack/$name
+  rm -rf "$build/pack"
+  mkdir -p "$folder"
+  cp "$build/$program" README.md CHANGELOG.md LICENSE "$folder/"
+  cp -r examples "$folder/examples"
+  cp -r docs "$folder/docs"
+  rm -rf "$folder/docs/figures" "$folder/docs/doxygen" "$folder/docs/Doxyfile"
+  tools/sbom.py "$version" "$target" "$build" "$portable/sources" "$folder"
+  [ ! -f build/web/gearwright.html ] || cp build/web/gearwright.html "$folder/"
+  # The same input gives the same bytes: names in order, one date.
+  find "$build/pack" -exec touch -h -d "@${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}" {} +
+  if [ "$program" = gearwright.exe ]; then
+    rm -f "$dist/$name.zip"
+    (cd "$build/pack" && find "$name" | LC_ALL=C sort | TZ=UTC zip -q -X -@ "$dist/$name.zip")
+  else
+    (cd "$build/pack" && tar --sort=name --owner=0 --group=0 --numeric-owner -cf - "$name") | gzip -9n >"$dist/$name.tar.gz"
+  fi
+}
+
+for target in "$@"; do
+  build "$target"
+  pack "$target"
+done
+(cd "$dist" && rm -f SHA256SUMS && sha256sum -- * >.sums && mv .sums SHA256SUMS)
+ls -l "$dist"

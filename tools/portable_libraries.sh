@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# Compiles the libraries that a portable program links, statically, from Debian's source packages.
+#
+#   tools/portable_libraries.sh TARGET     TARGET: windows-x86_64, linux-x86_64, linux-aarch64
+#
+# Result: build/portable/libraries/TARGET with include/ and lib/. Sources are fetched once, by apt-get source with
+# lists of their own, so that the system's lists stay as they are. A second call does nothing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+target=${1:?usage: tools/portable_libraries.sh TARGET}
+toolchain=$PWD/cmake/toolchains/$target.cmake
+[ -f "$toolchain" ] || { echo "portable_libraries: no target $target in cmake/toolchains" >&2; exit 2; }
+root=$PWD/build/portable
+sources=$root/sources
+into=$root/libraries/$target
+jobs=${JOBS:-$(nproc)}
+packages=(fmtlib zlib onetbb nlopt highway libzstd sqlite3)
+[ -f "$into/complete" ] && exit 0
+
+fetch() {
+  [ -f "$sources/complete" ] && return
+  rm -rf "$sources"
+  mkdir -p "$sources/apt/parts" "$sources/apt/lists/partial" "$sources/apt/cache/archives/partial"
+  # Debian 12 comes with one or the other form of the list of its sources.
+  local given=/etc/apt/sources.list.d/debian.sources
+  [ ! -f $given ] || sed 's/^Types:.*/Types: deb-src/' $given >"$sources/apt/parts/debian.sources"
+  [ ! -f /etc/apt/sources.list ] || sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >"$sources/apt/parts/debian.list"
+  local options=(-qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$sources/apt/parts"
+    -o Dir::State::lists="$sources/apt/lists" -o Dir::Cache="$sources/apt/cache" -o APT::Sandbox::User=root)
+  apt-get "${options[@]}" update
+  (cd "$sources" && apt-get "${options[@]}" source "${packages[@]}")
+  touch "$sources/complete"
+}
+
+# The unpacked folder of a source package.
+folder() { find "$sources" -maxdepth 1 -type d -name "$1-*" | head -n 1; }
+
+# Configures and installs a library that has a CMakeLists.txt: FOLDER, then options of its own.
+with_cmake() {
+  local from=$1
+  shift
+  local build=$root/work/$target/$(basename "$from")
+  cmake -S "$from" -B "$build" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_INSTALL_PREFIX="$into" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF \
+    -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_CXX_FLAGS=-ffp-contract=off -DCMAKE_C_FLAGS=-ffp-contract=off \
+    "$@" >"$build.log" 2>&1 || { tail -n 30 "$build.log" >&2; exit 1; }
+  cmake --build "$build" -j "$jobs" --target install >>"$build.log" 2>&1 || { tail -n 30 "$build.log" >&2; exit 1; }
+}
+
+# A library of plain C: NAME, its options, then its sources.
+plain_c() {
+  local name=$1 options=$2 compiler work=$root/work/$target/$1
+  shift 2
+  compiler=$(sed -n 's/^set(CMAKE_C_COMPILER \(.*\))$/\1/p' "$toolchain")
+  mkdir -p "$work"
+  # shellcheck disable=SC2086
+  (cd "$work" && "$compiler" -O2 -fPIC -ffp-contract=off $options -c "$@")
+  ar rcs "$into/lib/lib$name.a" "$work"/*.o
+}
+
+# SQLite is one file, which its own scripts put together; tclsh runs them.
+sqlite() {
+  local together=$root/work/sqlite
+  if [ ! -f "$together/complete" ]; then
+    rm -rf "$together"
+    cp -r "$(folder sqlite3)" "$together"
+    (cd "$together" && ./configure --disable-tcl >configure.log 2>&1 && make sqlite3.c >make.log 2>&1)
+    touch "$together/complete"
+  fi
+  cp "$together/sqlite3.h" "$into/include/"
+  # Small rather than fast: a search writes a row of its journal for each chunk.
+  plain_c sqlite3 "-Os -DSQLITE_THREADSAFE=1 -DSQLITE_OMIT_LOAD_EXTENSION" "$together/sqlite3.c"
+}
+
+zlib() {
+  local from
+  from=$(folder zlib)
+  cp "$from/zlib.h" "$from/zconf.h" "$into/include/"
+  plain_c z "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
+}
+
+# Debian's toml++ is a shared library, which the objects of the preset `release` call. The other programs are compiled
+# with its headers alone.
+tomlplusplus() {
+  local work=$root/work/$target/tomlplusplus
+  mkdir -p "$work"
+  printf '#define TOML_IMPLEMENTATION\n#include <toml++/toml.h>\n' >"$work/toml.cpp"
+  g++ -std=c++20 -O2 -DNDEBUG -fPIC -ffp-contract=off -DTOML_HEADER_ONLY=0 -c "$work/toml.cpp" -o "$work/toml.o"
+  ar rcs "$into/lib/libtomlplusplus.a" "$work/toml.o"
+}
+
+fetch
+rm -rf "$into" "$root/work/$target"
+mkdir -p "$into/lib" "$into/include" "$root/work/$target"
+with_cmake "$(folder fmtlib)" -DFMT_TEST=OFF -DFMT_DOC=OFF
+zlib
+with_cmake "$(folder onetbb)" -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DTBB_FIND_PACKAGE=OFF
+with_cmake "$(folder nlopt)" -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF \
+  -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF
+with_cmake "$(folder highway)" -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
+  -DBUILD_TESTING=OFF
+# Of its contrib only the elementary functions are needed, which are headers; its sorts take minutes to compile.
+mkdir -p "$into/include/hwy/contrib"
+cp -r "$(folder highway)/hwy/contrib/math" "$into/include/hwy/contrib/"
+with_cmake "$(folder libzstd)/build/cmake" -DZSTD_BUILD_PROGRAMS=OFF -DZSTD_BUILD_SHARED=OFF -DZSTD_BUILD_STATIC=ON \
+  -DZSTD_LEGACY_SUPPORT=OFF
+sqlite
+[ "$target" != linux-x86_64 ] || tomlplusplus
+touch "$into/complete"

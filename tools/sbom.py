@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Writes the list of what a portable program contains (SPDX 2.3) and the licences of it.
+
+    tools/sbom.py VERSION TARGET BUILD SOURCES INTO
+
+BUILD holds gearwright.map, the linker's list of the archives whose members are in the program. SOURCES is the folder that
+tools/portable_libraries.sh fetched. The script writes INTO/gearwright.spdx.json and INTO/licences, and fails if the
+linker took an archive that the tables here lack. Versions are those of Debian's packages. The licences are those of
+the debian/copyright of each, for the files that are linked.
+"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+# Archive: Debian source package, name of the library, licence of the files that are linked, home page
+LINKED = {
+    "libfmt.a": ("fmtlib", "fmt", "MIT", "https://fmt.dev"),
+    "libz.a": ("zlib", "zlib", "Zlib", "https://zlib.net"),
+    "libtbb.a": ("onetbb", "oneTBB", "Apache-2.0", "https://github.com/oneapi-src/oneTBB"),
+    "libtbb12.a": ("onetbb", "oneTBB", "Apache-2.0", "https://github.com/oneapi-src/oneTBB"),
+    "libnlopt_cxx.a": ("nlopt", "NLopt", "LGPL-2.1-or-later AND MIT", "https://nlopt.readthedocs.io"),
+    "libhwy.a": ("highway", "Highway", "Apache-2.0", "https://github.com/google/highway"),
+    "libzstd.a": ("libzstd", "Zstandard", "BSD-3-Clause", "https://facebook.github.io/zstd"),
+    "libsqlite3.a": ("sqlite3", "SQLite", "blessing", "https://sqlite.org"),
+}
+# Debian package of headers, then as above
+HEADERS = {
+    "libeigen3-dev": ("Eigen", "MPL-2.0", "https://eigen.tuxfamily.org"),
+    "libboost1.74-dev": ("Boost", "BSL-1.0", "https://www.boost.org"),
+    "nlohmann-json3-dev": ("JSON for Modern C++", "MIT", "https://github.com/nlohmann/json"),
+    "libtomlplusplus-dev": ("toml++", "MIT", "https://marzer.github.io/tomlplusplus"),
+    "libcli11-dev": ("CLI11", "BSD-3-Clause", "https://github.com/CLIUtils/CLI11"),
+}
+# The compiler's own libraries, by the beginning of the Debian package that holds them
+RUNTIME = {
+    "libstdc++": ("libstdc++", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
+    "libgcc": ("libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
+    "gcc-mingw": ("libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
+    "g++-mingw": ("libstdc++", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
+    "libc6": ("GNU C Library", "LGPL-2.1-or-later", "https://www.gnu.org/software/libc"),
+    "mingw-w64": ("MinGW-w64 runtime", "ZPL-2.1 AND MIT AND BSD-3-Clause", "https://www.mingw-w64.org"),
+}
+
+
+def output(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+def archives(build):
+    """Paths of the archives of which the program holds at least one member: the first part of the map names them."""
+    text = (build / "gearwright.map").read_text(errors="replace").split("Memory Configuration")[0]
+    found = {(build / name).resolve() for name in re.findall(r"^(\S+\.a)\([^)]*\)", text, re.MULTILINE)}
+    return sorted(path for path in found if path.name != "libgearwright.a")
+
+
+def from_source(sources, package):
+    found = list(sources.glob(f"{package}_*.dsc"))
+    if len(found) != 1:
+        sys.exit(f"sbom: {sources} has {len(found)} source packages {package}; expected one")
+    lines = found[0].read_text(errors="replace").splitlines()
+    version = next(line.split(":", 1)[1].strip() for line in lines if line.startswith("Version:"))
+    return version, next(p for p in sources.glob(f"{package}-*") if p.is_dir()) / "debian/copyright"
+
+
+def from_system(package):
+    return output("dpkg-query", "-W", "-f", "${Version}", package), pathlib.Path("/usr/share/doc", package.split(":")[0], "copyright")
+
+
+def contents(build, sources):
+    """name, version, licence, home, file with the licence, SPDX relationship"""
+    for path in archives(build):
+        if path.name == "libtomlplusplus.a":
+            continue  # compiled from the headers below
+        if path.name in LINKED and build.parent in path.parents:
+            package, name, licence, home = LINKED[path.name]
+            yield name, *from_source(sources, package), licence, home, "STATIC_LINK"
+            continue
+        owner = subprocess.run(["dpkg", "-S", str(path)], capture_output=True, text=True).stdout.split(": ")[0]
+        known = next((v for k, v in RUNTIME.items() if owner.startswith(k)), None)
+        if known is None:
+            sys.exit(f"sbom: the program holds parts of {path} ({owner or 'of no package'}), which tools/sbom.py lacks")
+        name, licence, home = known
+        yield name, *from_system(owner), licence, home, "STATIC_LINK"
+    for package, (name, licence, home) in HEADERS.items():
+        yield name, *from_system(package), licence, home, "CONTAINS"
+
+
+def entry(name, version, licence, home):
+    return {"name": name, "SPDXID": "SPDXRef-" + "".join(c for c in name if c.isalnum()), "versionInfo": version,
+            "downloadLocation": "NOASSERTION", "homepage": home, "filesAnalyzed": False,
+            "licenseConcluded": licence, "licenseDeclared": licence, "copyrightText": "NOASSERTION"}
+
+
+def main():
+    version, target, build, sources, into = sys.argv[1:3] + [pathlib.Path(p).resolve() for p in sys.argv[3:]]
+    licences = into / "licences"
+    licences.mkdir(parents=True, exist_ok=True)
+    product = entry("gearwright", version, "Apache-2.0", "NOASSERTION")
+    del product["homepage"]
+    packages, relations = {}, []
+    for name, its_version, copyright_file, licence, home, relation in contents(build, sources):
+        part = entry(name, its_version, licence, home)
+        if part["SPDXID"] in packages:
+            continue
+        packages[part["SPDXID"]] = part
+        relations.append({"spdxElementId": product["SPDXID"], "relationshipType": relation,
+                          "relatedSpdxElement": part["SPDXID"]})
+        shutil.copyfile(copyright_file, licences / (part["SPDXID"].removeprefix("SPDXRef-") + ".txt"))
+    seconds = int(output("git", "log", "-1", "--format=%ct"))
+    date = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))
+    (into / "gearwright.spdx.json").write_text(json.dumps({
+        "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT",
+        "name": f"gearwright-{version}-{target}",
+        "documentNamespace": f"https://gearwright.invalid/spdx/{version}/{target}",
+        "creationInfo": {"created": date, "creators": ["Tool: tools/sbom.py"]},
+        "packages": [product, *packages.values()],
+        "relationships": [
+            {"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": product["SPDXID"]},
+            *relations]}, indent=1, ensure_ascii=False) + "\n")
+
+
+main()
