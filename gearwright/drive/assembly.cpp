@@ -220,11 +220,10 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
                              counts_that_assemble(made.places, n))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
-    return Error{
-        "drive.spacing", "opposite",
-        fmt::format("{} planets in {} places cannot stand opposite each other: both numbers "
-                    "must be even; use \"nearest\"",
-                    n, made.places)};
+    return Error{"drive.spacing", "opposite",
+                 fmt::format("{} planets in {} places cannot be opposite each other: both numbers "
+                             "must be even; use \"nearest\"",
+                             n, made.places)};
   for (long long i = 0; i < n; ++i)
     made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));
   return made;

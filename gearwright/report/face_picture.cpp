@@ -234,13 +234,12 @@ std::string speed_table(const CrossedPair& pair) {
 std::string face_width_figure(const CrossedPair& pair) {
   return captioned(
       widths_svg(pair),
-      fmt::format(
-          "<strong>Face widths</strong> that the lines of action ask for, free of backlash: "
-          "full for one flank ({}), dashed for both flanks about the common perpendicular "
-          "({}). {}{}{}",
-          symbol_html("f"), symbol_html("f′"), caption_of_gears(),
-          pair.flanks_meet() ? " Dots: as mounted." : "",
-          pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
+      fmt::format("<strong>Face widths</strong> required by the lines of action, free of backlash: "
+                  "full for one flank ({}), dashed for both flanks about the common perpendicular "
+                  "({}). {}{}{}",
+                  symbol_html("f"), symbol_html("f′"), caption_of_gears(),
+                  pair.flanks_meet() ? " Dots: as mounted." : "",
+                  pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
 }
 
 std::string face_use_figure(const CrossedPair& pair) {

@@ -160,7 +160,7 @@ TEST(Report, PairNumbersAreThePairs) {
                     printed(degree * m.backlash.rotation[1], 5)}));
   EXPECT_EQ(row(page, "Tip clearance"),
             (Values{printed(pair.tip_clearance[0], 4), printed(pair.tip_clearance[1], 4)}));
-  EXPECT_EQ(row(page, "<strong>E</strong> tip of gear 1 goes out"),
+  EXPECT_EQ(row(page, "<strong>E</strong> contact ends: tip of gear 1"),
             (Values{printed(m.rho1_E - m.rho1_C, 4), printed(m.rho1_E, 4),
                     printed(m.base_tangent_distance - m.rho1_E, 4),
                     printed(*pair.sliding_E.zeta_1, 4), printed(*pair.sliding_E.zeta_2, 4)}));
@@ -183,9 +183,9 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   EXPECT_EQ(row(least, "Shaft angle"), (Values{"90.01272"}));
   // The path's points are told along the line, which leaves the transverse section at β_b1.
   const double pitch = pair.gears[0].reference().base_pitch_normal;
-  const double A = std::stod(row(page, "<strong>A</strong> tip of gear 2 comes in")[0]);
+  const double A = std::stod(row(page, "<strong>A</strong> contact begins: tip of gear 2")[0]);
   const double D = std::stod(row(page, "<strong>D</strong> one pitch after A")[0]);
-  const double E = std::stod(row(page, "<strong>E</strong> tip of gear 1 goes out")[0]);
+  const double E = std::stod(row(page, "<strong>E</strong> contact ends: tip of gear 1")[0]);
   const double B = std::stod(row(page, "<strong>B</strong> one pitch before E")[0]);
   EXPECT_NEAR(D - A, pitch, 1.01e-4);
   EXPECT_NEAR(E - B, pitch, 1.01e-4);

@@ -68,7 +68,7 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
                         fixed(row.hi.y(), 4) + " at the greatest"),
             figure.npos);
   EXPECT_NE(
-      figure.find("the design stands at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
+      figure.find("the design is at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
       figure.npos);
   for (const char* name : {">min ", ">max ", ">design<", ">balanced<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
