@@ -46,7 +46,7 @@ std::string facts(const LoadScene& report) {
   for (const TextGroup& group : text_groups(quantities.table(), records, kPage)) {
     for (const TextRow& row : group.rows) {
       if (row.info->key == "torque_Nm") continue;  // heads the columns
-      // A torque's texts, both gears' where there are two.
+      // The texts of one torque: one for each gear if there are two.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)

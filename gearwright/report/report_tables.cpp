@@ -72,7 +72,7 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-// The arcs of a rack, one row each: signed radius, place of the centre, from which to which angle.
+// Adds one row for each arc of a rack: signed radius, centre, start angle and end angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
   for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
@@ -159,7 +159,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// The rows without those that the overlap already has.
+// The rows that are not already among those of the overlap.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;
