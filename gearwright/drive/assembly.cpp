@@ -40,8 +40,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Euclid's steps between rows are unimodular: once the columns of A are in echelon form, the rows
-// without any entry of A left are Y·[A | b].
+// Euclid's steps between rows are unimodular. When the columns of A are in echelon form, the rows
+// whose entries of A are all 0 are Y·[A | b].
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
