@@ -129,7 +129,7 @@ class Search {
     }
   }
 
-  // The best rank first; of equal ones the first of the grid.
+  // Candidates are sorted by rank, the best one first, and equal ones by their place in the grid.
   void mount_the_best(std::vector<Candidate>& all) {
     std::vector<Candidate*> order;
     for (Candidate& c : all) {

@@ -65,7 +65,7 @@ class Fillet {
 double least_gap(const Fillet& fillet, const Corner& corner) {
   constexpr int kNodes = 12;
   const auto node = [&](int i) { return fillet.end() * i / kNodes; };
-  // From the flank downwards, as deep as the corner comes.
+  // The nodes run from the flank down to the greatest depth of the corner.
   std::array<double, kNodes + 1> at;
   at.fill(kInfinite);
   int best = kNodes;
