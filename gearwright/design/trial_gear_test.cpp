@@ -34,8 +34,8 @@ double tip_radius(const TrialGear& g, double x, double k = 0.0) {
   return std::abs(g.r + g.addendum + x + k);
 }
 
-// The lower limit of the reference is that of undercut only. Tips inside the base circle, and tips
-// that are too thin because the tooth has moved inwards, raise it.
+// The lower limit of the reference is that of undercut only. Tips inside the base circle and tips
+// that are too thin raise it.
 TEST(TrialGear, LimitsAreThoseOfTheReference) {
   int empty = 0;
   int raised = 0;
