@@ -83,7 +83,7 @@ class DriveCurves {
         found.lines.push_back({k * teeth.value_or(0.0), 2 * std::abs(sum(first, k, 0.0))});
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {
-        // At the positions of the curve of the first mesh.
+        // The time of position i of the curve of the first mesh.
         const double t =
             static_cast<double>(i) / kErrorPositions - curves_[first].event - curves_[first].time;
         double value = 0.0;
