@@ -178,7 +178,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // With drawings, such a point may exist although its drawing is rejected.
+  // If designs are drawn, such a point may exist although its drawing is rejected.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;

@@ -77,8 +77,8 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // A minimum between nodes is no deeper below the least node than the neighbours are above it, and
-  // half as deep beside the flank, where the gap leaves the contact.
+  // A minimum between nodes is at most as far below the least node as the neighbours are above it,
+  // and at most half as far next to the flank, where the gap starts from contact.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
