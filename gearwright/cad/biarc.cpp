@@ -17,8 +17,8 @@ constexpr int kVouching = 256;  // points per biarc at which the tolerance is ve
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Half the angle from the tangent at the start to the chord has this tangent, and so has the bulge
-// of the arc that starts in direction t and ends at the chord's end.
+// The tangent of half the angle from the start tangent to the chord. It is the bulge of the arc
+// that starts in the direction of that tangent and ends at the end of the chord.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));

@@ -42,7 +42,7 @@ struct Circle {
   C from, to;
   double bulge;
 
-  // Tangents at both ends, by the centre: i (p − c), backwards on a clockwise arc.
+  // Tangents at both ends, from the centre: i (p − c), reversed on a clockwise arc.
   C tangent(C p) const {
     const C t = C(0, bulge > 0 ? 1 : -1) * (p - centre);
     return t / std::abs(t);
@@ -77,7 +77,7 @@ std::vector<Arc> curves() {
 }
 
 TEST(Biarc, EveryPointOfTheChainIsWithinTheTolerance) {
-  // The other way than the fit measures: from the arcs to the curve, by search.
+  // Distances from the arcs to the curve, by search. The fit measures in the opposite direction.
   for (const Arc& arc : curves()) {
     for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
       const BiarcChain chain = fit_biarcs(arc, tolerance);
@@ -124,7 +124,7 @@ TEST(Biarc, ThousandTimesFinerIsTenTimesMore) {  // law 1
   }
 }
 
-TEST(Biarc, ArcsOfATooth) {  // 20 teeth of module 2, pinned: more would be a worse fit
+TEST(Biarc, ArcsOfATooth) {  // 20 teeth of module 2; a larger number would be a worse fit
   const Outline outline = testing::sample_body({}).outline;
   EXPECT_EQ(fit_biarcs(*outline.find(ArcName::root_fillet), 1e-3).bulges.size(), 6U);
   EXPECT_EQ(fit_biarcs(*outline.find(ArcName::flank), 1e-3).bulges.size(), 6U);

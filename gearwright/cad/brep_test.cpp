@@ -1,5 +1,5 @@
-// The instances of a STEP file, read by a few lines of our own: who names whom. What a CAD kernel makes
-// of them is asked by step_solid_test.cpp.
+// The instances of a STEP file and their references, read by a few lines of this test.
+// step_solid_test.cpp tests the solids that a CAD kernel builds from them.
 
 #include "gearwright/cad/brep.hpp"
 
@@ -97,7 +97,7 @@ TEST(Brep, EveryEdgeIsUsedOnceEachWay) {
 }
 
 TEST(Brep, NeighboursShareTheirPoles) {
-  // No point of a solid is written twice, so what two faces have in common is one instance.
+  // No point of a solid is written twice, so a common part of two faces is one instance.
   const auto made = step_document({keyed(0.2)}, "one.step");
   ASSERT_TRUE(made);
   std::set<std::string> points;

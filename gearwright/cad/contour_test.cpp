@@ -82,7 +82,7 @@ TEST(Contour, LandsAreCirclesAboutTheAxis) {
       EXPECT_NEAR(std::remainder(piece.sweep - angle, 2 * kPi), 0.0, 1e-13) << c.what;
     }
   }
-  // The one tooth of a gear: its root land goes more than half round.
+  // A gear with a single tooth, whose root land is more than half a turn long.
   const Contour one = contour_of(testing::plain_body(1, 10.0, 1.0, 14.0, 0.8).outline);
   EXPECT_NEAR(one.pieces[2].sweep, 2 * kPi - 2.0, 1e-15 * 10);
 }
@@ -112,7 +112,7 @@ TEST(Contour, PlacedPointsRunAsThePieceDoes) {
         placed(contour, piece, sample(body.outline.arcs[piece.arc], 5));
     EXPECT_EQ(points.front(), piece.begin);
     EXPECT_EQ(points.back(), piece.end);
-    // Up the lower half, down the upper half.
+    // The contour runs up the lower half and down the upper half.
     for (std::size_t i = 1; i < points.size(); ++i) {
       EXPECT_EQ(points[i].norm() > points[i - 1].norm(), piece.mirrored);
     }
@@ -135,7 +135,7 @@ TEST(Contour, SliversMakeNoPiece) {
 }
 
 TEST(Contour, ARoughLandIsAnOrdinaryArc) {
-  // A straight "land" across the tooth's top: half of it, and its mirror image.
+  // A straight "land" across the top of the tooth consists of one half and its mirror image.
   ToothedBody body = testing::plain_body(12, 20.0, 0.2, 24.0, 0.05);
   body.outline.arcs.pop_back();
   const Vec2 p = body.outline.arcs.back().end_point;

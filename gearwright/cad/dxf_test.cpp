@@ -50,7 +50,7 @@ struct Entity {
   }
 };
 
-// What stands in the ENTITIES section.
+// The entities of the ENTITIES section.
 std::vector<Entity> entities_of(const std::string& text) {
   std::vector<Entity> entities;
   bool inside = false;
@@ -221,7 +221,7 @@ TEST(Dxf, SplinesShareTheirEndsAsText) {
       EXPECT_EQ(a.words(10).back(), b.words(10).front());
       EXPECT_EQ(a.words(20).back(), b.words(20).front());
       if (a.reals(70).front() == 12) {
-        // A land: rational, and on its circle everywhere.
+        // A land is a rational curve and lies on its circle everywhere.
         const std::vector<double> weights = a.reals(41);
         const std::vector<double> x = a.reals(10);
         const std::vector<double> y = a.reals(20);
@@ -313,7 +313,7 @@ TEST(Dxf, RefusesWhatIsNoGear) {
 }
 
 TEST(Dxf, SaysWhatToleranceItCanKeep) {
-  // Nothing in doubles is within 1e-18 mm.
+  // No curve in doubles is within 1e-18 mm.
   const auto drawing = dxf_drawing(testing::sample_body({}), {.tolerance_mm = 1e-18});
   ASSERT_FALSE(drawing);
   EXPECT_EQ(drawing.error().field, "tolerance_mm");

@@ -23,8 +23,8 @@ double polygon_area(const std::vector<Vec2>& p) {
   return sum;
 }
 
-// All triangles counter-clockwise and their sum the region's area. Partial sums of both reach up to
-// `whole`; N additions of them lose at most N ε of it.
+// All triangles are counter-clockwise, and their sum is the area of the region. Partial sums of
+// both are at most `whole`, and N additions lose at most N ε of it.
 void expect_covers(const std::vector<Triangle>& triangles, const std::vector<Vec2>& points,
                    double region, double whole) {
   double sum = 0.0;
@@ -49,7 +49,8 @@ std::vector<Vec2> regular(std::size_t m, double radius, double offset) {
 }
 
 TEST(FlatCap, EarsCoverAPolygonWithPocketsAndPointsInLine) {
-  // A comb: neither convex nor monotone in any direction, with points in line along its back.
+  // A comb is neither convex nor monotone in any direction, and has collinear points along its
+  // back.
   std::vector<Vec2> comb;
   for (int i = 0; i <= 20; ++i) comb.emplace_back(i, 0.0);
   for (int i = 20; i > 0; --i) {
@@ -85,7 +86,8 @@ TEST(FlatCap, NoEarsOnAPolygonThatCrossesItself) {
 }
 
 TEST(FlatCap, RingWithKeywayAtEveryOffset) {
-  // Around the slot, thin and thick walls, coarse and fine circles: R cos δ ≥ r in all of them.
+  // The region around the slot with thin and thick walls, coarse and fine circles. All have R cos δ
+  // ≥ r.
   for (const double width : {0.5, 6.0, 19.0}) {
     for (const double depth : {0.0, 0.01, 3.0, 30.0}) {
       const Bore bore{20.0, width, depth};

@@ -1,4 +1,4 @@
-// What tessellate refuses, by which key, and with which way out.
+// The inputs that tessellate rejects, with the key and the remedy in the error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,7 @@ TEST(MeshRefusal, WhatIsNoBody) {
   none.outline.arcs.clear();
   EXPECT_EQ(tessellate(none).error().field, "teeth");
 
-  // Flanks that cross the tooth's centre line: a severed tooth.
+  // Flanks that cross the centre line of the tooth, so that its tip is severed.
   ToothedBody severed{"severed", {3, {}}, 0.0, 5.0, std::nullopt, Eigen::Isometry3d::Identity()};
   const auto corner = [](double x, double y) { return testing::C(x, y); };
   const auto root = std::polar(5.0, kPi / 3);
@@ -70,7 +70,8 @@ TEST(MeshRefusal, WhatIsNoBody) {
 
   EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().field,
             "chord_tolerance_mm");
-  // Without a helix no level is too many, and the points of the section ran on for ever.
+  // Without a helix the number of levels is never too large, and an earlier version added points to
+  // the section endlessly.
   for (const double tolerance : {1e-12, 1e-100, 1e-300, 5e-324})
     EXPECT_EQ(tessellate(sample_body({}), {.chord_tolerance_mm = tolerance}).error().field,
               "chord_tolerance_mm");

@@ -158,7 +158,8 @@ TEST(Mesh, EnclosesSectionAreaTimesFaceWidth) {
 }
 
 TEST(Mesh, VolumeConvergesAsTheTolerance) {
-  // Errors of chords are of second order in the step, as is the tolerance: their ratio stays.
+  // The errors of chords are of second order in the step, as is the tolerance, so their ratio is
+  // constant.
   const ToothedBody body = sample_body({.teeth = 24, .beta = 0.3});
   const double exact = metal_area(body) * body.face_width;
   const double coarse = std::abs(mesh_volume(mesh_of(body, 0.01)) / exact - 1.0);
@@ -168,9 +169,9 @@ TEST(Mesh, VolumeConvergesAsTheTolerance) {
   EXPECT_LT(coarse / fine, 200.0);
 }
 
-// Greatest distance, in its own plane, of the walls' triangles from the exact section turned back
-// by the screw: no less than the distance from the exact surface. Tooth 0 and its two spaces'
-// halves.
+// Greatest distance of the triangles of the walls, turned back by the screw, from the exact section
+// in its plane. It is at least the distance from the exact surface. Tooth 0 and the adjacent halves
+// of both spaces are measured.
 double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
   constexpr int kPoints = 600;  // per arc: a chord leaves an arc of 5 mm radius by 1e-7 mm
   std::vector<std::pair<Vec2, Vec2>> segments;
@@ -192,7 +193,7 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     if (std::abs(a.z()) == end && a.z() == b.z() && b.z() == c.z()) continue;  // a cap
     if (a.head<2>().norm() < bore * (1 + 1e-9)) continue;
-    // The screw carries each level to the next: the lower quarter of the face stands for all.
+    // The screw maps each level to the next, so the lower quarter of the face represents all of it.
     if (std::min({a.z(), b.z(), c.z()}) > -end / 2.0) continue;
     const bool on_rim = std::abs(a.head<2>().norm() - rim) < 1e-9 * rim;
     for (int i = 0; i <= 4; ++i) {
@@ -226,8 +227,8 @@ TEST(Mesh, StaysWithinTheChordToleranceAndUsesIt) {
     const double tolerance = body.twist == 0.0 ? 0.005 : 0.02;
     const double deviation = wall_deviation(body, mesh_of(body, tolerance));
     EXPECT_LE(deviation, tolerance) << name;
-    // Nor is it wastefully fine; on helical walls the bound holds for both diagonals, the mesh
-    // takes the better one.
+    // The mesh is not finer than necessary either. On helical walls the bound is valid for both
+    // diagonals, and the mesh has the better one.
     EXPECT_GE(deviation, 0.25 * tolerance) << name;
   }
 }
@@ -277,8 +278,8 @@ TEST(Mesh, ToothKIsToothZeroTurned) {
 }
 
 TEST(Mesh, GrowsInProportionToTheTeeth) {
-  // The same half tooth, 20 and 40 times. Counters pinned: 2 n columns a tooth and 2 triangles
-  // each.
+  // The same half tooth occurs 20 and 40 times. The counts are fixed: 2 n columns per tooth and 2
+  // triangles per column.
   const auto counts = [](int copies) {
     ToothedBody body = few_tooth_body(3, 4, 0.0, 10);
     Outline& o = body.outline;
@@ -289,7 +290,8 @@ TEST(Mesh, GrowsInProportionToTheTeeth) {
     return mesh_of(body, 0.005);
   };
   EXPECT_EQ(mesh_of(sample_body({.teeth = 20})).triangles.size() % 40, 0u);
-  // A plain cylinder: its points follow from 8ε/κ, √(8·0.9·0.005·20) = 0.8485 mm of 2π·20 mm.
+  // The number of points of a plain cylinder follows from 8ε/κ, √(8·0.9·0.005·20) = 0.8485 mm of
+  // 2π·20 mm.
   for (const int copies : {20, 40}) {
     const std::size_t n = static_cast<std::size_t>(std::ceil(kPi * 20 / copies / 0.848528));
     const std::size_t z = static_cast<std::size_t>(copies);
@@ -299,7 +301,7 @@ TEST(Mesh, GrowsInProportionToTheTeeth) {
     const std::size_t fan = 2 * z;
     EXPECT_EQ(mesh.triangles.size(), walls + 2 * (ring + fan)) << copies;
   }
-  // Whole gears: the size per tooth does not grow.
+  // For whole gears, the size per tooth does not increase.
   const auto per_tooth = [](int z) {
     return static_cast<double>(mesh_of(sample_body({.teeth = z, .beta = 0.2})).triangles.size()) /
            z;
@@ -334,8 +336,8 @@ TEST(Mesh, ShadedTwinHasTheExactNormals) {
         worst = std::min(worst, facet.dot(mesh.normals[s[j]]));
       }
     }
-    // A facet and the surface's normals at its corners differ by the turn over it at most, 0.26 rad
-    // along the section and again over its level.
+    // The normal of a facet and those of the surface at its corners differ at most by the turn
+    // across the facet, 0.26 rad along the section and the same over its level.
     EXPECT_GT(worst, std::cos(2 * 0.26)) << name;
   }
 }

@@ -41,7 +41,7 @@ TEST(ScrewSpline, SectionIsAsNearAsItSays) {
          testing::sample_body({.teeth = teeth, .beta = 0.5, .chamfer = 0.3}).outline.arcs) {
       const SectionSpline spline = fit(arc);
       EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
-      // 1e-11: what the ternary search of the oracle cannot see.
+      // 1e-11: the resolution of the ternary search of the oracle.
       EXPECT_LE(measured(spline, arc), 1.06 * spline.deviation_mm + 1e-11)
           << teeth << " " << to_string(arc.name);
     }
@@ -56,8 +56,8 @@ TEST(ScrewSpline, PoleCountsStayWhatTheyAre) {
 }
 
 TEST(ScrewSpline, InvoluteFromNearItsBaseCircleKeepsTheRollAngle) {
-  // From ξ = 0.05 the speed at the start is a tenth of the mean, and by length the radius of
-  // curvature starts like √s.
+  // From ξ = 0.05 the speed at the start is a tenth of the mean. As a function of length, the
+  // radius of curvature starts like √s.
   Outline outline{20, {}};
   testing::append(outline, ArcName::flank, std::make_shared<testing::SampleInvolute>(20.0, 0.3),
                   0.05, 0.9);

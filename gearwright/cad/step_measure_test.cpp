@@ -1,5 +1,6 @@
-// Balls in the spaces of our own STEP solids, measured by a foreign kernel: each rests on both flanks
-// where inspection/balls.hpp says, so its centre is the ball's radius away from the solid.
+// Balls in the spaces of our own STEP solids, measured by another CAD kernel. Each ball touches
+// both flanks at the position computed by inspection/balls.hpp, so the distance of its centre from
+// the solid is the radius of the ball.
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
@@ -17,7 +18,7 @@
 namespace gearwright {
 namespace {
 
-// What the faces may be off the screw surface, and the kernel's own tolerance.
+// Permissible distance of the faces from the screw surface, with the tolerance of the kernel.
 constexpr double kSolid = 5e-5;  // mm
 
 CylindricalSpec spec_of(int teeth, double module, double beta_deg, double x) {

@@ -1,5 +1,5 @@
-// The solids of STEP files as a foreign reader builds them: valid, closed, of the exact volume, each
-// edge shared by two faces.
+// The solids of STEP files as another CAD kernel builds them are valid and closed, have the exact
+// volume, and each edge is shared by two faces.
 
 #include <gtest/gtest.h>
 #include <BRepCheck_Analyzer.hxx>
@@ -38,7 +38,7 @@ using testing::volume;
 struct Case {
   std::string name;
   ToothedBody body;
-  std::size_t faces;  // pinned: walls × slices, bore walls, two caps
+  std::size_t faces;  // walls × slices, bore walls, two caps
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
@@ -74,8 +74,8 @@ std::vector<Case> cases() {
                               .dedendum = 1.2}),
                  {2.0}),
        45},
-      // Half a root land of π − 0.4 rad leaves 1.97 rad for the turn of 2: two slices of five
-      // walls.
+      // Half a root land of π − 0.4 rad leaves 1.97 rad for the turn of 2 rad, so there are two
+      // slices of five walls.
       {"OneThinTooth", plain_body(1, 20.0, 0.4, 25.0, 0.3, 10.0, 0.2), 12},
       {"TwoTeeth",
        sample_body(
@@ -139,7 +139,7 @@ TEST_P(StepSolidOf, UsesEveryEdgeOnceEachWay) {
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(solid(), TopAbs_EDGE, edges);
   std::vector<std::array<int, 2>> uses(static_cast<std::size_t>(edges.Extent()) + 1, {0, 0});
-  // An explorer turns orientations through face and wire.
+  // An explorer combines the orientations of face and wire.
   for (TopExp_Explorer face(solid(), TopAbs_FACE); face.More(); face.Next()) {
     for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
       const auto at = static_cast<std::size_t>(edges.FindIndex(edge.Current()));
@@ -151,8 +151,8 @@ TEST_P(StepSolidOf, UsesEveryEdgeOnceEachWay) {
   }
 }
 
-// Distance of an edge's curve from its two faces, and of its ends from their vertices, is below what
-// the file claims.
+// Distance of an edge's curve from its two faces, and of its ends from their vertices, is below the
+// tolerance in the file.
 TEST_P(StepSolidOf, KeepsItsUncertainty) {
   double worst = 0.0;
   int looked = 0;

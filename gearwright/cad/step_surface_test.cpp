@@ -1,5 +1,5 @@
-// The faces against the exact screw surface: points that no fit has seen, on the surfaces that a
-// foreign reader finds in the STEP file.
+// The faces are compared with the exact screw surface, at points that the fit did not use, on the
+// surfaces that another CAD kernel reads from the STEP file.
 
 #include <gtest/gtest.h>
 #include <BRep_Tool.hxx>
@@ -31,7 +31,7 @@ Vec2 in_section(const gp_Pnt& p, const ToothedBody& body) {
 }
 
 struct Worst {
-  double distance = 0.0;  // mm, over all B-spline faces looked at
+  double distance = 0.0;  // mm, over all measured B-spline faces
   int faces = 0;
 };
 
@@ -86,8 +86,8 @@ TEST(StepSurface, OneToothThatTurnsThreeTimes) {
               8);
 }
 
-// Every face of the first tooth: circular fillets, an involute, and what a pinion leaves of a wheel
-// and of an internal gear.
+// Every face of the first tooth: circular fillets, an involute, and the flanks that a pinion cuts
+// on a wheel and on an internal gear.
 TEST(StepSurface, TeethOfFewAndTeethCutByTeeth) {
   expect_near(testing::two_teeth(), 6);
   expect_near(testing::one_tooth(), 6);

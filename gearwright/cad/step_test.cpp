@@ -116,7 +116,7 @@ TEST_F(Step, Ap214DiffersInItsProtocolAlone) {
   int lines = 0;
   for (std::string one, other; std::getline(a, one) && std::getline(b, other);)
     lines += one == other ? 0 : 1;
-  EXPECT_EQ(lines, 3);  // the schema, the protocol, what it is about
+  EXPECT_EQ(lines, 3);  // the schema, the protocol, the subject
   const ReadStep back = read_step(older->text);
   EXPECT_EQ(back.refusals, 0);
   ASSERT_EQ(back.solids.size(), 1u);
@@ -151,7 +151,7 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
   gear1.name = "gear1";
   auto gear2 = sample_body({.teeth = 31, .beta = -0.3, .face_width = 15});
   gear2.name = "gear2";
-  // A shaft across: turned by 30° about x, moved.
+  // A crossed shaft: rotated by 30° about x, and moved.
   gear2.pose =
       Eigen::Translation3d(53.0, 4.0, -2.0) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitX());
   const auto made = step_document({gear1, gear2}, "pair.step");
@@ -170,11 +170,11 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
   ASSERT_EQ(back.solids.size(), 2u);
   EXPECT_NEAR(testing::volume(back.solids[0]) / (metal_area(gear1) * 20), 1.0, 1e-6);
   EXPECT_NEAR(testing::volume(back.solids[1]) / (metal_area(gear2) * 15), 1.0, 1e-6);
-  // Both bodies are symmetric about their origins, which the poses move. 1e-5 mm: what surfaces
-  // within 2e-5 mm can move a centre.
+  // Both bodies are symmetric about their origins, which the poses move. 1e-5 mm is the movement of
+  // a centre due to surfaces within 2e-5 mm.
   EXPECT_LE(centre_of_mass(back.solids[0]).Distance(gp_Pnt(0, 0, 0)), 1e-5);
   EXPECT_LE(centre_of_mass(back.solids[1]).Distance(gp_Pnt(53, 4, -2)), 1e-5);
-  // Of the colours three decimals of sRGB are written, 0.0005 of which are 0.001 of linear light.
+  // Colours are written with three decimals of sRGB. An error of 0.0005 is 0.001 of linear light.
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(back.colours[i][k], part_colour(i)[k], 0.001) << i << k;

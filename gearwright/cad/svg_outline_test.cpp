@@ -18,7 +18,7 @@ using testing::C;
 
 struct Subpath {
   double area = 0.0;    // counter-clockwise positive with y up, mm²
-  double length = 0.0;  // mm, by the control polygon where curved
+  double length = 0.0;  // mm, of the control polygon for curves
   C begin, end;
   int arcs = 0, cubics = 0, lines = 0;
 };
@@ -61,7 +61,7 @@ std::vector<Subpath> subpaths_of(const std::string& text) {
       path.length += v[0] * sweep;
       ++path.arcs;
     } else if (line[0] == 'C') {
-      // ½ ∫ C × dC from the cubic's own beginning: 3/20 (a×b + a×d + 2 b×d).
+      // ½ ∫ C × dC from the start of the cubic: 3/20 (a×b + a×d + 2 b×d).
       const C a = point(0) - from, b = point(2) - from, d = to - from;
       const auto cross = [](C p, C q) { return (std::conj(p) * q).imag(); };
       path.area += 3.0 / 20.0 * (cross(a, b) + cross(a, d) + 2 * cross(b, d));

@@ -21,7 +21,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t offset, int size) 
   return value;
 }
 
-// Reads an archive through its directory, as readers do, and holds every copy of a number together.
+// Reads an archive through its directory, as programs do, and compares all copies of each number.
 std::map<std::string, std::string> unzip(const std::string& bytes) {
   std::map<std::string, std::string> files;
   const std::size_t end = bytes.size() - 22;

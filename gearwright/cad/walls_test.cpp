@@ -19,7 +19,8 @@ std::size_t count(const WallLoop& loop, WallShape shape) {
   return n;
 }
 
-// Ends and begins agree to rounding at the given radius, and the loop turns once about the axis.
+// The end of each wall is the begin of the next within rounding, and the loop turns once about the
+// axis.
 void expect_closed(const WallLoop& loop, double radius) {
   double turn = 0.0;
   for (std::size_t i = 0; i < loop.walls.size(); ++i) {
@@ -68,18 +69,18 @@ TEST(Walls, QuarterTeethAreExactQuarterTurns) {
 }
 
 TEST(Walls, SliversGiveNoWalls) {
-  // Half a tip land of 0.8e-6 mm: the flanks meet on the tooth's middle instead.
+  // Half a tip land is 0.8e-6 mm long, so the flanks meet on the middle of the tooth instead.
   const auto tip = make_walls(plain_body(12, 20.0, 0.2, 25.0, 0.8e-6 / 25.0));
   ASSERT_TRUE(tip);
   EXPECT_EQ(tip->teeth.walls.size(), 36u);  // two flanks and a root land per tooth
   EXPECT_EQ(tip->teeth.walls[0].end.imag(), 0.0);
   expect_closed(tip->teeth, 25.0);
-  // Half a root land of 0.8e-6 mm.
+  // Half a root land is 0.8e-6 mm long.
   const auto root = make_walls(plain_body(12, 20.0, kPi / 12 - 0.8e-6 / 20.0, 25.0, 0.08));
   ASSERT_TRUE(root);
   EXPECT_EQ(root->teeth.walls.size(), 36u);
   expect_closed(root->teeth, 25.0);
-  // Just above the limit both stay.
+  // Just above the limit both lands remain.
   const auto both = make_walls(plain_body(12, 20.0, 0.2, 25.0, 1.2e-6 / 25.0));
   ASSERT_TRUE(both);
   EXPECT_EQ(both->teeth.walls.size(), 48u);
@@ -103,7 +104,7 @@ TEST(Walls, SliverBetweenArcsJoinsItsNeighbours) {
 }
 
 TEST(Walls, SlicesKeepTurnsBelowAHalf) {
-  // Widest circle 2(π/12 − 0.2): the turn alone decides.
+  // The widest circle is 2(π/12 − 0.2), so only the turn decides.
   const double most = kPi;
   for (const double turn : {0.0, 0.99, 1.01, 7.5}) {
     const auto walls = make_walls(plain_body(12, 20.0, 0.2, 25.0, 0.08, 10.0, -turn * most / 10.0));
@@ -111,7 +112,7 @@ TEST(Walls, SlicesKeepTurnsBelowAHalf) {
     EXPECT_EQ(walls->teeth.slices, std::max(1, static_cast<int>(std::ceil(turn))));
     EXPECT_EQ(walls->teeth.walls.size(), 48u);
   }
-  // One tooth, root land of 0.9 π: 0.6 π are left for the turn.
+  // The root land of one tooth is 0.9 π, which leaves 0.6 π for the turn.
   const auto one = make_walls(plain_body(1, 20.0, 0.55 * kPi, 25.0, 0.3, 10.0, kPi / 10.0));
   ASSERT_TRUE(one);
   EXPECT_EQ(one->teeth.slices, 2);
@@ -165,7 +166,7 @@ TEST(Walls, RefusesWhatIsNoBody) {
   EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");   // space
 }
 
-// A flank that jumps by 0.01 mm halfway: no spline comes near it.
+// A flank that jumps by 0.01 mm halfway. No spline approximates it.
 class Torn final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override {

@@ -204,7 +204,7 @@ void say_power(Quantities<Drive>& q) {
   q.add(Type::flag, "self_locking_backward", "self-locking, output driving", "",
         "the output cannot drive the input", [](const Drive& d) { return locks(d.backward); });
   q.add(Type::flag, "circulating", "circulating power", "",
-        "a branch carries power against the flow",
+        "a branch carries more power than flows in at the inputs",
         [](const Drive& d) { return flows(d) ? Value(d.flow->circulating) : Value(); });
 }
 

@@ -26,7 +26,7 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
   using E = ContactErrors;
   static const std::array<ErrorEntry, kErrorCount> entries{{
       {"center_distance_mm", "ΔC", "centre distance", ErrorKind::center_distance, 0,
-       [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 stands at a + ΔC"},
+       [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
        "f_Σβ as an angle: axis 1 turns about the centre line, > 0 towards +y: the axes cross, by "

@@ -49,7 +49,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
           .always()
           .digits(1);
     };
-    um("single_pitch_um", "single pitch", "f_ptT", "rounded as the standard says",
+    um("single_pitch_um", "single pitch", "f_ptT", "rounded as the standard requires",
        &T::single_pitch);
     um("cumulative_pitch_um", "cumulative pitch, total", "F_pT", "", &T::cumulative_pitch);
     um("profile_total_um", "profile, total", "F_αT", "", &T::profile_total);

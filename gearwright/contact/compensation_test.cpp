@@ -1,4 +1,5 @@
-// Corrections against the best of a dense scan, against closed forms, and against nothing at all.
+// Corrections are compared with the best of a dense scan, with closed forms, and with no
+// correction.
 #include "gearwright/contact/compensation.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 using testing::SamplePair;
 
-// A pair, what is wrong with it, and its corrections: helix slope and helix crowning of gear 1, µm.
+// A pair, its errors, and its corrections: helix slope and helix crowning of gear 1, µm.
 struct Case {
   SamplePair sample;
   FlankModifications drawn{};
@@ -49,7 +50,7 @@ struct Case {
   }
 };
 
-// f of [T8.24] once more, from curves alone: infinite where no correction may go.
+// f of [T8.24], computed again from curves only; infinite for corrections that are not allowed.
 double value_of(const Case& c, const CompensationTask& t, const std::vector<double>& um, double w,
                 double limit) {
   ContactScore worst;
@@ -70,7 +71,7 @@ Case crowned(double helix_deg, double crossing_deg) {
 }
 
 // A lead error turns section z by κz, a helix slope by C z/b over the moment arm r_b cos β_b of the
-// normal [T8.7]: so much slope and nothing else undoes it.
+// normal [T8.7]. Only a slope of this size cancels it.
 TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   Case c = crowned(15, 0);
   const Gear& g = c.sample.gears[0];
@@ -132,8 +133,8 @@ TEST(Compensation, is_the_best_of_a_dense_scan) {
   }
 }
 
-// One arcsec for the pattern's place, as it once was, made this pair louder than it is as drawn.
-// Who asks for the trade gets it; who does not, does not.
+// A cost of one arcsec for the position of the pattern, as in an earlier version, made this pair
+// louder than without corrections. That trade is made only if the user requests it.
 TEST(Compensation, quiet_running_is_traded_on_request_alone) {
   Case c = crowned(12, 0);
   c.drawn.lead_crowning = 0.006;
@@ -163,7 +164,7 @@ TEST(Compensation, a_perfect_pair_needs_none) {
   EXPECT_EQ(found.after.along_face, 0.0);
 }
 
-// A hundredth of a step, as the nearest double to its decimal: 0.29, not 0.29000000000000004.
+// A hundredth of a step is the double nearest to its decimal: 0.29, not 0.29000000000000004.
 TEST(Compensation, values_are_decimals) {
   for (const double crossing : {-0.03, 0.011, 0.05}) {
     for (const double v : compensate(crowned(15, crossing).task(2)).value) {
@@ -242,7 +243,7 @@ TEST(ContactScore, the_worst_of_two) {
   }
 }
 
-// A spur pair without crowning on crossed axes touches at the end of a face, all the time.
+// A spur pair without crowning on crossed axes touches at the end of a face at all positions.
 TEST(ContactScore, edges_are_counted) {
   SamplePair p = testing::involutes(20, 41, 0);
   p.place.errors.crossing = Angle::degrees(0.05);

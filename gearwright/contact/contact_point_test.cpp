@@ -1,4 +1,4 @@
-// What a touch means: kinds, lines, normals, curvatures.
+// Properties of a touch: kinds, lines, normals, curvatures.
 #include "gearwright/contact/contact_point.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(ContactPoint, kinds) {
   EXPECT_EQ(at(p, 0.05).kind, TouchKind::face2);
   std::swap(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
   EXPECT_EQ(at(p, 0.05).kind, TouchKind::face1);
-  // Helical gears with too much tilt run on their tips for part of the pitch.
+  // Helical gears with a large tilt touch with their tips over a part of the pitch.
   auto h = testing::involutes(20, 41, 25);
   h.place.errors.crossing = Angle::radians(1e-3);
   int tips = 0;
@@ -78,8 +78,8 @@ TEST(ContactPoint, kinds) {
   EXPECT_NEAR(inside.rack_angle->rad(), std::numbers::pi / 6, 0.01);
 }
 
-// Spur gears so far apart that the path is shorter than a pitch: between, a tip corner carries
-// along the whole face. That is an edge, which has no curvature.
+// The spur gears are so far apart that the path is shorter than a pitch. Between two paths, a tip
+// corner is in contact along the whole face. It is an edge, which has no curvature.
 TEST(ContactPoint, a_tip_that_touches_along_its_edge_is_an_edge) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 2.3;

@@ -34,7 +34,7 @@ class Branches {
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The branch of `touch`, `steps` away; not found where it touches no more.
+  // The touch of the same branch, `steps` away; not found if the branch has no contact there.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
   // The same; the search starts at a touch of that branch which may be nearer.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
@@ -66,7 +66,7 @@ class Branches {
     return lo;
   }
 
-  // The place between i and i + 1 where the leading branch changes; none: it does not change.
+  // The place between i and i + 1 where the leading branch changes; none if it does not change.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const PairTouch& a = at(i);
     const PairTouch& b = at(i + 1);

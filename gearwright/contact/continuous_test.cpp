@@ -21,7 +21,7 @@ double continuous(const ContactPair& pair, int positions) {
       .span();
 }
 
-// A comb's peak to peak, and the most that its curve can exceed it by between two positions.
+// The peak to peak of a comb, and the limit by which its curve can exceed it between two positions.
 struct Comb {
   double span, missed;
 };
@@ -75,7 +75,7 @@ TEST(Continuous, DoesNotDependOnThePositions) {
   const ContactPair pair = sample.pair();
   const double few = continuous(pair, 32);
   for (const int n : {33, 96, 128, 1000}) EXPECT_NEAR(continuous(pair, n), few, 1e-11) << n;
-  // The comb has errors a thousand times as great.
+  // The errors of the comb are a thousand times as large.
   EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
 }
 

@@ -1,4 +1,4 @@
-// The small problem inside each step, by the conditions that make an answer the greatest.
+// The small problem of each step is verified by the conditions for a maximum.
 #include "gearwright/contact/feasible_step.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(FeasibleStep, inside_edge_and_corner) {
   EXPECT_EQ(s.multiplier[1], 3.0);
 }
 
-// A wrong guess changes nothing but the time.
+// A wrong initial guess changes only the time.
 TEST(FeasibleStep, any_guess_gives_the_same) {
   StepProblem p = box(-1, 0.2, -0.5, 1);
   p.g_s = 1, p.g_z = -0.2, p.h_sz = 0.4;

@@ -23,7 +23,7 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   return std::abs((p.point - on_axis).cross(p.normal).dot(axis));
 }
 
-// The gear whose root fillet is touched there; 0: none.
+// The gear whose root fillet is touched there; 0 if no fillet is touched.
 int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
   for (const int gear : {1, 2}) {
     const auto end = outlines.root_end(gear);

@@ -1,4 +1,4 @@
-// The field against its definition, written out, and its derivatives against differences.
+// The field is compared with its definition, and its derivatives with differences.
 #include "gearwright/contact/gap_field.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::vector<testing::SamplePair> samples() {
   return all;
 }
 
-// φ2* in plain words: the azimuth of the point about axis 2, less that of the flank there.
+// φ2* by its definition: the azimuth of the point about axis 2, minus that of the flank there.
 TEST(GapField, is_the_rotation_at_which_flank_2_passes) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();
@@ -70,12 +70,12 @@ TEST(GapField, derivatives) {
       double s2 = 0.5 * (two.s_lo + two.s_hi);
       const auto at = [&](double ds, double dz) {
         double own = s2;
-        // Twice: the second starts on the radius itself.
+        // Evaluated twice, because the second evaluation starts at the radius itself.
         field.at(s + ds, z + dz, own);
         return field.at(s + ds, z + dz, own);
       };
       const GapJet j = at(0, 0);
-      if (j.u.v < two.u_lo || j.u.v > two.u_hi) continue;  // beyond, a series stands for it
+      if (j.u.v < two.u_lo || j.u.v > two.u_hi) continue;  // beyond it a series is used
       ++inside;
       const double h = 1e-6 * (one.s_hi - one.s_lo), g = 1e-6 * (one.z_hi - one.z_lo);
       const auto check = [](double got, double plus, double minus, double step, double scale) {

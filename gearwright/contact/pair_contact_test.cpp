@@ -1,4 +1,4 @@
-// What contact() gives outlives the pair, and is what a ContactPair made by hand gives.
+// The result of contact() outlives the pair, and equals that of a ContactPair made directly.
 #include "gearwright/contact/pair_contact.hpp"
 
 #include <type_traits>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace literals;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
 static_assert(!std::is_constructible_v<Contact, ContactResult>);
 static_assert(!std::is_constructible_v<ContactResult, std::vector<ContactPoint>>);
 

@@ -33,7 +33,7 @@ FlankRaster empty_raster(const std::vector<FlankPatch>& patches, const RasterSiz
   return r;
 }
 
-// The patch that contains a place; on a border the first one, beyond the flank none.
+// The patch that contains a place. On a border it is the first one, beyond the flank there is none.
 int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
   // For u = ln ρ, and for z in mm: borders of neighbours are equal within rounding.
   constexpr double kSlack = 1e-9;
@@ -104,7 +104,7 @@ class Rasterer {
     for (std::size_t which = 0; which < 2; ++which) fold(which);
   }
 
-  // Ends the sequence: no position follows, or one that does not continue the last.
+  // Ends the sequence. The next position, if any, does not continue the last one.
   void close() {
     for (std::size_t which = 0; which < 2; ++which) {
       std::fill(now_[which].begin(), now_[which].end(), Gap{});

@@ -10,8 +10,8 @@
 namespace gearwright {
 namespace {
 
-// Conjugate flanks touch everywhere that both reach, and a place that no mating gear reaches has no
-// gap.
+// Conjugate flanks touch everywhere within the reach of both. A place outside the reach of the
+// mating gear has no gap.
 TEST(Pattern, conjugate_flanks_touch_everywhere) {
   const auto p = testing::involutes(20, 41, 15);
   const auto rasters = contact_pattern(p.pair(), 64);
@@ -32,7 +32,8 @@ TEST(Pattern, ends_of_gear_2_are_marked) {
   for (const std::size_t k : {std::size_t{0}, std::size_t{64}}) EXPECT_LT(r.at(16, k), 1e-3);
 }
 
-// A finer turn of the pair comes nearer to the contact line everywhere, by the square.
+// With finer rotation steps, the error of the contact line decreases with the square of the step
+// everywhere.
 TEST(Pattern, gaps_fall_with_the_step) {
   const auto p = testing::involutes(20, 41, 15);
   double worst[2] = {};
@@ -46,7 +47,8 @@ TEST(Pattern, gaps_fall_with_the_step) {
   EXPECT_LT(worst[1], worst[0] / 8);
 }
 
-// Lead crowning C_β takes the mark off the ends: the least gap there is what was removed.
+// Lead crowning C_β leaves the ends without marking. The least gap there equals the removed
+// material.
 TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   auto p = testing::involutes(20, 41, 0);
   p.gears[1].spec.face_width = 20.0;
@@ -60,7 +62,7 @@ TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   EXPECT_NEAR(r.at(4, 6), 0.02 / 4, 2e-5);
 }
 
-// Gear 2's frame is its own: an edge contact at its lower face is marked there.
+// The raster of gear 2 is in its own frame. An edge contact at its lower face is marked there.
 TEST(Pattern, heights_belong_to_their_gear) {
   for (const bool second : {false, true}) {
     auto p = testing::involutes(20, 41, 0);
@@ -74,9 +76,9 @@ TEST(Pattern, heights_belong_to_their_gear) {
   }
 }
 
-// Without errors the marks of a double-arc pair are two bands along the face, on both gears: a way of
-// its points lies at one diameter. Its flank
-// lies twice on a circle about the mating gear's axis.
+// Without errors the marks of a double-arc pair are two bands along the face on both gears, because
+// each path of its points is at one diameter. A circle about the axis of the mating gear meets its
+// flank twice.
 TEST(Pattern, of_double_arcs_is_two_bands) {
   const auto gear = [](int teeth, double helix_deg) {
     CylindricalSpec s = testing::plain_spec(
@@ -111,7 +113,7 @@ TEST(Pattern, gap_map_of_one_position) {
   for (const double gap : r.gap) least = std::min(least, gap);
   EXPECT_GE(least, 0.0);
   EXPECT_LT(least, 5e-3);
-  // The pair before stands apart from its mating gear by more.
+  // The preceding tooth pair has a larger gap.
   const FlankRaster other = gap_map(p.pair(), Angle::radians(0.05), 3, {41, 81});
   double apart = 1e300;
   for (const double gap : other.gap) apart = std::min(apart, gap);

@@ -1,4 +1,4 @@
-// Pieces of a profile against their own curve and against differences.
+// Pieces of a profile are compared with their own curve and with differences.
 #include "gearwright/contact/profile.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 Arc flank_of(const Gear& gear) { return *gear.tooth->outline.find(ArcName::flank); }
 
-// An arc that no rack cuts: radial curves go by their radius.
+// An arc that no rack cuts. Radial curves have the radius as parameter.
 Arc round_arc() {
   const auto curve = std::make_shared<OffsetCircle>(20.0, 0.05, 4.0);
   return {ArcName::flank, curve, 0.9, 0.3, curve->point(0.9), curve->point(0.3)};
@@ -82,7 +82,7 @@ TEST(Profile, is_its_arc) {
   }
 }
 
-// Beyond its ends a piece goes on without a jump of value or slope.
+// Beyond its ends a piece continues without a jump of value or slope.
 TEST(Profile, goes_on_beyond_its_ends) {
   for (const Named& n : arcs_of_all_kinds()) {
     SCOPED_TRACE(n.name);
@@ -98,7 +98,7 @@ TEST(Profile, goes_on_beyond_its_ends) {
   }
 }
 
-// A flank turns by 1/arm per mm removed: k² = (1 + θ′²)/ρ² + twist², whichever way it is had.
+// A flank turns by 1/arm per mm removed: k² = (1 + θ′²)/ρ² + twist², whichever way it is computed.
 TEST(Profile, turn_per_removal) {
   for (const Named& n : arcs_of_all_kinds()) {
     SCOPED_TRACE(n.name);

@@ -1,5 +1,5 @@
-// Contact on the ridge of a linear relief: when it is one, and how the gap opens about it against
-// the field itself, sampled around the touch on either side.
+// Contact on the ridge of a linear relief: when a touch is on a ridge, and how the gap opens around
+// it. The gap is compared with the field itself, sampled on both sides of the touch.
 #include "gearwright/contact/ridge.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ using testing::SamplePair;
 
 enum class Where { tip1, root1, tip2, end1 };
 
-// 20 : 41 teeth with a relief of 30 µm that begins amid the flank, so that it carries, and a little
-// crowning, so that they touch in points.
+// 20 : 41 teeth with a relief of 30 µm that begins in the middle of the flank, so that the ridge is
+// in contact, and with a little crowning, so that the flanks touch at points.
 SamplePair relieved(Where where, ReliefShape shape, bool gear2_drives = false) {
   SamplePair p = testing::involutes(20, 41, 12);
   FlankModifications m;
@@ -71,7 +71,7 @@ TEST(Ridge, begins_where_the_relief_does) {
           EXPECT_NEAR(std::log(c.diameter[g] / 2), field.kinks_u()[0], 1e-9);
         }
         EXPECT_GE(c.ridge->along, 0.0);
-        // The relief's own slope is what both slopes come to.
+        // The sum of both slopes is the slope of the relief.
         const double bend = c.ridge->side[0].slope + c.ridge->side[1].slope;
         EXPECT_GT(bend, 0.0);
         for (const auto& side : c.ridge->side) {
@@ -110,8 +110,8 @@ TEST(Ridge, a_relief_of_nothing_has_none) {
   EXPECT_EQ(ridges(analyse_contact(pair, {96, 1, 0.006})), 0);
 }
 
-// The gap at places around the touch, from the fields of both sides alone: along the ridge a
-// parabola, across it slopes, and on either side what K says of second order.
+// The gap around the touch, computed from the fields of both sides only. It is a parabola along the
+// ridge and linear across it, with second-order terms on each side that follow from K.
 TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
   int seen = 0;
   for (const Where where : {Where::tip1, Where::tip2, Where::root1, Where::end1}) {
@@ -153,7 +153,8 @@ TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
         sum += gap(s, z) / (place(s, z) - here).squaredNorm();
       }
       EXPECT_NEAR(c.ridge->along, sum, 1e-3 * sum + 1e-7);
-      // On the touch's own side: the trace of K from five gaps, in a plane with arc lengths.
+      // On the side of the touch, the trace of K is computed from five gaps in a plane with arc
+      // lengths.
       const Vec3 r_s(j.w1_s.real(), j.w1_s.imag(), 0);
       const Vec3 r_z(j.w1_z.real(), j.w1_z.imag(), 1);
       const Vec3 normal = r_s.cross(r_z).normalized();

@@ -24,8 +24,8 @@ std::vector<Sensitivity> by(const testing::SamplePair& p, const std::vector<Infl
   return all;
 }
 
-// Conjugate gears: gear 2 falls behind by tan α/r_w2 per mm of distance; a tooth that is thinner by
-// 1 mm along its normal by 1/r_b2, on either gear.
+// Gear 2 of a conjugate pair lags by tan α/r_w2 per mm of distance, and by 1/r_b2 for a tooth of
+// either gear that is thinner by 1 mm along its normal.
 TEST(Sensitivity, of_conjugate_gears) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications nothing;
@@ -42,8 +42,9 @@ TEST(Sensitivity, of_conjugate_gears) {
   EXPECT_NEAR(s[3].te, 0.0, 1e-12);
 }
 
-// A face end touches: f_Hβ of either gear tilts its flank against the other, half the face in, over
-// the reference cylinder; the narrower face counts, and the edge of gear 2 moves with nothing.
+// An end of a face touches. f_Hβ of either gear tilts its flank relative to the other one about the
+// middle of the face, on the reference cylinder. The narrower face counts, and the edge of gear 2
+// does not move.
 TEST(Sensitivity, helix_slopes_at_a_face) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.crossing = Angle::radians(1e-5);
@@ -55,7 +56,7 @@ TEST(Sensitivity, helix_slopes_at_a_face) {
   EXPECT_NEAR(s[2].te, 9.0 / 41.0, 1e-4);
 }
 
-// The other driver counts rotations the same way, and errors act the other way round.
+// With the other driver, rotations have the same sign, and errors have the opposite effect.
 TEST(Sensitivity, of_the_other_flanks) {
   auto p = testing::involutes(20, 41, 0);
   const auto one = by(p, {{ErrorKind::center_distance}});

@@ -1,4 +1,4 @@
-// The search for the greatest place: kinds, why it stops, how much work it is.
+// The search for the place where T is greatest: kinds, stopping conditions, amount of work.
 #include "gearwright/contact/touch.hpp"
 
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ TEST(TouchSearch, nothing_is_higher) {
   }
 }
 
-// Misaligned spur gears: the whole tilt at an end of the narrower face, half a face times Δγ over
-// the pitch radius to first order.
+// Misaligned spur gears touch at an end of the narrower face. To first order, the error is half the
+// face width times Δγ over the pitch radius.
 TEST(TouchSearch, face_edges) {
   for (const double tilt : {1e-5, -1e-5}) {
     auto p = testing::involutes(20, 41, 0);
@@ -70,7 +70,8 @@ TEST(TouchSearch, a_flat_ridge_is_one) {
   EXPECT_NEAR(t.te, 0.0, 1e-15);
 }
 
-// Gears too far apart: no place of flank 1 lies inside flank 2, and that is what it says.
+// If the gears are too far apart, no place of flank 1 lies inside flank 2, and the result contains
+// that reason.
 TEST(TouchSearch, no_room) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 5.0;
@@ -80,8 +81,8 @@ TEST(TouchSearch, no_room) {
   EXPECT_EQ(Search(testing::involutes(20, 41, 0), 2.0).search.cold().stop, Touch::Stop::no_room);
 }
 
-// Started on the line through the last two places one evaluation is enough; cold starts have their
-// price.
+// A search that starts on the line through the last two places needs one evaluation. A cold start
+// needs more.
 TEST(TouchSearch, work) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(2e-4);
@@ -100,7 +101,7 @@ TEST(TouchSearch, work) {
   EXPECT_EQ(s.search.count().evaluations, cold + b.evaluations + 1);
 }
 
-// A hollow lead touches at both ends: two maxima, the greater first.
+// A hollow lead touches at both ends. There are two maxima, the greater one first.
 TEST(TouchSearch, every_maximum) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications m;

@@ -23,9 +23,9 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// The place of the next touch, by the polynomial through the last four at equal steps. Where the bounds
-// change that hold there, a straight line follows, because the places bend. Each order more saves a step
-// of the search that starts there.
+// Predicts the place of the next touch by the polynomial through the last four at equal steps. If
+// the active bounds change, the path of the touches bends, and a straight line through the last two
+// places is used. Each additional order saves a step of the search that starts there.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -160,7 +160,7 @@ class Transmission::Track {
 
   double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
 
-  // Returns true unless it lies well below another pair.
+  // Records a touch. Returns true unless it lies well below another pair.
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;

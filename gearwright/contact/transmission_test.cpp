@@ -1,4 +1,4 @@
-// Curves of transmission error: handover, lost contact, what is followed and what it costs.
+// Curves of transmission error: handover, lost contact, number of followed touches and evaluations.
 #include "gearwright/contact/transmission.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Transmission, conjugate_flanks_have_no_error) {
   }
 }
 
-// More play puts gear 2 behind by half of it; it is the same everywhere.
+// With more backlash, gear 2 lags by half of the increase at every position.
 TEST(Transmission, backlash_is_a_constant) {
   auto p = testing::involutes(20, 41, 0);
   p.place.center_distance += 0.2;
@@ -30,8 +30,8 @@ TEST(Transmission, backlash_is_a_constant) {
   for (const double te : transmission_error(p.pair(), 9)) EXPECT_NEAR(te, half, 1e-14);
 }
 
-// Relief on the tips takes the edges out of a pair under error. Its patches begin far below the
-// others and come up: whole flanks cold, position by position, must be the curve.
+// Tip relief removes edge contact from a pair with errors. The patches of the relief begin far
+// below the others and rise. The curve must equal a cold search of whole flanks at each position.
 TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
   auto p = testing::involutes(20, 88, 0);
   const Gear& g = p.gears[0];
@@ -88,7 +88,7 @@ TEST(Transmission, numbers_of_a_curve) {
   EXPECT_EQ(r.unfinished, 0);
 }
 
-// Work is pinned: more means that something got slower.
+// The amount of work is fixed. A larger number means that the search has become slower.
 TEST(Transmission, work) {
   auto arcs = testing::arcs();
   arcs.place.errors.crossing = Angle::radians(2e-4);
@@ -112,7 +112,7 @@ TEST(Transmission, work) {
   EXPECT_LE(a.searches, 90);
   EXPECT_LE(b.searches, 140);
   EXPECT_LE(c.searches, 120);
-  EXPECT_EQ(a.cold_starts, 0);  // the first place is found from a few
+  EXPECT_EQ(a.cold_starts, 0);  // a few starts find the first place
   EXPECT_EQ(b.cold_starts, 0);
 }
 

@@ -1,5 +1,5 @@
-// Lanes against the scalar instance and that against the formulas of the pair. Law (1) of the
-// header: lanes agree with the scalar instance to 1e-12. The sieve: sieve_test.cpp.
+// Lanes are compared with the scalar instance, and that with the formulas of the pair. Law (1) of
+// the header: lanes agree with the scalar instance to 1e-12. The sieve: sieve_test.cpp.
 #include "gearwright/design/candidate.hpp"
 
 #include <gtest/gtest.h>
@@ -59,8 +59,8 @@ void fill(Random& random, const Mode& mode, std::size_t from, std::size_t to, Ba
   }
 }
 
-// ζ has no bound, 1/(1 + |ζ|) is the lesser part of the two curvature radii, to which a rounding
-// of them is passed on as it is.
+// ζ has no bound, so 1/(1 + |ζ|) is compared. It is the ratio of the two curvature radii, the
+// smaller over the larger, and does not amplify their rounding.
 double compared(int column, double v) {
   return column == Batch::sliding ? 1.0 / (1.0 + std::abs(v)) : v;
 }
@@ -87,7 +87,7 @@ TEST_P(CandidateOfMode, LanesAgreeWithTheScalarInstance) {  // (1)
       if (std::isnan(a) && std::isnan(b)) continue;
       const double off = a == b ? 0.0 : std::abs(a - b) / (1.0 + std::abs(b));
       auto& most = worst[static_cast<std::size_t>(k)];
-      most = off <= most ? most : off;  // NaN stays
+      most = off <= most ? most : off;  // keeps NaN
       ASSERT_LE(off, kLanes) << "column " << k << " of " << lanes.in[0][i] << ":" << lanes.in[1][i]
                              << " sin β " << lanes.in[2][i] << " x " << lanes.in[3][i] << " "
                              << lanes.in[4][i];
@@ -126,7 +126,8 @@ TEST_P(CandidateOfMode, PartialVectorsAreWhole) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-// The scalar instance against what a search prints: the pair's own formulas.
+// The scalar instance is compared with the results of a search, which are those of the pair's
+// formulas.
 TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
   const Mode mode = GetParam();
   constexpr double kRow = 1e-11;
@@ -141,7 +142,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
   int beyond_base = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
     const auto out = [&](Batch::Out k) { return b.out[k][i]; };
-    // d tan α/d inv α = 1/tan² α: what the residual does to the working angle.
+    // d tan α/d inv α = 1/tan² α, the effect of the residual on the working angle.
     if (!(out(Batch::residual) < 1e-14 * std::pow(out(Batch::tan_working), 2))) continue;
     if (std::isnan(out(Batch::contact_ratio)) || std::isnan(out(Batch::tip_1)) ||
         std::isnan(out(Batch::tip_2)))

@@ -57,7 +57,7 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops above 0, which the value one above the top never reaches.
+  // climb() stops at a positive value. The difference from a value above the top prevents that.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -107,7 +107,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
     value = next;
   }
   if (value < kWallDistance) {
-    // The top lies between, or on both sides of the start.
+    // The maximum lies between `before` and `beyond`, which are on both sides of the start if no
+    // step succeeded.
     if (before == nearest) before = side > 0.0 ? left : right;
     here = detail::climb([&](double sum) { return off_walls(sum) - kWallDistance; },
                          std::min(before, beyond), std::max(before, beyond),
@@ -169,7 +170,7 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // A slice that closes to a point on one side counts at exactly half the distance.
+  // If one end of the slices is a point, the distance is exactly half, so rounding is allowed for.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

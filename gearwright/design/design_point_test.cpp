@@ -1,6 +1,7 @@
-// Where a design stands. Laws: (1) its point keeps every limit, and stands off the walls; (2) with Σ
-// = 0 well inside it is Eq. 11's point there; (3) the row without its region is the row with it;
-// (4) a gap is negative where the mounted pair's corner cuts into a fillet, and only there.
+// The point of a design. Laws: (1) it is within every limit, and away from the borders; (2) if Σ =
+// 0 is well inside, it is the point of Eq. 11 there; (3) the row is the same with and without its
+// region; (4) a gap is negative if the corner of the mounted pair cuts into a fillet, and only
+// then.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +90,7 @@ Gear gear(const TrialGear& g, Angle helix, double x) {
   return testing::taken(make_gear(s));
 }
 
-// Any shifts, at tight and at extended centres, spur and helical; near 0 both may say either.
+// Any shifts, at tight and at extended centres, spur and helical; near 0 either result is accepted.
 TEST(FilletGap, HasTheSignOfThePairsClearance) {  // (4)
   int cut = 0;
   int clear = 0;

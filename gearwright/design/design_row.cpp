@@ -38,7 +38,7 @@ namespace {
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
-    // [T9.13]: j_bn = −(E_sn1 + E_sn2) cos α_n and what nominal teeth have.
+    // [T9.13]: j_bn = −(E_sn1 + E_sn2) cos α_n plus the backlash of nominal teeth.
     const double j_n = ((*wanted.backlash)[0] + (*wanted.backlash)[1]) / 2;
     const double j_bn = j_n * std::cos(nominal.rack.normal_pressure_angle);
     const double each = -(j_bn - nominal.backlash.normal_base) / std::cos(alpha_n) / 2;
@@ -178,14 +178,14 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // With drawings, such a point may exist although its drawing is rejected.
+  // If designs are drawn, such a point may exist although its drawing is rejected.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most trials have no region, which is found sooner than that no point is feasible.
+  // Most trials have no region, and that test is faster than a search for a feasible point.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;
@@ -219,7 +219,7 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
 
 namespace {
 
-// Costs that differ by less are equal: the same design in another module rounds differently.
+// Costs that differ by less than kSame are equal, because rounding depends on the module.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
   constexpr double kTooLarge = 1e4;  // from this value on, a step of kSame is less than rounding

@@ -129,7 +129,7 @@ class Search {
     }
   }
 
-  // The best rank first; of equal ones the first of the grid.
+  // Candidates are sorted by rank, the best one first, and equal ones by their place in the grid.
   void mount_the_best(std::vector<Candidate>& all) {
     std::vector<Candidate*> order;
     for (Candidate& c : all) {
@@ -226,8 +226,8 @@ class Search {
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
                : std::numeric_limits<double>::quiet_NaN();
     };
-    // The search proceeds degree by degree, because the difference is undefined where the shifts
-    // have no distance.
+    // The search proceeds degree by degree, because the difference is undefined where no centre
+    // distance belongs to the shifts.
     double before = 0.0;
     for (int degree = 1; degree <= kSteepestHelix; ++degree) {
       const double beta = Angle::degrees(degree).rad();

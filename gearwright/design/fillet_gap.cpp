@@ -65,7 +65,7 @@ class Fillet {
 double least_gap(const Fillet& fillet, const Corner& corner) {
   constexpr int kNodes = 12;
   const auto node = [&](int i) { return fillet.end() * i / kNodes; };
-  // From the flank downwards, as deep as the corner comes.
+  // The nodes run from the flank down to the greatest depth of the corner.
   std::array<double, kNodes + 1> at;
   at.fill(kInfinite);
   int best = kNodes;
@@ -77,8 +77,8 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // A minimum between nodes is no deeper below the least node than the neighbours are above it, and
-  // half as deep beside the flank, where the gap leaves the contact.
+  // A minimum between nodes is at most as far below the least node as the neighbours are above it,
+  // and at most half as far next to the flank, where the gap starts from contact.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;

@@ -1,4 +1,4 @@
-// The questions of fit: each one asked, answered or refused with a reason.
+// Each case of fit is solved, or rejected with a reason.
 #include "gearwright/design/fit.hpp"
 
 #include <gtest/gtest.h>
@@ -51,12 +51,12 @@ TEST(Fit, none_has_a_reason_and_a_neighbour) {
   EXPECT_TRUE(f->branches.empty());
   const double least = 0.75 * std::pow(std::cbrt(169.0) + std::cbrt(676.0), 1.5);
   EXPECT_NEAR(*f->nearest_distance, least, 1e-12);
-  // At the nearest place there is exactly one, or two that touch.
+  // At the nearest values there is exactly one solution, or two that coincide.
   p.shaft_angle = *f->nearest_shaft_angle - Angle::radians(1e-9);
   EXPECT_FALSE(fit(p)->branches.empty());
   p.shaft_angle = *f->nearest_shaft_angle + Angle::radians(1e-6);
   EXPECT_TRUE(fit(p)->branches.empty());
-  // Not even parallel gears fit here.
+  // Here even parallel gears do not fit.
   p.center_distance = 25.0;
   p.shaft_angle = 30_deg;
   const auto none = fit(p);
@@ -106,7 +106,7 @@ TEST(Fit, parallel_axes_come_out_of_it) {
   EXPECT_NEAR(r->branches[0].helix[0].rad(), r->branches[0].helix[1].rad(), 1e-15);
   ring.shaft_angle = Angle::radians(0.1);
   EXPECT_EQ(fit(ring).error().field, "pair.shaft_angle");
-  // Known helices: the shifts.
+  // With known helices, the shifts are computed.
   FitProblem s = problem(17, 43);
   s.helix = {0_deg, 0_deg};
   s.center_distance = 46.0;
@@ -114,7 +114,7 @@ TEST(Fit, parallel_axes_come_out_of_it) {
   EXPECT_GT(fit(s)->branches.at(0).shift[0] + fit(s)->branches.at(0).shift[1], 0.5);
 }
 
-// Helices and distance known: the pair whose minimum centre distance that is.
+// With known helices and distance, the result is the pair with this minimum centre distance.
 TEST(Fit, an_absent_angle_is_that_of_the_least_distance) {
   FitProblem p = problem(12, 24);
   p.helix = {45_deg, 45_deg};

@@ -1,6 +1,6 @@
 // Intervals of functions whose intervals are known: (1) ends are roots to rounding; (2) a narrow
-// hump between two nodes is found; (3) a point counts; (4) work: a hump that cannot reach zero is left
-// as soon as that is plain, a root that is a node is not sought.
+// hump between two nodes is found; (3) a single point is an interval; (4) work: the search of a
+// hump ends as soon as it cannot reach zero, and a root at a node needs no search.
 #include "gearwright/design/intervals.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(Intervals, NarrowHumpsBetweenNodesAreFound) {
   }
 }
 
-// The two nodes beside a hump in the middle between them stand equally high.
+// The two nodes beside a hump in the middle between them have equal values.
 TEST(Intervals, AHumpInTheMiddleBetweenNodesIsFoundOnce) {
   for (int node = 0; node < kIntervalNodes; ++node) {
     const double c = (node + 0.5) / kIntervalNodes;
@@ -78,7 +78,7 @@ TEST(Intervals, AHumpInTheMiddleBetweenNodesIsFoundOnce) {
   }
 }
 
-// A hump beside an end, where a node has one neighbour only.
+// A hump next to an end, where a node has only one neighbour.
 TEST(Intervals, HumpsAtTheEndsAreFound) {
   for (const double c : {0.0, 1e-9, 1e-3, 1.0 - 1e-3, 1.0 - 1e-9, 1.0}) {
     const auto found =
@@ -105,7 +105,8 @@ TEST(Intervals, APointCounts) {
   }
 }
 
-// Of a function with many humps, wider than a node's distance: all, in order, apart.
+// If a function has many humps wider than the distance of nodes, all are found, in order and
+// separate.
 TEST(Intervals, ManyHumpsComeInOrder) {
   const double pi = std::numbers::pi;
   const auto found =
@@ -121,7 +122,7 @@ TEST(Intervals, ManyHumpsComeInOrder) {
   }
 }
 
-// The ends of a piece lie on its own side of the neighbouring nodes: two pieces never overlap.
+// The ends of a piece lie on its own side of the neighbouring nodes, so two pieces never overlap.
 TEST(Intervals, PiecesOfRandomWavesAreApartAndTrue) {
   Random random(3);
   for (int i = 0; i < 500; ++i) {
@@ -147,7 +148,7 @@ TEST(Intervals, PiecesOfRandomWavesAreApartAndTrue) {
   }
 }
 
-// At a corner of the shift limits the width is exactly 0, and rises from there.
+// At a corner of the shift limits the width is exactly 0, and it increases from there.
 TEST(Intervals, AHumpBesideANodeThatIsZeroIsFound) {
   const auto hump = [](double x) { return x * (0.5 - x); };
   const auto right = where_not_negative(hump, 0.0, 24.0);
@@ -163,8 +164,9 @@ TEST(Intervals, AHumpBesideANodeThatIsZeroIsFound) {
   EXPECT_EQ(only_touching[0].hi, 0.0);
 }
 
-// (4) Work counter: 25 nodes, and of a hump seven hundredths below zero a dozen looks; golden section
-// to rounding took sixty. Humps that reach zero are found as before, to the last bit.
+// (4) Work counter: 25 nodes, and a dozen evaluations for a hump that ends 0.07 below zero. Golden
+// section down to rounding needed sixty. Humps that reach zero are found as before, to the last
+// bit.
 TEST(Intervals, HopelessHumpsAreLeftSoon) {
   const Hump known{.bend = 100.0};
   for (const double top : {-0.07, -1.0, 1e-9, 0.3}) {
@@ -191,7 +193,7 @@ TEST(Intervals, HopelessHumpsAreLeftSoon) {
   }
 }
 
-// (4) An end that is 0 but for rounding is where it is: no bracket is closed about it.
+// (4) An end that is 0 except for rounding is a root itself, and no bracket around it is needed.
 TEST(Intervals, EndsWithinRoundingOfANodeAreThatNode) {
   int looks = 0;
   const auto f = [&](double x) {

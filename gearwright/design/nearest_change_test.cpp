@@ -1,6 +1,6 @@
-// Laws of a nearest change: (1) with it, read back from its text, a design exists; (2) with a
-// little less of it none does; (3) changes come smallest first, and what does not help is not
-// named.
+// Laws of a nearest change: (1) with the change, read back from its text, a design exists; (2) with
+// a slightly smaller change none does; (3) changes are sorted, the smallest first, and a change
+// that does not help is not in the list.
 #include "gearwright/design/nearest_change.hpp"
 
 #include <gtest/gtest.h>
@@ -35,12 +35,12 @@ std::array<double, 2> band(const std::string& text) {
   return {a, a};
 }
 
-// The member that a change is about; both ends of the shifts are one band.
+// The member that a change affects. Both ends of the shifts are one band.
 std::string member(const NearestChange& c) {
   return c.field.ends_with("_shift") ? "limits.shift" : c.field;
 }
 
-// Sets a member to a band; one number where it holds one.
+// Sets a member to a band, or to one number if it has only one.
 void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& v) {
   SearchLimits& l = p.limits;
   if (key == "limits.contact_ratio") {
@@ -78,7 +78,7 @@ struct Empty {
   std::vector<std::string> useless;  // not among them
 };
 
-// 20 … 24 teeth of module 2 and ratios about 2 at 66 mm, with one limit that leaves nothing.
+// 20 … 24 teeth of module 2 and ratios about 2 at 66 mm, with one limit that rejects all designs.
 SearchProblem small() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -172,7 +172,7 @@ std::vector<Empty> empty_searches() {
          p.limits.avoid_interference = true;
        }),
        {"limits.avoid_interference"},
-       {"limits.shift"}},  // either end alone: Σ is given, and the other end holds
+       {"limits.shift"}},  // no single end helps: Σ is given, and the other end rejects
 
       {"ring",
        with([](P& p) {
@@ -219,11 +219,11 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     const auto from = band(c.from);
     const auto to = band(c.to);
     set(p, member(c), from);
-    EXPECT_FALSE(feasible(p)) << what;  // `from` is what was given
+    EXPECT_FALSE(feasible(p)) << what;  // `from` is the given value
     set(p, member(c), to);
     EXPECT_TRUE(feasible(p)) << what;  // (1)
-    // The text has four digits of the move, rounded outwards: what is needed is at most 1.1e-3
-    // less.
+    // The text has four digits of the move, rounded outwards, so the required move is at most
+    // 1.1e-3 smaller.
     auto less = to;
     for (const std::size_t i : {0, 1}) {
       const double move = to[i] - from[i];
@@ -238,9 +238,10 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
   }
 }
 
-// Tight centres with shortened tips, whose clearance is that of the racks at most: every knob has
-// all trials, 432 and more, to ask, and none but the clearance helps. Bisection of the whole search
-// asked some 30 times as often, and each question two thousand times what one of the sieve costs.
+// Tight centres with shortened tips, whose clearance is at most that of the racks. For each knob
+// all trials, 432 and more, must be checked, and only the clearance helps. Bisection of the whole
+// search needed about 30 times as many checks, each of which costs two thousand times as much as a
+// check by the sieve.
 SearchProblem slow() {
   SearchProblem p;
   p.ratio = {4.0, 5.0};
@@ -263,7 +264,8 @@ TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
   EXPECT_NEAR(std::stod(found.changes[0].to), 0.25, 1e-6);
   EXPECT_TRUE(found.bounded.empty());
   EXPECT_FALSE(found.stopped);
-  // Questions, counted: what each knob's far end leaves after the sieve, and the bisections.
+  // The number of checks: the trials that remain after the sieve at the far end of each knob, and
+  // the bisections.
   std::int64_t passed = 0;
   for (SearchProblem far : {p, p, p, p, p}) {
     far.pinion_teeth = {5, 40};

@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// In modules: every length is proportional to the module.
+// The result is in modules, because every length is proportional to the module.
 std::optional<RingCut> cut_of(const SearchProblem& problem, const Trial& trial, double shift) {
   CylindricalSpec spec;
   spec.teeth = trial.z2;

@@ -1,4 +1,4 @@
-// A search comes to its end, whatever the limits do at their own ends.
+// A search terminates for any behaviour of the limits at their own ends.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,8 @@ namespace gearwright {
 namespace {
 
 // The limits on interference stop bounding at some sums of shifts, beyond which they lie at
-// infinity; a corner between such an edge and the one on sliding was once sought for ever.
+// infinity; an earlier version searched endlessly for a corner between such an edge and that of
+// sliding.
 TEST(SearchEnds, WhereAnEdgeStopsBounding) {
   SearchProblem p;
   p.ratio = {2.0, 6.0};

@@ -1,6 +1,6 @@
-// How designs rank. Laws: (1) the few best are the head of the full list; (2) what is of equal
-// worth comes by module and teeth; (3) the front is what no other design dominates, in whatever
-// order designs arrive.
+// The ranks of designs. Laws: (1) the few best are the head of the full list; (2) designs of equal
+// cost are in the order of module and teeth; (3) the front contains the designs that no other
+// design dominates, for any order of arrival.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ TEST(SearchRank, TheFewBestAreTheHeadOfTheList) {  // (1)
   }
 }
 
-// The same pair in another module has the same worth, which rounds differently: module, z1, z2
+// The same pair in another module has the same cost except for rounding, so module, z1 and z2
 // decide.
 TEST(SearchRank, EqualWorthsComeInOrder) {  // (2)
   SearchProblem p = problem_of_search(reference().at("searches")[2].at("input"));

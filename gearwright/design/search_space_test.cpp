@@ -1,5 +1,5 @@
-// Trials as one line of numbers: (1) every number is a trial, and each once; (2) bands of the ratio
-// are closed.
+// Trials are numbered. Laws: (1) every number is a trial, and each trial has one number; (2) bands
+// of the ratio are closed.
 #include "gearwright/design/search_space.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,8 @@ TEST(SearchSpace, EveryNumberIsATrialOnce) {  // (1)
   }
 }
 
-// each() from anywhere to anywhere is the same line of trials; it stops when told to.
+// each() gives the same sequence of trials between any two numbers, and stops if its function
+// returns false.
 TEST(SearchSpace, PartsOfTheLineAreTheLine) {
   SearchProblem p = space_problem();
   p.coprime = true;
@@ -94,8 +95,7 @@ TEST(SearchSpace, SpacesBeyondCountingHaveNoSize) {
   EXPECT_GT(space.approximate_size(), 9e18);
 }
 
-// 1.9 · 30 and 2.1 · 10 are 57 and 21, whatever the doubles say; wheels are not smaller than
-// pinions.
+// 1.9 · 30 and 2.1 · 10 are 57 and 21 in spite of rounding. Wheels are not smaller than pinions.
 TEST(SearchSpace, BandsAreClosed) {  // (2)
   SearchProblem p;
   const auto wheels = [&](double from, double to, int z1) {

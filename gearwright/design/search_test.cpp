@@ -1,6 +1,6 @@
-// The three complete searches of the reference, and laws: (1) a search may be cut anywhere; (2) the
-// coprime search is the search without common factors; (3) exists() is whether range() finds. How
-// designs rank: search_rank_test.cpp.
+// The three complete searches of the reference, and laws: (1) a search may be divided anywhere; (2)
+// the coprime search is the search without common factors; (3) exists() is true if range() finds a
+// design. search_rank_test.cpp tests the ranks.
 #include "gearwright/design/search.hpp"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,10 @@ using testing::search::problem_of_search;
 using testing::search::reference;
 using testing::search::whole;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
 static_assert(!std::is_constructible_v<SearchAnswer, SearchCounts>);
 
-constexpr double kPrintedDouble = 1e-11;  // the source's own doubles: areas of some 1 modules²
+constexpr double kPrintedDouble = 1e-11;  // doubles of the source: areas of about 1 modules²
 
 const json& bests() {
   static const json file =
@@ -45,7 +45,7 @@ const json& bests() {
   return file;
 }
 
-// All numbers of a row that a file may hold, to the bit.
+// All numbers of a row that a file may contain, to the last bit.
 std::vector<double> bits_of(const DesignRow& r) {
   std::vector<double> v{static_cast<double>(r.trial.index),
                         r.shift[0],
@@ -118,8 +118,8 @@ TEST(Search, RegionsOfTheReference) {
   EXPECT_GT(regions, 30);
 }
 
-// Five best by each objective. Designs of equal worth stand in another order there, so worths are
-// compared, and each of its five is looked up with all its numbers.
+// The five best by each objective. The reference has designs of equal cost in another order, so the
+// costs are compared, and each of its five designs is found with all its numbers.
 TEST(Search, BestFiveOfTheReference) {
   const std::map<std::string, Objective> objectives{
       {"contact_ratio", Objective::formula_contact_ratio},
@@ -173,7 +173,7 @@ TEST(Search, CutAnywhereItIsTheSame) {  // (1)
     for (const std::int64_t pieces : {2, 7, 1000}) {
       Found parts;
       for (std::int64_t i = 0; i < pieces; ++i) {
-        // Another search of the same problem: nothing is kept from the piece before.
+        // A new search of the same problem keeps nothing from the preceding piece.
         const Search fresh(p);
         parts.counts += fresh.range(size * i / pieces, size * (i + 1) / pieces, parts.rows);
       }
@@ -198,7 +198,7 @@ TEST(Search, CountsAreWhole) {
   }
 }
 
-// Racks that differ, one after the other at the same helix: the sieve must not mix them up.
+// Different racks follow each other at the same helix. The sieve must keep them separate.
 TEST(Search, EveryTrialHasItsOwnVerdict) {
   SearchProblem p = testing::search::helical_search();
   p.helix = {Angle::radians(0.2)};

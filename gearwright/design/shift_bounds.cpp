@@ -78,7 +78,7 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
     raise(lo_2, greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1);
     return;
   }
-  // The internal gear's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
+  // For the tip v = |u| of the internal gear, √(v² − b²) ≥ s v + c holds between the roots.
   const double s = 1.0 / gears_[0].sin_transverse;
   const double c = -at.N + problem_->limits.form_clearance +
                    gears_[0].r * gears_[0].sin_transverse - s * gears_[0].flank_depth +

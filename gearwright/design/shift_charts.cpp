@@ -60,8 +60,7 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
                                                   Angle helix, int from, int to) {
-  SearchProblem free = problem;  // if true, there is no centre distance, and both gears have one
-                                 // rack
+  SearchProblem free = problem;  // without a centre distance, and with one rack for both gears
   free.center_distance.reset();
   free.shaft_angle.reset();
   free.ratio = {1.0, 1.0};

@@ -1,4 +1,4 @@
-// The charts against 40-digit values that share no code with the engine.
+// The charts are compared with 40-digit values that share no code with the engine.
 #include "gearwright/design/shift_charts.hpp"
 
 #include <gtest/gtest.h>
@@ -106,7 +106,7 @@ TEST(ShiftCharts, ContactRatiosOfIdenticalGears) {
   EXPECT_GT(none, 20);
 }
 
-// A short addendum, cut back further at tight centres without a floor: no flank is left.
+// A short addendum is reduced further at tight centres without a lower limit, and no flank remains.
 TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
   SearchProblem problem = spur();
   problem.mounting = Mounting::tight;
@@ -125,7 +125,7 @@ TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
   EXPECT_GT(none, 300);
 }
 
-// The chart asks about gears by themselves: what the problem wants of its own pair is not in it.
+// The chart is about single gears. The requirements of the problem on its own pair have no effect.
 TEST(ShiftCharts, TheProblemsDistanceRatioAndWheelRackChangeNothing) {
   SearchProblem problem = spur();
   const auto plain = identical_gears_chart(problem, 0, Angle(), 12, 30);

@@ -263,8 +263,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // Touching or nothing: the place of the longest path, as an interval of zero or negative
-    // length.
+    // The interval is a point or empty. It is returned as the place of the longest path, with zero
+    // or negative length.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

@@ -1,6 +1,6 @@
-// The graph against the numbers that mounting a pair gives, for every kind of mounting. Laws:
-// (1) margin() and the numbers agree on which points are inside; (2) the ends of a slice lie on
-// their limits, its inside within them; (3) the sums that have a slice are the feasible ones.
+// The graph is compared with the results of mounted pairs, for every kind of mounting. Laws: (1)
+// margin() and the results agree on which points are inside; (2) the ends of a slice are on their
+// limits, and its interior is within them; (3) the sums with a slice are the feasible ones.
 #include "gearwright/design/shift_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ShiftGraphOfKind, ::testing::ValuesIn(kKinds),
                            return name;
                          });
 
-// A random place around the rectangle and the band of sums that are left.
+// A random point around the rectangle and the band of the remaining sums.
 Vec2 place_near(Random& random, const ShiftGraph& g, const ShiftGraph::Sums& range) {
   const auto& [g_1, g_2] = g.gears();
   const double x1 = random.uniform(g_1.x_min - 0.1, g_1.x_max + 0.1);
@@ -175,7 +175,7 @@ TEST(ShiftGraph, CentreDistancesAreThoseOfThePair) {
   }
 }
 
-// k = y − Σ of the tight centres gives back the clearance h_f − h_a of the racks.
+// k = y − Σ of the tight centres restores the clearance h_f − h_a of the racks.
 TEST(ShiftGraph, ShortenedTipsKeepTheClearance) {
   SearchProblem p;
   p.mounting = Mounting::tight;
@@ -198,7 +198,7 @@ TEST(ShiftGraph, ShortenedTipsKeepTheClearance) {
   }
 }
 
-// Each limit in turn is the first to leave nothing of 20:40, module 1.
+// Each limit in turn is the first that leaves no design of 20:40, module 1.
 TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
   const auto killed = [](const auto& set, int z1 = 20, int z2 = 40) {
     SearchProblem p;
@@ -229,7 +229,7 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
     };
     EXPECT_EQ(killed(set, 16, 66), avoid ? "interference" : "nothing");
   }
-  // Of two that leave nothing the earlier one.
+  // If two limits leave no design, the earlier one counts.
   EXPECT_EQ(killed([](SearchProblem& p) {
               p.limits.tip_clearance = 0.3;
               p.limits.sliding = 0.1;
@@ -250,7 +250,8 @@ TEST(ShiftGraph, OverlapIsThatOfTheFaceWidth) {
 }
 
 // One flank starts above its base circle, the other is undercut below its own: the path runs from
-// the one start to the other's base tangent point, and no other stretch of it is too short.
+// the start of the first flank to the base tangent point of the second gear. No other part of it is
+// too short.
 TEST(ShiftGraph, PathsEndAtOneStartAndOneBaseTangentPoint) {
   SearchProblem p;
   p.limits.undercut_margin = -1.5;
@@ -269,9 +270,9 @@ TEST(ShiftGraph, PathsEndAtOneStartAndOneBaseTangentPoint) {
   }
 }
 
-// 60:60 without a floor reaches sums at which extended centres lie below the sum of the base radii:
-// no shift of a gear is out of its limits there and no centre out of the band, but Eq. 10 has no
-// value.
+// 60:60 without a lower limit has sums at which extended centres are below the sum of the base
+// radii. There each shift is within its limits and the centre distance within the band, but Eq. 10
+// has no value.
 TEST(ShiftGraph, NoWorkingAngleIsNoContact) {
   SearchProblem p;
   p.center_distance = {{55.0, 55.5}};

@@ -105,7 +105,7 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
       const double x1 = batch.in[CandidateBatch::x1][i];
       const double x2 = batch.in[CandidateBatch::x2][i];
       Verdict verdict = p.crossed() ? Verdict::ask : judge(p.limits, batch, i);
-      // The region leaves out tips inside their own reference circle (section 9.3); so does its
+      // The region excludes tips inside their own reference circle (section 9.3), and so does its
       // grid.
       const double low = std::min(g[0].addendum + x1, g[1].addendum + x2) + graph.place(x1 + x2).k;
       if (p.limits.avoid_interference && low < 0.0 && verdict == Verdict::inside)

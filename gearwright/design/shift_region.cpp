@@ -56,14 +56,13 @@ constexpr std::size_t kMaxChanges = 40;
 // Two spacings of doubles, relative: nothing lies between such sums.
 constexpr double kSameSum = 4e-16;
 // The distance from a change at which the edges are evaluated: relative to the interval, and in
-// modules, past the width of
-// kOneBound within which the name of an edge is a matter of rounding.
+// modules. The latter exceeds kOneBound, a width within which rounding decides the name of an edge.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
 // The ends of a piece are corners. At this fraction of its width inside them, the edge has a unique
 // name.
 constexpr double kInset = 1e-7;
-// An end of a piece that is an end of the whole range, modules: both were solved for apart.
+// An end of a piece that is an end of the whole range, modules. Both were solved separately.
 constexpr double kSameEnd = 1e-9;
 
 // Sums between l and r at which the bounding edge of the side changes; known at the ends.
@@ -168,8 +167,9 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
 // square root of the rounding of Σ, in modules.
 constexpr double kPinch = 2e-6;
 
-// A slice at an end of a piece. Between two roots of the path's length it is one point, and the
-// place of the longest path is that point to rounding; the roots themselves are good to √ of it.
+// A slice at an end of a piece. Between two roots of the path length it is one point. The place of
+// the longest path is that point within rounding, while the error of the roots is the square root
+// of the rounding.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {

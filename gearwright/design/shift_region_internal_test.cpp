@@ -1,5 +1,5 @@
-// Internal pairs as a search meets them that names no centre distance: interference rules out sums
-// of shifts about 0, narrower than a node's step of the whole range, and the region is in two pieces.
+// Internal pairs of a search without a centre distance. Interference excludes a range of sums of
+// shifts about 0 that is narrower than the step of the nodes, so the region consists of two pieces.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,10 +62,12 @@ TEST(ShiftRegionInternal, HasTheAreaOfItsBoundaryAtEverySize) {
           around += signed_area(loop);
           for (const RegionEdge& edge : loop)
             for (const Vec2& x : edge.points) {
-              // Where the working angle vanishes, N grows as a root of Σ: rounding of Σ is seen.
+              // Where the working angle vanishes, N grows as the square root of Σ, so rounding of Σ
+              // is visible.
               const SumPlace place = g.place(x[0] + x[1]);
               if (std::abs(place.N) < 1e-4 * std::abs(place.a)) continue;
-              // Where both ends of a slice meet, x1 is good to the root of Σ's rounding.
+              // Where both ends of a slice meet, the error of x1 is the square root of the rounding
+              // of Σ.
               const ShiftSlice slice = g.slice(x[0] + x[1]);
               EXPECT_NEAR(g.wall_distance(x[0], x[1]), 0.0,
                           slice.hi - slice.lo < 2e-6 ? 1e-6 : 1e-9)

@@ -1,7 +1,7 @@
-// Regions against the five of the reference, to its printed digits, and laws for every kind of
-// mounting: (1) the boundary runs once around, counterclockwise, on the limits it is named after;
-// (2) the area is that of a slow grid of points that the pair's numbers let through; (3) the
-// balanced point lies on the line of Eq. 11 and inside.
+// Regions are compared with the five of the reference, to its printed digits. Laws for every kind
+// of mounting: (1) the boundary runs once around, counter-clockwise, and each edge is on the limit
+// of its name; (2) the area is that of a slow grid of points at which the pair is feasible; (3) the
+// balanced point is on the line of Eq. 11 and inside.
 #include "gearwright/design/shift_region.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ double eq_10(int z1, int z2, const Vec2& x) {
          (std::numbers::pi * c);
 }
 
-// f(problem, graph, region of the reference) for the regions that exist or not.
+// Calls f(problem, graph, region of the reference) for the regions that exist, or for those that do
+// not.
 template <class F>
 void each_region(bool feasible, const F& f) {
   int regions = 0;
@@ -156,7 +157,7 @@ TEST(ShiftRegion, WhatTheReferenceFindsEmptyIsEmpty) {
   });
 }
 
-// A band that is one distance leaves a segment, there and back.
+// For a band of one distance, the boundary is a segment in both directions.
 TEST(ShiftRegion, AnExactDistanceIsASegment) {
   SearchProblem p;
   p.center_distance = {{75.0, 75.0}};
@@ -199,7 +200,7 @@ TEST(ShiftRegion, ABandThatTouchesTheCornerLeavesAPoint) {
       EXPECT_NEAR(x[0], 1.0, kTouching) << m;
       EXPECT_NEAR(x[1], 1.0, kTouching) << m;
     }
-    EXPECT_FALSE(region->balanced) << m;  // Eq. 11 divides Σ = 2 otherwise
+    EXPECT_FALSE(region->balanced) << m;  // Eq. 11 divides Σ = 2 differently
     p.center_distance = {{49.5 * m + 1e-9, 50.5 * m}};
     EXPECT_FALSE(shift_region(graph(p, trial(p, 31, 64, m)))) << m;
   }
@@ -236,7 +237,8 @@ TEST_P(ShiftRegionOfKind, BoundariesRunAroundOnTheirLimits) {  // (1)
         EXPECT_LT((end - next).norm(), 1e-9) << t << " " << name(loop[i].edge);
         seen.insert(std::string(name(loop[i].edge)));
         for (const Vec2& x : loop[i].points) {
-          // Where the working angle vanishes, N grows as a root of Σ: rounding of Σ is seen.
+          // Where the working angle vanishes, N grows as the square root of Σ, so rounding of Σ is
+          // visible.
           if (std::abs(g.place(x[0] + x[1]).N) < 1e-3) continue;
           EXPECT_NEAR(g.margin(x[0], x[1]), 0.0, 1e-9) << t << " " << name(loop[i].edge);
         }
@@ -303,7 +305,7 @@ TEST_P(ShiftRegionOfKind, BalancedPointsAreInsideOnTheLine) {  // (3)
     const double on_line =
         z2 < 0.0 ? x[0] + x[1] : (lambda * z2 + (x[0] + x[1] - lambda) * z1) / (z1 + z2);
     EXPECT_NEAR(x[0], on_line, 1e-13);
-    // No feasible point of the line has a sum nearer to 0.
+    // No other feasible point of the line has a sum nearer to 0.
     const double sum = (*region->balanced)[0] + (*region->balanced)[1];
     for (int i = 0; i < 20; ++i) {
       const double nearer = sum * random.uniform(-0.999, 0.999);

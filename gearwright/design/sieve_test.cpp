@@ -1,5 +1,5 @@
-// The sieve. Laws: (1) lanes give the verdicts of the scalar instance but where one of them asks;
-// (2) a verdict is that of the graph.
+// The sieve. Laws: (1) lanes have the verdicts of the scalar instance, unless one of them is
+// undecided; (2) a verdict is that of the graph.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class SieveOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, SieveOfMode, ::testing::ValuesIn(kModes),
                          [](const auto& mode) { return std::string(mode.param.name); });
 
-// One problem for many pairs, and what the sieve is told of it.
+// One problem for many pairs, and the input of the sieve for it.
 struct SieveCase {
   SearchProblem problem;
   SieveConstants constants;
@@ -125,7 +125,8 @@ void expect_verdicts_of_the_graph(const Mode& mode, unsigned seed, int cases, in
       const auto limit = graph(s.problem, s.trials[i]).what_kills();
       const double by_graph =
           limit ? std::min(static_cast<double>(*limit), kSievePass) : kSievePass;
-      // The sieve does not know where flanks start: what it lets through, the graph may clip away.
+      // The start of the flanks is unknown to the sieve, so the graph may reject trials that pass
+      // the sieve.
       const bool clipped = verdict == kSievePass && by_graph == kSieveContactRatio;
       if (clipped) ++clipped_later;
       ASSERT_TRUE(verdict == by_graph || clipped)
@@ -167,8 +168,8 @@ TEST_P(SieveOfMode, PartialVectorsAreWhole) {
   }
 }
 
-// Rectangles that no rack leaves, anywhere: also where the path grows with Σ at first, because a
-// tip stands below its pitch circle.
+// Arbitrary rectangles of shifts that no rack has, including those where the path first grows with
+// Σ because a tip is below its pitch circle.
 TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
   Random random(38);
   std::array<int, 5> seen{};
@@ -204,8 +205,8 @@ TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
   for (const int n : seen) EXPECT_GT(n, 50);
 }
 
-// 60:60 without a floor, at centres below the sum of the base radii: each gear has such shifts and
-// the band such sums, but there is no working angle.
+// 60:60 without a lower limit, at centres below the sum of the base radii. The shifts are within
+// the limits of each gear and the sums within the band, but there is no working angle.
 TEST(Sieve, NoWorkingAngleIsNoContact) {
   SieveCase s;
   s.problem.ratio = {1.0, 1.0};
@@ -218,8 +219,9 @@ TEST(Sieve, NoWorkingAngleIsNoContact) {
   EXPECT_EQ(graph(s.problem, s.trials[0]).what_kills(), Limit::contact_ratio);
 }
 
-// Tight centres are nowhere nearer than the base radii. A band about that distance, and floors
-// whose sum lies beyond the last one with a working angle: no centre of the band belongs to them.
+// Tight centres are never nearer than the base radii. With a band about that distance, and lower
+// limits whose sum is beyond the last one with a working angle, no centre distance of the band is
+// possible.
 TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   SieveCase s;
   SearchProblem& p = s.problem;
@@ -239,7 +241,7 @@ TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   EXPECT_EQ(graph(p, s.trials[0]).what_kills(), Limit::center_distance);
 }
 
-// What a band leaves to the sieve's doubt: the trials that survive, and few of those that do not.
+// The undecided trials of a band: those that remain, and few of those that do not.
 TEST(Sieve, ItAsksForFewGraphs) {
   const auto& first = testing::search::reference().at("searches")[0];
   const Search search(testing::search::problem_of_search(first.at("input")));

@@ -44,8 +44,8 @@ struct Shifts {
 // The uppermost interval in which the tip is thick enough.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
-  // External: past x = |z|, tips are long crossed; an internal gear's x has no natural floor but
-  // its size.
+  // Beyond x = |z|, all tips of external gears are pointed. The x of an internal gear has no lower
+  // limit except its size.
   const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;

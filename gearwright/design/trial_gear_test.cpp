@@ -1,6 +1,6 @@
-// Limits of a shift against 40-digit values, thickness against the gear room's own way, and laws:
-// (1) at an end of the range one limit is met exactly; (2) neither hand nor place in a table
-// matters.
+// Limits of a shift are compared with 40-digit values, the thickness with that of the room gear.
+// Laws: (1) at an end of the range one limit is reached exactly; (2) hand and place in a table have
+// no effect.
 #include "gearwright/design/trial_gear.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,8 @@ double tip_radius(const TrialGear& g, double x, double k = 0.0) {
   return std::abs(g.r + g.addendum + x + k);
 }
 
-// The reference's lower limit is undercut's alone; tips inside the base circle or too thin on a
-// tooth that has moved out from under them raise it.
+// The lower limit of the reference is that of undercut only. Tips inside the base circle and tips
+// that are too thin raise it.
 TEST(TrialGear, LimitsAreThoseOfTheReference) {
   int empty = 0;
   int raised = 0;
@@ -68,7 +68,7 @@ TEST(TrialGear, LimitsAreThoseOfTheReference) {
 }
 
 // s_an = s_at cos β_a from the gear's own reference geometry at the shift x, which trial_gear
-// instead unfolds into a half angle and its slope.
+// computes from a half angle and its slope instead.
 TEST(TrialGear, ThicknessIsThatOfTheGear) {
   Random random(1);
   for (int i = 0; i < 3000; ++i) {
@@ -108,7 +108,7 @@ TEST(TrialGear, ThicknessIsThatOfTheReference) {
   }
 }
 
-// (1) The tip is as thin as allowed, stands on the base circle, or undercut ends the range.
+// (1) The tip has the least allowed thickness or is on the base circle, or undercut ends the range.
 TEST(TrialGear, AtTheEndsALimitIsMet) {
   Random random(2);
   int at_base = 0;
@@ -129,8 +129,8 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     const auto on_base = [&](double x) {
       return std::abs(tip_radius(g, x) - std::abs(g.r_b)) < 1e-12 * (1.0 + std::abs(g.r_b));
     };
-    // From radii of 100 modules a thickness comes with 1e-13; near the base circle its slope is
-    // finite, since inv α_a starts as the cube of the root of the distance.
+    // At radii of 100 modules the error of a thickness is 1e-13. Near the base circle its slope is
+    // finite, because inv α_a grows as the 3/2 power of the distance.
     const auto thickness_met = [&](double x) {
       return std::abs(tip_thickness(g, x) - thin) < 1e-12;
     };
@@ -158,22 +158,22 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
   EXPECT_GT(at_base, 3);
 }
 
-// Where the tip is thick enough on the base circle and at x = 0 and has crossed far out, the upper
-// limit is the one root between, to the last bit: looking at 64 places of the range gives another
-// last bit, and takes five times as long.
+// If the tip is thick enough on the base circle and at x = 0, and its flanks have crossed far out,
+// the upper limit is the only root between, to the last bit. A search of 64 places of the range
+// differs in the last bit, and takes five times as long.
 TEST(TrialGear, TheUpperLimitIsTheOneRoot) {
   const SearchProblem p = problem_with(0.2);
   int seen = 0;
   for (int z = 12; z <= 160; ++z) {
     const TrialGear g = trial_gear(p, z, Angle::radians(z % 2 == 0 ? 0.0 : 0.3), 0, 0);
     const auto margin = [&](double x) { return tip_thickness(g, x) - g.min_tip_thickness; };
-    // Beyond the base circle by some digits, and past x = z, where all tips have crossed.
+    // Slightly beyond the base circle, and beyond x = z, where all tips are pointed.
     const double edge =
         g.r_b - g.r - g.addendum + 4.0 * std::numeric_limits<double>::epsilon() * (g.r + 2.0);
     const double hi = edge + (z + 5.0);
     ASSERT_LT(margin(hi), 0.0) << z;
     ASSERT_GT(margin(std::max(edge, 0.0)), 0.0) << z;
-    if (margin(edge) < 0.0) continue;  // a tip on the base circle of large gears: of no rule
+    if (margin(edge) < 0.0) continue;  // a tip on the base circle of a large gear has no rule
     ++seen;
     EXPECT_EQ(g.x_max, find_root(margin, std::max(edge, 0.0), hi).x) << z;
   }
@@ -202,7 +202,8 @@ TEST(TrialGear, MarginsRaiseTheUndercutLimit) {
   EXPECT_NEAR(trial_gear(p, 17, Angle::radians(0.3), 0, 0).x_min, bare + 0.1, 1e-15);
 }
 
-// A tip cut back by −k is thicker there: the greatest shift grows until it is as thin again.
+// A tip that is shortened by −k is thicker, so the greatest shift grows until the tip has the same
+// thickness again.
 TEST(TrialGear, ShorterTipsMayShiftFarther) {
   SearchProblem p = problem_with(0.3);
   for (const double beta : {0.0, 0.4}) {

@@ -40,8 +40,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Euclid's steps between rows are unimodular: once the columns of A are in echelon form, the rows
-// without any entry of A left are Y·[A | b].
+// Euclid's steps between rows are unimodular. When the columns of A are in echelon form, the rows
+// whose entries of A are all 0 are Y·[A | b].
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
@@ -220,11 +220,10 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
                              counts_that_assemble(made.places, n))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
-    return Error{
-        "drive.spacing", "opposite",
-        fmt::format("{} planets in {} places cannot stand opposite each other: both numbers "
-                    "must be even; use \"nearest\"",
-                    n, made.places)};
+    return Error{"drive.spacing", "opposite",
+                 fmt::format("{} planets in {} places cannot be opposite each other: both numbers "
+                             "must be even; use \"nearest\"",
+                             n, made.places)};
   for (long long i = 0; i < n; ++i)
     made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));
   return made;

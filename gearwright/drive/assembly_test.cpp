@@ -1,5 +1,5 @@
-// Oracles: (1) places of planets by trying to turn: a copy is turned round the carrier in small steps
-// and its gears are turned until all teeth meet; (2) phases by tooth events in time.
+// Oracles: (1) places of planets by trial: a copy is turned about the carrier's axis in small
+// steps, and its gears are turned until all teeth mesh; (2) phases from tooth events in time.
 #include "gearwright/drive/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,9 @@ Assembly assembled(const DriveGraph& g) {
   return std::move(made).take();
 }
 
-// How many of the places n/N of a turn let a stepped planet of one body mesh with both its central
-// gears: with whole teeth of the first, k of z_p1, the second must fit too.
+// The number of places n/N of a turn at which a stepped planet of one body meshes with both its
+// central gears: for a whole number k of the z_p1 teeth of the first gear, the second must mesh
+// too.
 int places_by_trying(int z_1, int z_p1, int z_2, int z_p2, int grid) {
   int count = 0;
   for (int n = 0; n < grid; ++n) {
@@ -62,7 +63,7 @@ TEST(Assembly, PlacesAreThoseFoundByTrying) {
               : graph({{M::sun, s}, {M::planet, p1}, {M::ring, r}}, 1);
     const long long places = assembly_places(g, planet_groups(g).front());
     const int second = k % 2 ? p2 : p1;
-    // Every place is a multiple of 1/(z_s z_p2 + z_r z_p1): that grid misses none.
+    // Every place is a multiple of 1/(z_s z_p2 + z_r z_p1), so that grid contains all places.
     EXPECT_EQ(places, places_by_trying(s, p1, -r, second, s * second + r * p1))
         << s << " " << p1 << " " << second << " " << r;
   }
@@ -95,7 +96,7 @@ TEST(Assembly, ClockedPlanetsMeshAnywhere) {
   const Assembly a = assembled(graph(teeth, 3, Spacing::equal_clocked));
   ASSERT_EQ(a.clocking.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    // With δ the second gear meets whole teeth for some turn of the first: z_p2 (χ + δ) + z_r u.
+    // With δ, the second gear meshes for some turn of the first: z_p2 (χ + δ) + z_r u is whole.
     bool fits = false;
     for (int k = 0; k < 31; ++k) {
       const Rational chi = (Rational(k) + Rational(17) * a.turns[i]) / Rational(31);
@@ -105,8 +106,8 @@ TEST(Assembly, ClockedPlanetsMeshAnywhere) {
   }
 }
 
-// The time at which the next tooth of a central gear passes planet i, the gear turning by one tooth
-// per period against the carrier: teeth stand at k/z turns from one at planet 0.
+// The time at which the next tooth of a central gear passes planet i, if the gear turns by one
+// tooth per period relative to the carrier. The teeth are at k/z turns from one at planet 0.
 double event_after(int z, double u) {
   double least = 2.0;
   for (int k = -std::abs(z); k <= 2 * std::abs(z); ++k) {

@@ -178,8 +178,8 @@ void find_facts(Drive& drive) {
     if (set.assembly.places > 0 && set.group.count > set.assembly.places) {
       say(WarningCode::planets_collide,
           fmt::format(
-              "{} copies of {} have only {} in a turn where their teeth meet: some would stand in "
-              "one place.",
+              "{} copies of {} have only {} in a turn where their teeth meet: some would be in "
+              "the same place.",
               set.group.count, planet,
               set.assembly.places == 1 ? std::string("one place")
                                        : fmt::format("{} places", set.assembly.places)));
@@ -187,7 +187,7 @@ void find_facts(Drive& drive) {
     }
     if (!set.assembly.equal && set.group.count > 1)
       say(WarningCode::unequal_spacing,
-          fmt::format("{} copies of {} do not stand at equal pitch: there are {} places in a turn.",
+          fmt::format("{} copies of {} are unequally spaced: there are {} places in a turn.",
                       set.group.count, planet, set.assembly.places));
   }
   if (!drive.motion.redundant.empty())

@@ -15,12 +15,12 @@ namespace {
 
 using Wave = std::complex<double>;
 constexpr int kMostHarmonics = kErrorPositions / 2 - 1;
-/// rad; a curve that varies by less is rounding, as contact_curve() has it
+/// rad; a curve that varies by less contains only rounding errors, as in contact_curve()
 constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// The curve of a mesh as waves, and what places it in time.
+// The curve of a mesh as waves, with its position in time.
 struct MeshCurve {
   bool first_drives = true;
   double weight = 0.0;  // rad of the output per mm of the curve
@@ -83,7 +83,7 @@ class DriveCurves {
         found.lines.push_back({k * teeth.value_or(0.0), 2 * std::abs(sum(first, k, 0.0))});
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {
-        // At the positions of the curve of the first mesh.
+        // The time of position i of the curve of the first mesh.
         const double t =
             static_cast<double>(i) / kErrorPositions - curves_[first].event - curves_[first].time;
         double value = 0.0;
@@ -140,12 +140,12 @@ class DriveCurves {
     const auto te = gearwright::transmission_error(setup->pair(gear2_drives), kErrorPositions);
     if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return false;
     if (peak_to_peak(te) < kRounding) return true;
-    // Of gear 2 against gear 1: where gear 2 drives, gear 1 is ahead by the opposite.
+    // The lead of gear 2 over gear 1. If gear 2 drives, the lead of gear 1 has the opposite sign.
     const double r_b = pair.gear(2).base_radius() * (gear2_drives ? -1 : 1);
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
-        // The curve starts half a pitch before. Integers, so that vanishing waves are exactly 0.
+        // The curve starts half a pitch earlier. Integers make vanishing waves exactly 0.
         const int turn = k * (j + kErrorPositions / 2) % kErrorPositions;
         wave += (te[static_cast<std::size_t>(j)] - te[0]) *
                 phasor(-static_cast<double>(turn) / kErrorPositions);
@@ -183,11 +183,11 @@ class DriveCurves {
       for (const Rational& phase : phases)
         mean += phasor(-sense * (Rational(static_cast<long long>(k)) * phase).frac().value());
       mean /= static_cast<double>(phases.size());
-      curves_[m].shares[k] = std::abs(mean) < 1e-12 ? Wave(0.0) : mean;  // N terms of rounding
+      curves_[m].shares[k] = std::abs(mean) < 1e-12 ? Wave(0.0) : mean;  // rounding of N terms
     }
   }
 
-  // The direction in which the mesh lies from the axis of one of its gears, turns.
+  // The direction from the axis of one gear of a mesh to the mesh, turns.
   std::optional<double> direction(std::size_t m, std::size_t gear) const {
     const DriveMesh& mesh = drive_.graph.meshes[m];
     const DriveGear& a = drive_.graph.gear(mesh, 0);

@@ -1,6 +1,6 @@
 // Laws: (1) one mesh has the curve of its pair, whichever gear drives; (2) conjugate flanks have none;
-// (3) three planets in sequence leave every third harmonic; (4) one planet: the sum of both curves at
-// the places at which the planet really stands, turned by hand.
+// (3) three planets in sequence leave every third harmonic; (4) with one planet, the error is the
+// sum of both curves at the actual positions of the planet, which the test computes itself.
 #include "gearwright/drive/drive_error.hpp"
 
 #include <gtest/gtest.h>
@@ -104,13 +104,14 @@ TEST(DriveErrorTest, PlanetsInSequenceLeaveEveryThirdHarmonic) {
   }
   EXPECT_GT(one.error->lines[0].amplitude, 1e-6);
   EXPECT_LT(three.error->peak_to_peak, one.error->peak_to_peak);
-  // In phase nothing cancels.
+  // Curves in phase do not cancel.
   const Drive single = planetary(24, 18, 60, 1, 0.004, 0.006);
   const Drive in_phase = planetary(24, 18, 60, 3, 0.004, 0.006);
   EXPECT_NEAR(in_phase.error->peak_to_peak, single.error->peak_to_peak, 1e-15);
 }
 
-// The sun turns by θ, the planet follows with its own curve and stands at the ring as it does then.
+// The sun turns by θ, the planet follows with the curve of their mesh, and the resulting position
+// counts for its mesh with the ring.
 std::vector<double> turned_by_hand(const Drive& drive) {
   const auto flanks = relieved(0.004, 0.006);
   const Pair& sp = *drive.geometry.pairs[0];
@@ -127,7 +128,8 @@ std::vector<double> turned_by_hand(const Drive& drive) {
     const double theta = sun.pitch() * i / kErrorPositions;
     const double te_sun = of_sun.at(theta).te();
     const double planet = theta * sun.ratio() + te_sun;
-    // A space towards the sun: of an even number of teeth a space towards the ring.
+    // The planet has a space towards the sun. With an even number of teeth it also has a space
+    // towards the ring.
     const double at_ring = planet + (z_p % 2 == 0 ? pitch_p / 2 : 0.0);
     const double te_ring = of_ring.at(at_ring).te();
     const double e = sp.gear(2).base_radius() * te_sun + pr.gear(2).base_radius() * te_ring;

@@ -155,7 +155,7 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   }
 }
 
-// Makes the teeth of a gear again with a tip diameter, and mounts its meshes.
+// Makes the teeth of a gear again with the given tip diameter, and mounts its meshes again.
 void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, DriveGeometry& made) {
   made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], tip_diameter, made.faults);
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
@@ -168,8 +168,8 @@ bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made)
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
-// Large shifts bring the gears of a mesh nearer than their racks would have them: where a tip has less
-// clearance than the verdict asks for it ends at the clearance of the racks, k m_n lower.
+// With large shifts, the gears of a mesh are nearer than their racks allow. If a tip has less
+// clearance than the verdict requires, it is lowered by k m_n to the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kLeast = 0.1;  // m_n
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -186,8 +186,8 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// A ring's teeth as its rack has them often reach below the flanks of the gears that it meshes with.
-// Where no tip diameter is given they end where contact is still on those flanks.
+// With the addendum of its rack, a ring often reaches below the flanks of its mating gears. If no
+// tip diameter is given, the teeth end where contact is still on those flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
@@ -243,7 +243,7 @@ std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const Pl
 
 double tip_gap(const Rider& a, const Rider& b, double turned) {
   const double angle = b.angle + turned - a.angle;
-  // The distance of polar points; at one radius 2 a sin(Δ/2), which cancels less.
+  // The distance of two polar points. For equal radii it is 2 a sin(Δ/2), with less cancellation.
   const double half = std::sin(angle / 2);
   const double d = a.distance - b.distance;
   const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
@@ -284,7 +284,7 @@ std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault) {
   std::vector<RiderPlace> riders;
-  // Angles are chained: each rider after the first by the triangle with one that is placed.
+  // Each rider after the first gets its angle from the triangle with a rider that already has one.
   for (std::size_t i = 0; i < group.riders.size(); ++i) {
     const std::size_t body = group.riders[i];
     const auto a = distance_between(graph, group, distances, body, std::nullopt);

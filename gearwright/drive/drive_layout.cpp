@@ -116,7 +116,7 @@ class Layout {
     return std::nullopt;
   }
 
-  // Copy 0 rotated about the carrier's axis, then each planet about its own axis.
+  // Rotates copy 0 about the carrier's axis, then each planet about its own axis.
   bool turn_copy(const PlanetSet& set, int copy) {
     const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
@@ -127,8 +127,8 @@ class Layout {
     return turn_rider(set, copy, 0);
   }
 
-  // Planet k and the following ones; false: not possible. Tries every angle at which the first of
-  // its meshes with gears placed already can mesh.
+  // Turns planet k and the following ones, and returns false if that is not possible. Tries every
+  // angle at which the first of the planet's meshes with gears already placed can mesh.
   bool turn_rider(const PlanetSet& set, int copy, std::size_t k) {
     if (k == set.group.riders.size()) return true;
     const std::size_t body = set.group.riders[k];

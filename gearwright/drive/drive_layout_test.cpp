@@ -37,8 +37,8 @@ DriveLayout laid(const Drive& drive) {
   return std::move(layout).take();
 }
 
-// Where the nearest tooth of a gear stands against a direction, in parts of its pitch: 0 a tooth, 0.5 a
-// space. By looking at all its teeth.
+// The distance of the nearest tooth of a gear from a direction, in parts of its pitch: 0 for a
+// tooth, 0.5 for a space. All its teeth are compared.
 double tooth_against(const Drive& drive, const PlacedGear& placed, double angle,
                      const Vec2& towards) {
   const int z = std::abs(drive.graph.gears[placed.gear].teeth);
@@ -69,7 +69,8 @@ double worst_mesh(const Drive& drive, const DriveLayout& layout) {
                                          ring ? a.axis - b.axis : Vec2(b.axis - a.axis));
         const double two =
             tooth_against(drive, b, layout.angle_at(drive, k, height), a.axis - b.axis);
-        // A gear that turns on brings its teeth against the other's the opposite way, in a ring along.
+        // As a mesh turns, the tooth positions of two external gears change in opposite senses, and
+        // those of a gear and its ring in the same sense.
         const double off = std::remainder(one + (ring ? -two : two) - 0.5, 1.0);
         worst = std::max(worst, std::abs(off));
       }
@@ -129,7 +130,8 @@ TEST(DriveLayout, ClockedPlanetsHaveTheirClocking) {
       if (p.gear == gear && p.copy == copy) return p.angle;
     return 0.0;
   };
-  // The second gear against the first, relative to planet 0, but for whole teeth of either gear.
+  // The angle of the second gear relative to the first, compared with planet 0, up to whole teeth
+  // of either gear.
   const int z_1 = drive.graph.gears[1].teeth, z_2 = drive.graph.gears[2].teeth;
   for (int copy = 1; copy < 3; ++copy) {
     const double found = (angle(2, copy) - angle(1, copy) - angle(2, 0) + angle(1, 0)) / kTurn;
@@ -146,7 +148,7 @@ TEST(DriveLayout, GearsThatCutEachOtherStandBesideEachOther) {
   EXPECT_EQ(layout.sections[1].gears.size(), 3u + 1u);
   const Drive simple = laid_drive(sets().front());
   EXPECT_EQ(laid(simple).sections.size(), 1u);
-  // One planet gear in two rings: it is as wide as both.
+  // One planet gear meshes with two rings, and is as wide as both.
   PlanetarySpec wolfrom = toothed_set({{M::planet, 21}, {M::ring, 57}, {M::ring2, 60}}, 3);
   wolfrom.inputs = {"carrier"};
   wolfrom.output = "ring2";
@@ -174,7 +176,8 @@ TEST(DriveLayout, ATrainStandsInLine) {
   EXPECT_EQ(layout.sections.size(), 2u);
   EXPECT_NEAR((layout.places.axes[2] - layout.places.axes[0]).norm(), 152.0, 1e-9);
   EXPECT_LT(worst_mesh(*drive, turned(*drive, layout, 0.3)), 1e-6);
-  // Turned back, the third shaft lies on the first: coaxial input and output.
+  // With the second stage turned back, the third shaft lies on the first, so input and output are
+  // coaxial.
   DriveInput reverted = *input;
   reverted.graph.meshes[1].direction = Angle::degrees(180);
   const auto folded = make_drive(reverted);
@@ -190,7 +193,7 @@ TEST(DriveLayout, LooksAlikeAfterTheLeastTurn) {
     const DriveLayout before = laid(drive);
     const DriveLayout after = turned(drive, before, turns->value());
     for (std::size_t i = 0; i < before.gears.size(); ++i) {
-      // Some copy of the gear stands there, its teeth on the same places.
+      // A copy of the gear is there, with its teeth at the same places.
       bool found = false;
       for (std::size_t k = 0; k < before.gears.size(); ++k) {
         const PlacedGear &a = after.gears[i], &b = before.gears[k];

@@ -32,7 +32,7 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// "a_b, c_d": the meshes each of which locks the drive, so that it is free without that mesh.
+// "a_b, c_d": the meshes of which each one locks the drive. Without that mesh the drive is free.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {
@@ -164,8 +164,8 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   const auto pivots = reduce_rows(rows, n);
   if (pivots.size() < n) {
     return Error{"drive.input", names(graph, graph.inputs),
-                 inputs == 1 ? "the input stands still in this drive whatever the other bodies do; "
-                               "drive another body, or hold another one"
+                 inputs == 1 ? "the input does not rotate in this drive whatever the other bodies "
+                               "do; drive another body, or hold another one"
                              : "the speeds of the inputs follow from each other; drive other "
                                "bodies"};
   }
@@ -182,7 +182,7 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   const auto& out = motion.speeds[graph.output];
   if (std::all_of(out.begin(), out.end(), [](const Rational& w) { return w.zero(); }))
     return Error{"drive.output", graph.bodies[graph.output].name,
-                 "the output stands still whatever the input does: the ratio would be infinite; "
+                 "the output does not rotate whatever the input does: the ratio would be infinite; "
                  "change a tooth number of the gears before it, or name another output"};
   if (inputs == 1) {
     motion.ratio = Rational(1) / out[0];

@@ -34,7 +34,7 @@ class Placing {
   }
 
  private:
-  // From the teeth if every mesh has them, otherwise from the numbers of teeth.
+  // Distances follow from the teeth if every mesh has them, otherwise from the tooth numbers.
   void measure() {
     const DriveGeometry& geometry = drive_.geometry;
     made_.true_scale =
@@ -103,7 +103,8 @@ class Placing {
           placed[link.to] = 1;
         }
       }
-      // A single shaft straight on; several at equal angles, none back in the direction of arrival.
+      // A single shaft continues straight on. Several are at equal angles, and none goes back in
+      // the direction of arrival.
       const auto ways = static_cast<double>(fresh.size() + (from == first ? 0 : 1));
       for (std::size_t k = 0; k < fresh.size(); ++k) {
         const auto [mesh, to] = fresh[k];

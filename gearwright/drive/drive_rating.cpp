@@ -12,7 +12,7 @@ namespace {
 
 bool carries(const Drive& drive, std::size_t mesh) { return drive.flow->driver[mesh] >= 0; }
 
-// 0: gear a of the mesh drives.
+// True if gear a (side 0) or gear b (side 1) of the mesh drives.
 bool drives(const Drive& drive, std::size_t mesh, int side) {
   return drive.flow->driver[mesh] == side;
 }

@@ -1,5 +1,5 @@
-// Laws: (1) torque and speed of a mesh by the closed forms of a simple set; (2) a gear with its use is
-// that of the pair with N times the life, and bending both ways.
+// Laws: (1) torque and speed of a mesh by the closed forms of a simple set; (2) the rating of a
+// gear in a drive is that of the pair with N times the life and alternating bending.
 #include "gearwright/drive/drive_rating.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ DriveLoad load() {
   load.speed = 1500.0;
   load.common.application_factor = 1.25;
   load.common.mesh_load_factor = 1.1;
-  load.common.life_h = 20.0;  // of limited life, which the cycles decide
+  load.common.life_h = 20.0;  // limited life, so the cycles have an effect
   load.common.viscosity = 220.0;
   load.common.quality = {6, 6};
   load.common.face_load_factor = 1.2;
@@ -78,7 +78,7 @@ TEST(DriveRating, GearsHaveTheirUse) {
   EXPECT_EQ(sun.rating.S_F[0].value, expected->S_F[0].value);
   EXPECT_EQ(sun.rating.S_H[0].value, expected->S_H[0].value);
   EXPECT_EQ(sun.rating.sigma_H[1].value, expected->sigma_H[1].value);
-  // More cycles of limited life bear less.
+  // In the range of limited life, more cycles reduce the permissible load.
   EXPECT_LT(sun.rating.S_H[0].value, rate(*pair, sun.input)->S_H[0].value);
 }
 

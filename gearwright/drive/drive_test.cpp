@@ -1,6 +1,6 @@
 // Laws: (1) closed forms of a simple set's ratios and efficiencies, [T13.10]; (2) those of sets with
-// two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) the flow that is
-// found is the only consistent pattern of signs with η > 0, by enumeration.
+// two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) the computed
+// flow has the only consistent pattern of signs with η > 0, by enumeration.
 #include "gearwright/drive/drive.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(Drive, TwoRingsHaveTheClosedForms) {
   }
 }
 
-// An oracle of its own: all patterns of signs, the equations written down body by body.
+// A separate oracle: all patterns of signs, with the equations of each body.
 std::vector<double> efficiencies_by_enumeration(const Drive& drive) {
   const DriveGraph& g = drive.graph;
   const auto n = static_cast<Eigen::Index>(g.bodies.size());
@@ -209,7 +209,7 @@ TEST(Drive, TrainMultipliesItsStages) {
   EXPECT_EQ(drive->graph.bodies[drive->graph.output].name, "s2_gear2");
 }
 
-// A motion in time: teeth that pass a point that stands on the frame, counted over one turn.
+// A motion in time: the teeth that pass a fixed point of the frame are counted over one turn.
 TEST(Drive, TeethPassAsTheFrameCounts) {
   const Drive drive = made(simple_set(20, 25, 70, 0.985, 0.993));
   const double sun = 1.0, carrier = 20.0 / 90.0;
@@ -217,7 +217,8 @@ TEST(Drive, TeethPassAsTheFrameCounts) {
   EXPECT_NEAR(*drive.frequency_ratio(1), 70 * carrier, 1e-13);
 }
 
-// (5) what meshes give a body, it gives outside; what a mesh gives in all is minus its loss.
+// (5) a body transmits the power from its meshes to the outside; the total power from a mesh is
+// minus its loss.
 TEST(Drive, PowersOfMeshesAddUp) {
   PlanetarySpec set = simple_set(12, 24, 60, 0.985, 0.993);
   set.z(M::planet2) = 21;
@@ -256,8 +257,8 @@ TEST(Drive, GeometryOfASet) {
   EXPECT_NEAR(planets.neighbours->clearance, a * std::sqrt(3.0) - d_a, 1e-12);
   EXPECT_EQ(planets.neighbours->most,
             static_cast<int>(std::floor(std::acos(-1.0) / std::asin(d_a / (2 * a)))));
-  // The thinned planet's flanks: γ_rs from its thickness on the two working circles, both of one
-  // radius a z_p/(z_s + z_p), where two thicknesses are two times one.
+  // The flanks of the thinned planet: γ_rs from its thickness on the two working circles. Both have
+  // the radius a z_p/(z_s + z_p), so the two thicknesses are equal.
   const auto& pair = *drive.geometry.pairs[0]->involute();
   const double share = thickness_share(pair, 2);
   const double phase = 12.0 - share;

@@ -35,7 +35,7 @@ class Statics {
         efficiencies_(efficiencies),
         reacting_(reacting(graph, graph.inputs.front())) {}
 
-  // The flow for one pattern of drivers; −1: the mesh has no friction.
+  // The flow for one pattern of drivers. A mesh with −1 has no friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();

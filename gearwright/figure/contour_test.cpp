@@ -20,7 +20,7 @@ ContourField field_of(std::size_t columns, std::size_t rows, const F& f) {
 }
 
 TEST(Contour, ALinearFieldHasAStraightBorder) {
-  // c + 2 r < 7.3: the border meets the raster's edges in exact points.
+  // The region is c + 2 r < 7.3. Its border meets the edges of the raster at exact points.
   const auto loops =
       regions_below(field_of(6, 4, [](double c, double r) { return c + 2 * r; }), 7.3);
   ASSERT_EQ(loops.size(), 1u);
@@ -46,7 +46,7 @@ TEST(Contour, ACircleAndItsHole) {
 TEST(Contour, InfiniteNodesAreLeftHalfwayAndTheEdgeCloses) {
   const auto all = regions_below(field_of(5, 3, [](double, double) { return 0.0; }), 1.0);
   EXPECT_NEAR(area_of(all), 4.0 * 2.0, 1e-12);
-  // The last two columns are infinite: half a square of the third is left.
+  // The last two columns are infinite, so half a square of the third remains.
   const auto part = regions_below(
       field_of(5, 3, [](double c, double) { return c > 2.5 ? kInfinity : 0.0; }), 1.0);
   EXPECT_NEAR(area_of(part), 2.5 * 2.0, 1e-12);

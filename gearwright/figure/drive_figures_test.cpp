@@ -1,6 +1,6 @@
-// Laws: (1) everything that is drawn lies within the axes; (2) the scheme names every gear, and grounds
-// what is held; (3) bands are named with their powers, and what leaves all meshes as losses is what the
-// output lacks.
+// Laws: (1) everything that is drawn lies within the axes; (2) the scheme contains the name of
+// every gear and the symbol of every fixed body; (3) bands have labels with their powers, and the
+// sum of the losses of all meshes is the difference between input and output.
 #include "gearwright/figure/drive_figures.hpp"
 
 #include <gtest/gtest.h>

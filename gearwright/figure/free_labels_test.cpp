@@ -36,7 +36,7 @@ TEST(FreeLabels, LinesAreInTheWayButMayBeCrossed) {
   Drawing d;
   d.labels.keep_off(std::vector<Vec2>{{120, 0}, {120, 50}, {120, 200}});
   EXPECT_FALSE(d.draw({kRight}, If::free));
-  EXPECT_TRUE(d.draw({kRight, kLeft}, If::free));  // to the left of it
+  EXPECT_TRUE(d.draw({kRight, kLeft}, If::free));  // the place at the left is free
   EXPECT_TRUE(d.draw({kRight}, If::over_a_line));
   Drawing two;
   for (const double x : {120.0, 125.0}) two.labels.keep_off(std::vector<Vec2>{{x, 0}, {x, 200}});
@@ -78,7 +78,7 @@ TEST(Leaders, LabelsKeepApart) {
   Svg svg("s", 500, 300, "t", "d");
   draw_leaders(svg, {{{100, 50}, "upper"}, {{100, 52}, "lower"}}, 420, 300);
   const std::string text = svg.str();
-  // Half a gap of 19 px on either side of 51.
+  // The labels are half a gap of 19 px on either side of 51.
   EXPECT_NE(text.find("translate(420 41.5)"), text.npos);
   EXPECT_NE(text.find("translate(420 60.5)"), text.npos);
   EXPECT_LT(text.find("upper"), text.find("lower"));

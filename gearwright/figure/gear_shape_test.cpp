@@ -14,7 +14,7 @@
 namespace gearwright {
 namespace {
 
-// Reads M, l and a back into points, mm, y up; circles as chords too short to matter.
+// Reads M, l and a back into points, mm, y up. Circles become chords of negligible error.
 std::vector<Vec2> points_of(const std::string& path, double unit) {
   std::string spaced;
   for (const char c : path) {
@@ -42,7 +42,7 @@ std::vector<Vec2> points_of(const std::string& path, double unit) {
     const Vec2 step(n[count - 2], n[count - 1]);
     const Vec2 next = command == 'M' ? step : Vec2(pen + step);
     if (command == 'a') {
-      // About the origin, the short way.
+      // The shorter arc about the origin.
       const double from = std::atan2(pen.y(), pen.x());
       const double turn =
           std::remainder(std::atan2(next.y(), next.x()) - from, 2 * std::acos(-1.0));
@@ -110,7 +110,8 @@ TEST(GearShape, ABoreIsAHoleWithItsKeyway) {
   };
   EXPECT_EQ(plain.find("evenodd"), std::string::npos);
   EXPECT_NE(text.find("evenodd"), std::string::npos);
-  // The keyway's floor lies 2.8 mm above the bore circle, which is y upwards, down in a picture.
+  // The floor of the keyway is 2.8 mm above the bore circle with y upwards, so it is below in a
+  // picture.
   EXPECT_NE(text.find("V-" + units(12.8) + "H-" + units(3.0)), std::string::npos);
   gear.bore->keyway_width = 0.0;
   EXPECT_NE(gear_definition(gear, "g").find("M" + units(10.0) + " 0A"), std::string::npos);
@@ -137,7 +138,7 @@ TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   for (std::size_t at = text.find("#g-tooth"); at != text.npos; at = text.find("#g-tooth", at + 1))
     ++uses;
   EXPECT_EQ(uses, 60u);
-  // The rim and the roots as one ring with a hole, and no disc.
+  // The rim and the roots are one ring with a hole, without a disc.
   const auto radius = [&](double mm) {
     return std::to_string(std::lround(mm / outline_unit_mm(ring)));
   };

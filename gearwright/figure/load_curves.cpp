@@ -100,7 +100,7 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
     std::sort(values.begin(), values.end(),
               [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
     if (values.empty()) continue;
-    // Before and after this, the tooth carries no load.
+    // The load is zero before and after these positions.
     values.insert(values.begin(), {values.front().x() - step, 0.0});
     values.push_back({values.back().x() + step, 0.0});
     f.line(std::move(values), "curve " + curve_style(f.marks.size()), torque_words(t));

@@ -57,7 +57,7 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The places of a tooth pair that press, in one piece or several, each at `of` its slice.
+// The loaded places of a tooth pair, in one piece or several, each with the value `of` its slice.
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair, const Of& of) {
   const auto heights = heights_of(scene, 0);

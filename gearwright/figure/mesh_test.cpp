@@ -30,8 +30,8 @@ TEST(MeshPicture, LeadingFlanksMeetAtThePitchPoint) {
     Vec2 p1 = flank_point(pair.gears[0], pair.mesh.rack.sides[0].pitch_radius);
     p1.y() = -p1.y();
     EXPECT_LT((turned(p1, phi[0]) - C).norm(), 1e-9);
-    // Gear 2: tooth 1 follows space 0 counter-clockwise and stands below it at −x; its clockwise
-    // flank.
+    // Gear 2: the clockwise flank of tooth 1, which follows space 0 counter-clockwise and is below
+    // it at −x.
     Vec2 p2 = flank_point(pair.gears[1], pair.mesh.rack.sides[1].pitch_radius);
     p2.y() = -p2.y();
     const double pitch = 2 * std::acos(-1.0) / pair.input.gears[1].teeth;
@@ -50,7 +50,7 @@ TEST(MeshPicture, PinionInItsRing) {
   p1.y() = -p1.y();
   const Vec3 placed = pair.pose_1().isometry() * Vec3(p1.x(), p1.y(), 0.0);
   EXPECT_LT((turned(placed.head<2>(), phi[0]) - C).norm(), 1e-9);
-  // Without backlash tooth and space fill each other on the pitch circles.
+  // Without backlash the tooth fills the space on the pitch circles.
   const double s_1 = phi[0] * pair.mesh.rack.sides[0].pitch_radius;
   const double s_2 = phi[1] * pair.mesh.rack.sides[1].pitch_radius;
   EXPECT_NEAR(s_2 - s_1, pair.mesh.backlash.circumferential[0] / 2, 1e-9);
@@ -58,8 +58,8 @@ TEST(MeshPicture, PinionInItsRing) {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
 
-// How far a point of the housing lies beside the leading flank of the gear's nearest tooth, mm,
-// after gear 1 has turned by t pitches out of the drawn position.
+// The distance, mm, of a point of the housing from the leading flank of the gear's nearest tooth,
+// after gear 1 has turned by t pitches from the drawn position.
 double beside_flank(const InvolutePair& pair, std::size_t i, double t, const Vec2& point) {
   const Gear& gear = pair.gears[i];
   const Eigen::Isometry3d pose = i == 0 ? pair.pose_1().isometry() : pair.pose_2().isometry();
@@ -71,8 +71,9 @@ double beside_flank(const InvolutePair& pair, std::size_t i, double t, const Vec
   const bool ring = gear.internal();
   const double xi = ring ? flank->curve->parameter_at_radius(arm.norm(), flank->end, flank->begin)
                          : flank->curve->parameter_at_radius(arm.norm(), flank->begin, flank->end);
-  // Gear 1 pushes with its clockwise flanks and gear 2 is touched on its own, for it turns the
-  // other way; an internal gear turns the same way and is touched on its counter-clockwise ones.
+  // Gear 1 drives with its clockwise flanks. They touch the clockwise flanks of gear 2, because it
+  // turns in the opposite direction. An internal gear turns in the same direction, so contact is on
+  // its counter-clockwise flanks.
   const double half = (ring ? -1.0 : 1.0) * flank->curve->polar_angle(xi);
   const double pitch = 2 * std::numbers::pi / std::abs(gear.spec.teeth);
   const double angle = std::atan2(arm.y(), arm.x()) - drawn + half;

@@ -44,7 +44,7 @@ TEST(ShiftRegionWindow, APointHasAWindowToo) {
   }
 }
 
-// Whatever the mounting, the pair stands at the distance whose line is drawn.
+// For every kind of mounting, the pair has the centre distance whose line is drawn.
 TEST(ShiftRegionWindow, SumsOfDistances) {
   const Bounds wide{{-2.0, -2.0}, {2.0, 2.0}};
   int drawn = 0;

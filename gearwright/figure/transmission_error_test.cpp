@@ -21,13 +21,13 @@ ContactPoint point(double rotation, double te, int pair, TouchKind kind = TouchK
   return p;
 }
 
-// Two straight curves, of which the greater counts: the runs meet where they cross, at 1.75.
+// The greater of two straight curves counts, so the runs meet at their intersection, at 1.75.
 TEST(TeRuns, TheHandoverIsWhereTheCurvesCross) {
   const auto a = [](double x) { return 10.0 - 2.0 * x; };
   const auto b = [](double x) { return 3.0 + 2.0 * x; };
   std::vector<ContactPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back(a(i) > b(i) ? point(i, a(i), 0) : point(i, b(i), 1));
-  points.push_back(point(-1, a(2.0) - 5.0, 9));  // something lower elsewhere: the crossing is seen
+  points.push_back(point(-1, a(2.0) - 5.0, 9));  // lower elsewhere, so the crossing is visible
   std::rotate(points.begin(), points.end() - 1, points.end());
   const auto runs = te_runs(points);
   ASSERT_EQ(runs.size(), 3u);

@@ -279,7 +279,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "planets",
      "neighbouring planets cut each other"},
     {C::unequal_spacing, "unequal_spacing", kCaution,
-     "verb drive: planets do not stand at equal pitch", "the planets stand at unequal pitch"},
+     "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,
      "verb drive: a closed loop of meshes shares its torque by compliance; no torques are computed",
      "a closed loop of meshes has no torques without compliance"},

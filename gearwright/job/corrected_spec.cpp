@@ -18,13 +18,11 @@ const char* needs(CorrectionOf what) {
       return "is the setting of a rack F (one of circular arcs), which cuts neither gear";
     case CorrectionOf::cutter_lead: return "needs a helical gear cut by a rack";
     case CorrectionOf::end_relief:
-      return "needs end_relief_length_mm in the modifications of the gear, which says where the "
-             "relief "
-             "lies; its amount may be 0";
+      return "needs end_relief_length_mm in the modifications of the gear, for the position of "
+             "the relief; its amount may be 0";
     default:
-      return "needs the start of the relief in the modifications of the gear, tip_relief_start_mm "
-             "for "
-             "example; its amount may be 0";
+      return "needs the start of the relief in the modifications of the gear, for example "
+             "tip_relief_start_mm; its amount may be 0";
   }
 }
 

@@ -154,7 +154,7 @@ Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
   if (!answer) return answer.error();
   Answer found = std::move(answer).take();
   if (found.specs.empty())
-    found.why_none = "[scatter.robust] is missing, which says what corrections are searched";
+    found.why_none = "[scatter.robust] is missing, which lists the corrections to search";
   return found;
 }
 

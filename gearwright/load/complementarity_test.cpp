@@ -1,5 +1,6 @@
-// The active set against a slow search that shares nothing with it: non-negative least squares by
-// Lawson and Hanson on the dual, over random places; and the laws of the answer.
+// The active set is compared with a slow search that shares no code with it: non-negative least
+// squares by Lawson and Hanson on the dual, over random places. The laws of the result are tested
+// too.
 #include "gearwright/load/complementarity.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ ContactProblem random_problem(unsigned seed, int n) {
 }
 
 // Least ½ pᵀA p + gᵀp under Σ p arm = M, p ≥ 0, as non-negative least squares: with A = LLᵀ it is
-// |Lᵀp + L⁻¹g|², the moment a heavy row of its own.
+// |Lᵀp + L⁻¹g|². The moment is an additional row with a large weight.
 VectorXd least_squares_answer(const ContactProblem& q) {
   const auto n = q.gap.size();
   const Eigen::LLT<MatrixXd> llt(q.yield);

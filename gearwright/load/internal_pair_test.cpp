@@ -1,4 +1,4 @@
-// Laws of a loaded internal pair. What it is measured against stands in tests/oracle.
+// Laws of a loaded internal pair. The oracles are in tests/oracle.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -21,7 +21,7 @@ using testing::run;
 constexpr int kPositions = 8;
 constexpr int kSlices = 12;
 
-// 25 teeth in 65, the ring's tip out of reach of the pinion's root.
+// 25 teeth in 65, the tip of the ring does not reach the root of the pinion.
 Drive internal_drive(double helix_deg, double face = 30.0, double module = 3.0) {
   const auto spec = [&](int teeth) {
     CylindricalSpec s = testing::plain_spec(
@@ -114,7 +114,8 @@ TEST(LoadedInternalPair, ScalesWithLength) {
   }
 }
 
-// The other hand is the mirror image by the plane of the axes turned end for end.
+// The pair of the opposite hand is the mirror image in the plane of the axes, with its ends
+// exchanged.
 TEST(LoadedInternalPair, TheOtherHandIsMirrored) {
   const Drive right = internal_drive(15);
   const Drive left = internal_drive(-15);
@@ -143,7 +144,7 @@ TEST(LoadedInternalPair, TheOtherDriverLoadsTheOtherFlanks) {
   const LoadedContact b = run(d, r);
   EXPECT_NEAR(a.torques[0].stiffness.mean, b.torques[0].stiffness.mean,
               1e-3 * a.torques[0].stiffness.mean);
-  EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 pushes ahead
+  EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 leads
   EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
 }
 
@@ -192,7 +193,7 @@ TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 1214.51, 0.001 * 1214.51);
 }
 
-// The number of slices that nobody asks for is never too fine, where 32 are.
+// The default number of slices is never too large, although 32 is.
 TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   for (const double helix : {0.0, 15.0, 30.0}) {
     const Drive d = internal_drive(helix, 24);
@@ -205,8 +206,8 @@ TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   }
 }
 
-// Sections of both gears turn the way of their flanks: the line on which they touch is as long on
-// either as in the plane of action.
+// The sections of both gears turn in the direction of their flanks. The contact line has the same
+// length on either gear as in the plane of action.
 TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {
   for (const double helix : {15.0, -15.0}) {
     const Drive d = internal_drive(helix);

@@ -1,4 +1,5 @@
-// Loaded contact against a contact computation of two finite-element gears, and its laws.
+// Loaded contact is compared with a contact computation of two finite-element gears, and with its
+// laws.
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ using testing::Drive;
 using testing::kE;
 using testing::run;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
 Drive external_drive(double helix_deg, double face, double module = 3.0) {
@@ -48,9 +49,9 @@ double moment_of(const LoadedPosition& p, double length, double arm) {
   return sum;
 }
 
-// PAIR2D-25: two fine finite-element gears in plane strain, nodewise contact without a formula of
-// Hertz; E = 206 000, m = 3, 100 N/mm. A face of 120 modules is nearly plane strain in the middle:
-// its ends make it softer by 0.12 %.
+// PAIR2D-25: two fine finite-element gears in plane strain, node-to-node contact without a Hertz
+// formula; E = 206 000, m = 3, 100 N/mm. A face of 120 modules is nearly plane strain in the
+// middle: its ends make it softer by 0.12 %.
 TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const double face = 360.0;
   const Drive m = external_drive(0, face);
@@ -101,7 +102,7 @@ TEST(LoadedContact, CarriesTheTorque) {
   }
 }
 
-// What a page does: tables that are kept, positions one by one in any order.
+// As on a page, the tables are kept, and positions are computed one by one in any order.
 TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
   const Drive m = external_drive(12, 30);
   LoadRequest r = request_of();
@@ -154,7 +155,7 @@ TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
   EXPECT_FALSE(same_compliance(gears, r, {&steeper.one, &steeper.two}, r, 2));
 }
 
-// Rigid teeth, and hardly loaded ones, do what contact says.
+// Rigid teeth, and teeth with a very small load, have the results of contact.
 TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
   const Drive m = external_drive(12, 30);
   const auto rigid = analyse_contact(m.pair(), {.positions = 8});
@@ -195,7 +196,8 @@ TEST(LoadedContact, ScalesWithLength) {
   }
 }
 
-// The other hand is the mirror image by the plane of the axes turned end for end.
+// The pair of the opposite hand is the mirror image in the plane of the axes, with its ends
+// exchanged.
 TEST(LoadedContact, TheOtherHandIsMirrored) {
   const Drive right = external_drive(15, 30);
   Drive left = external_drive(-15, 30);
@@ -222,12 +224,12 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
   const LoadedContact b = run(m, r);
   EXPECT_NEAR(a.torques[0].stiffness.mean, b.torques[0].stiffness.mean,
               1e-3 * a.torques[0].stiffness.mean);
-  EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 pushes ahead
+  EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 leads
   EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
 }
 
 // FE2D-ROOT: converged triangles, the load at the outer point of single contact: σ_F b m_n/F_t of
-// 25 equal teeth 2.797. The face of a real gear is free at its ends: the middle is plane.
+// 25 equal teeth 2.797. The ends of a real face are free, but its middle is in plane strain.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Drive m = external_drive(0, face);
@@ -284,7 +286,7 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 2290.06, 0.003 * 2290.06);
 }
 
-// A deflection that closes the gap at one end loads that end, whichever flanks are loaded.
+// A deflection that closes the gap at one end loads that end, for either pair of flanks.
 TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
@@ -301,8 +303,9 @@ TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   EXPECT_LT((along[0] - along[1]).cwiseAbs().maxCoeff(), 1e-9 * along[0].maxCoeff());
 }
 
-// Too fine slices leave the matrix indefinite, which is said; the fair number never does.
-// The greatest tooth load, added up place by place over both pairs' own answers.
+// Too many slices make the matrix indefinite, and the result contains that error. The default
+// number never does. The greatest tooth load, added up place by place over the separate results of
+// both pairs.
 double greatest_share(const LoadedTorque& t) {
   double greatest = 0.0;
   for (const LoadedPosition& p : t.positions) {
@@ -341,7 +344,8 @@ TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
   }
 }
 
-// Where one pair bears alone somewhere, with errors and without, nothing is shared worse.
+// If a single pair carries the whole load at some positions, with errors and without, load sharing
+// is no worse.
 TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
@@ -355,8 +359,8 @@ TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   EXPECT_DOUBLE_EQ(with.torques[0].transverse_load_factor, 1.0);
 }
 
-// While its neighbours bear, a fillet is pressed: less than it is pulled when its own tooth does, and
-// nothing is pressed where no stress was asked for.
+// While the neighbouring teeth carry the load, a fillet is compressed, by less than its tension
+// under the load of its own tooth. If no stress was requested, there is no compression either.
 TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
   for (const double helix : {0.0, 15.0}) {
     const Drive m = external_drive(helix, 30);

@@ -1,5 +1,5 @@
-// Teeth that touch about points under load: the ellipse of Hertz against its integral, sharing against
-// another solver, and pairs against contact, lines and their own laws.
+// Teeth with point contact under load. The ellipse of Hertz is compared with its integral, load
+// sharing with another solver, and pairs with contact, with lines and with their own laws.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -36,8 +36,8 @@ TEST(HertzPoint, ABallOnAPlane) {
   EXPECT_NEAR(e.pressure, 1.5 * 350.0 / (std::numbers::pi * a * a), 1e-9 * e.pressure);
 }
 
-// u(x, y) = 1/(πE*) ∫∫ p/r, in rays from the place: r cancels. What the pressure of the ellipse
-// presses in has to be δ − ½ (k1 x² + k2 y²).
+// u(x, y) = 1/(πE*) ∫∫ p/r, integrated along rays from the place, where r cancels. The displacement
+// under the pressure of the ellipse must be δ − ½ (k1 x² + k2 y²).
 double pressed(const HertzEllipse& e, double modulus, double x, double y) {
   constexpr int kRays = 4000;
   double sum = 0.0;
@@ -52,7 +52,7 @@ double pressed(const HertzEllipse& e, double modulus, double x, double y) {
     const double q1 = x * c / a2 + y * s / b2;
     const double q2 = c * c / a2 + s * s / b2;
     const double end = (-q1 + std::sqrt(q1 * q1 + q0 * q2)) / q2;
-    // r = end (1 − v²) takes the root at the rim away.
+    // r = end (1 − v²) removes the square root at the rim.
     sum += boost::math::quadrature::gauss<double, 30>::integrate(
         [&](double v) {
           const double r = end * (1 - v * v);
@@ -90,7 +90,8 @@ TEST(HertzPoint, GrowsAsTheory) {
   EXPECT_EQ(point.under(0.0).pressure, 0.0);
 }
 
-// Another way to the same: for each Θ the forces one after another, Θ by halving.
+// Another method: for each Θ the forces are computed one after another, and Θ is found by
+// bisection.
 VectorXd by_halving(const PointProblem& q, double* approach) {
   const Index n = q.gap.size();
   const auto forces = [&](double turn) {
@@ -168,7 +169,7 @@ TEST(PointSharing, HoldsItsConditions) {
         EXPECT_NEAR(open, 0.0, 1e-9 * all) << i;
       }
     }
-    // The tangent by a step.
+    // The tangent is computed from a difference.
     PointProblem more = q;
     more.moment *= 1 + 1e-6;
     const double step = share_points(more).approach - x.approach;
@@ -202,7 +203,7 @@ PairCompliance compliance_of(const SamplePair& p, const LoadRequest& r) {
   return std::move(c).take();
 }
 
-// Tables are made with E = 1: one set serves all moduli.
+// Tables are computed with E = 1, so one set is valid for all moduli.
 LoadedContact run(const SamplePair& p, LoadRequest r, const PairCompliance& made, double e = kE) {
   PairCompliance c = made;
   for (int g = 0; g < 2; ++g) c.bodies[g].youngs_modulus = r.bodies[g].youngs_modulus = e;
@@ -215,7 +216,7 @@ void expect_laws(const SamplePair& p) {
   LoadRequest r = request_of(p);
   r.root_stress = false;
   const PairCompliance c = compliance_of(p, r);
-  // Rigid teeth, and hardly loaded ones, do what contact says.
+  // Rigid teeth, and teeth with a very small load, have the results of contact.
   const auto rigid = analyse_contact(p.pair(), {.positions = 8});
   for (const auto& [e, torque] : {std::pair(1e15, 1e4), std::pair(kE, 1e-6)}) {
     r.torques = {torque};
@@ -223,7 +224,7 @@ void expect_laws(const SamplePair& p) {
     for (int i = 0; i < 8; ++i)
       EXPECT_NEAR(answer.torques[0].positions[i].te.rad(), rigid.positions[i].te.rad(), 1e-9) << i;
   }
-  // Torque and modulus together change nothing.
+  // If torque and modulus change by the same factor, the result is the same.
   r.torques = {1e5};
   const LoadedContact soft = run(p, r, c, kE);
   r.torques = {3e5};
@@ -243,7 +244,7 @@ TEST(PointContact, CarriesTheTorqueAndSharesIt) {
   LoadRequest r = request_of(p);
   r.torques = {1e3, 2e4};
   const LoadedContact answer = run(p, r, compliance_of(p, r));
-  // The same arm for all points: the base radius across the steepest line of the flank.
+  // All points have the same arm, the base radius perpendicular to the steepest line of the flank.
   const double sin_b = std::sin(20 * M_PI / 180) * std::cos(20 * M_PI / 180);
   const double arm = p.gears[1].base_radius() * std::sqrt(1 - sin_b * sin_b);
   int inside = 0;
@@ -267,7 +268,7 @@ TEST(PointContact, CarriesTheTorqueAndSharesIt) {
   EXPECT_GT(inside, 4);
 }
 
-// Mirrored by a plane across the axes both hands and the sense of the shaft angle change.
+// A mirror plane across the axes reverses both hands and the sign of the shaft angle.
 TEST(PointContact, TheOtherHandIsMirrored) {
   LoadRequest r = request_of(crossed());
   r.torques = {1e4};
@@ -287,9 +288,9 @@ TEST(PointContact, TheOtherHandIsMirrored) {
   }
 }
 
-// A crowned spur pair touches in ellipses that both ways can answer: slices with Hertz' logarithm
-// and the matrix of the whole line, and one ellipse on bodies that bend under it. Its half axes are
-// 1.8 and 3.6 modules; without the bending the second is 7 % too soft.
+// A crowned spur pair touches in ellipses that both methods can compute: slices with the logarithm
+// of Hertz and the matrix of the whole line, and one ellipse on bodies that bend under it. Its half
+// axes are 1.8 and 3.6 modules. Without the bending, the second method is 7 % too soft.
 TEST(PointContact, AgreesWithLinesWhereBothHold) {
   SamplePair p{{testing::involute_gear(25, 0, 60), testing::involute_gear(25, 0, 60)}, {}, {}};
   p.place.center_distance = p.gears[0].reference_diameter;

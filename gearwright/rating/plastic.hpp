@@ -3,7 +3,7 @@
 //   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   of the air around
 //   H_V           degree of tooth loss                     μ     coefficient of friction
 //   k_ϑ           heat transfer of the teeth, K (m/s)^0.75 mm^1.75/W
-//   R_λG, A_G     heat resistance of the housing, K m²/W, and its surface, m²
+//   R_λG, A_G     thermal resistance of the housing, K m²/W, and its surface, m²
 //   ED            relative duty
 //
 // Wear, deformation of the teeth and static peaks are not covered. theory: docs/theory/11-rating.md

@@ -1,5 +1,5 @@
-// The page of a pair of circular-arc gears: sound HTML, nothing of an involute, flanks that touch
-// in the pictures.
+// The page of a pair of circular-arc gears is valid HTML, contains nothing about involutes, and
+// shows flanks that touch.
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/report/report_sections.hpp"
 
@@ -62,7 +62,7 @@ TEST(ArcPairSection, verdict_names_what_is_amiss) {
   EXPECT_NE(page.find("does not run as specified: contact is not continuous"), page.npos);
 }
 
-// As they are drawn both flanks hold the point marked.
+// As drawn, both flanks contain the marked point.
 TEST(ArcPairSection, drawn_flanks_meet_in_the_mark) {
   using Complex = std::complex<double>;
   const ArcPair pair = double_pair();

@@ -51,8 +51,9 @@ Figure with_axes(const std::string& id, const std::string& title, const std::str
   return f;
 }
 
-// A dimension between two points on the centre line, below it; arrows inside or, without room,
-// outside. The text is beside it, because the pitch circles run between its ends.
+// Draws a dimension between two points of the centre line, below that line. The arrows are inside,
+// or outside if there is no room. The text is beside the dimension, because the pitch circles pass
+// between its ends.
 void add_dimension(Figure& f, double x_1, double x_2, const std::string& words) {
   const double unit = (f.x.hi - f.x.lo) / kWidth;  // mm per px
   const auto [lo, hi] = std::minmax(x_1, x_2);

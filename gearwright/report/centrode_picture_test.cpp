@@ -18,7 +18,8 @@ TEST(CentrodePicture, OnlyWhereTheShiftIsSeen) {
   EXPECT_TRUE(centrodes_are_worth_a_picture(testing::pinion_in_cut_ring()));
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::undercut_pair()));
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::crossed_pair()));
-  // Not shifted, only mounted further apart; and shifted against each other, which moves nothing.
+  // The first pair has no shifts and a larger centre distance. The second has opposite shifts,
+  // which do not change the centre distance.
   const ParallelPair apart = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 60.5);
   EXPECT_FALSE(centrodes_are_worth_a_picture(apart));
   const ParallelPair against =

@@ -19,8 +19,9 @@ namespace {
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 460.0;
 
-// A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth:
-// (height towards the mating gear, across). `mate`: turned over and moved by half a pitch.
+// A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth.
+// A point is (height towards the mating gear, across). With `mate`, the rack is turned over and
+// moved by half a pitch.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -35,7 +36,7 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// The polygon of a chain and the material behind it, at `depth`.
+// The polygon of a chain, closed through the material at `depth` behind it.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
   const Vec2 last = chain.back();
@@ -44,7 +45,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// Plane (up, right) to the picture; Viewport with x_up has y to the left.
+// From the plane (up, right) to the picture. A Viewport with x_up has y to the left.
 Vec2 upright(const Viewport& view, const Vec2& p) { return view.px(mirrored(p)); }
 
 std::vector<Vec2> carried(const Viewport& view, const std::vector<Vec2>& points) {
@@ -128,7 +129,7 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   draw_arc_radius(svg, view, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   svg.line(upright(view, M), upright(view, M + 1.1 * m * n), "action-line");
-  // ψ_c, from the pitch line's direction to the normal, about where the normal crosses that line.
+  // ψ_c, the angle from the pitch line to the normal, where the normal crosses that line.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;

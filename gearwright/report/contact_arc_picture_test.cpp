@@ -64,8 +64,8 @@ TEST(ArcPicture, ARackReachesFromItsDedendumToItsAddendum) {
   }
 }
 
-// The plane passes the contact point, so both sections do, and there they are tangent: a little
-// further along the normal the one is left and the other not yet entered.
+// The plane contains the contact point, so both sections do, and they are tangent there. A little
+// further along the normal, a point is outside one section and not yet inside the other.
 TEST(ArcPicture, BothTeethPassTheContactPointInTheNormalSection) {
   std::vector<ArcPair> pairs{litvin_tsay_pair()};
   const auto rack = gbt12759_rack(4.0);

@@ -23,7 +23,7 @@ std::string contact_words(const ContactResult& contact) {
                ? "Motion is transmitted exactly, and the flanks touch along lines across the face, "
                  "as intended."
                : "Motion is transmitted exactly, and the flanks touch as intended.";
-  std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
+  std::string text = fmt::format("The transmission error is {}″ peak to peak. ",
                                  shown_arcsec(contact.peak_to_peak.arcsec()));
   if (lines)
     return text + "The flanks touch along lines across the face, and no edge carries load.";

@@ -18,8 +18,8 @@ std::vector<ContactSample> samples() {
           testing::ring_contact(),    testing::ring_contact(true), testing::perfect_contact()};
 }
 
-// The gears' own heights and diameters come from the surfaces; from the mounted axes they are the
-// same, whoever drives and however the axes are tilted.
+// The heights and diameters in the frames of the gears are computed from the surfaces. Computed
+// from the mounted axes they are the same for either driver and any tilt of the axes.
 TEST(ContactReport, PlacesOnTheMountedAxesAreThoseOfTheSurfaces) {
   int count = 0;
   for (const ContactSample& s : samples()) {
@@ -36,8 +36,8 @@ TEST(ContactReport, PlacesOnTheMountedAxesAreThoseOfTheSurfaces) {
   EXPECT_GT(count, 300);
 }
 
-// What the ellipse encloses is what the exact field leaves under a thin marking: at its border the
-// gap is the marking, on gear 1 as a raster of that gear sees it.
+// The ellipse encloses the area in which the exact gap is less than a thin marking. At its border
+// the gap is the marking, on gear 1 according to a raster of that gear.
 TEST(ContactReport, TheEllipseIsTheContourOfTheGap) {
   ContactSample s = testing::crossed_contact();
   constexpr double kThin = 2e-4;  // mm
@@ -83,7 +83,7 @@ TEST(ContactReport, WordsAndKinds) {
     EXPECT_TRUE(is_edge(edge)) << words_of(edge);
 }
 
-// A tooth runs through every position once, in the order in which it meets them.
+// A tooth passes every position once, in the order of the mesh.
 TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
   for (const ContactSample& s : samples()) {
     const double pitch = pitch_of(s.report);
@@ -105,7 +105,8 @@ TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
   }
 }
 
-// On flanks of two arcs the contact leaves one and comes to the other: nothing touches between.
+// On flanks of two arcs, contact ends on one arc and begins on the other. Nothing touches between
+// them.
 TEST(ContactReport, ThePathOnAToothBreaksWhereTheContactJumps) {
   const std::vector<ContactSample> all = samples();
   ContactReport report = all.front().report;

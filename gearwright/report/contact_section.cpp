@@ -104,16 +104,16 @@ std::string pattern_part(const ContactReport& report) {
                               "the pitch in which a pair is nearest to the centre line."
                             : "";
   return fmt::format(
-             "<h3>Bearing contact: where the teeth carry</h3>\n"
+             "<h3>Bearing contact: where the teeth touch</h3>\n"
              "<p>The flanks are laid flat: the face from left to right, the root below, the tip "
-             "above. A fitter paints one gear thinly with marking blue, turns the pair by hand and "
-             "looks where the colour has gone: wherever the flanks came closer than its layer, "
-             "here {} µm. That is the shaded area, the <em>marking pattern</em>. At one instant "
-             "the flanks are that close only within an ellipse about the contact point, or along "
-             "a line; while the gears turn it wanders over the flank. A good pattern lies in "
-             "the middle and keeps off the borders. Where the path of contact runs along a border "
-             "(dashed), an <em>edge</em> works: its sharp line carries what a surface should, "
-             "scrapes off the oil and wears or pits the mating gear.{}</p>\n",
+             "above. A fitter paints one gear thinly with marking blue and turns the pair by hand. "
+             "The marks show where the flanks come closer than the thickness of the layer, here {} "
+             "µm. They are the shaded area, the <em>marking pattern</em>. At one instant the "
+             "flanks are that close only within an ellipse about the contact point, or along a "
+             "line, which moves over the flank while the gears turn. A good pattern is in the "
+             "middle and does not reach the borders. Where the path of contact runs along a border "
+             "(dashed), an <em>edge</em> is in contact. The sharp edge then carries the load "
+             "instead of the flank, scrapes off the oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
          side_by_side(figure_html(flank_figure(report, 0, {.pattern = &report.patterns[0]})) +
                       figure_html(flank_figure(report, 1, {.pattern = &report.patterns[1]})));

@@ -81,7 +81,7 @@ TEST(ContactSection, APatternUnderWhichNothingTouches) {
   EXPECT_NE(text.find("nothing touches"), text.npos);
 }
 
-// Without errors the flanks meet in lines that sweep all of the flank both gears have in common; a
+// Without errors, the flanks touch along lines that sweep the common flank of both gears. An
 // out-of-plane shaft deviation leaves a part of it unmarked.
 TEST(ContactSection, MisalignmentLeavesAPartUnmarked) {
   const ContactSample straight = testing::perfect_contact();

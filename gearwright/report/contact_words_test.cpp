@@ -1,4 +1,5 @@
-// The words about a contact and the kinds of its positions, which the pictures are drawn by, agree.
+// The text about a contact agrees with the kinds of its positions, from which the pictures are
+// drawn.
 #include "gearwright/report/contact_report.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ void agree(const ContactResult& result) {
   EXPECT_EQ(say("at the start of a relief"), ridge && !any(result, is_edge)) << words;
 }
 
-// The words said "an edge touches" where the picture has "start of a relief".
+// The text was "an edge touches" where the picture has "start of a relief".
 TEST(ContactWords, TheStartOfAReliefIsNoEdgeOfATooth) {
   testing::SamplePair p = testing::involutes(20, 41, 12);
   FlankModifications m;

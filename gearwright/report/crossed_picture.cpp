@@ -131,7 +131,7 @@ void draw_teeth(Svg& svg, const Viewport& view, const InvolutePair& pair, std::s
   const double reach = std::abs(turn) * half + std::numbers::pi / 2;
   const double pitch = 2 * std::numbers::pi / z;
   for (int k = static_cast<int>(-reach / pitch); k * pitch <= reach; ++k) {
-    // Where φ = k pitch + turn s is on the visible half.
+    // The range in which φ = k pitch + turn s is on the visible half.
     double lo = -half;
     double hi = half;
     if (turn != 0.0) {
@@ -162,7 +162,8 @@ Viewport whole_window(const InvolutePair& pair) {
   return {kWholeWidth, height, Vec2::Zero(), scale};
 }
 
-// The size of the plan in the picture of the whole pair, px; none if it shows more than that.
+// The size of the plan in the picture of the whole pair, px; none if the plan shows more than that
+// picture.
 std::optional<Vec2> frame_of_plan(const InvolutePair& pair) {
   const Viewport whole = whole_window(pair);
   const Viewport plan = plan_window(pair);

@@ -23,7 +23,7 @@ constexpr double kBeforeLimit = 1e-3;
 // rad. At the limit itself, which a mounted pair may reach within rounding, angles have no
 // involute. At this distance, a differs by at most r_b times this value.
 constexpr double kAtLimit = 1e-8;
-constexpr double kMinAngle = 2e-3;  // rad, α_wn = 0 is no rack
+constexpr double kMinAngle = 2e-3;  // rad; no rack has α_wn = 0
 
 double deg(double rad) { return kDegPerRad * rad; }
 

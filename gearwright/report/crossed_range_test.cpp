@@ -25,7 +25,7 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
     ASSERT_TRUE(s.has_value());
     EXPECT_NEAR(s->place.shaft_angle.rad(), pair.shaft_angle.rad(), 1e-12);
     EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance, 1e-9);
-    // Nothing anywhere below the least centre distance.
+    // No value is below the least centre distance.
     ASSERT_TRUE(pair.min_distance.has_value());
     for (const CrossedSample& each : samples)
       EXPECT_GE(each.place.center_distance, pair.min_distance->center_distance - 1e-10);
@@ -54,7 +54,8 @@ TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
   EXPECT_LT(crossed_samples(pair).back().place.normal_pressure_angle.rad(), limit);
 }
 
-// A spur gear and one of 0.3° stand at nearly 90° where the latter's helix angle reaches 90°.
+// A spur gear and a gear of 0.3° have a shaft angle of nearly 90° where the helix angle of the
+// latter reaches 90°.
 TEST(CrossedRangePicture, NearTheLimitItself) {
   const CrossedPair pair = testing::crossed_sample_pair(
       testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 0.11, 0.0);

@@ -173,7 +173,7 @@ class Pictures {
         1.0 / kSliderSteps);
   }
 
-  // The meshes of each planet with a central gear, each drawn with the planet above: a planet with
+  // The meshes of each planet with a central gear, each drawn with the planet above. A planet with
   // phase γ is drawn γ pitches behind.
   std::string phases() {
     std::string text;

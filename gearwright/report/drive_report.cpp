@@ -100,7 +100,7 @@ std::string planets_part(const Drive& drive) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// Names in pictures must be unique in a page: those of a mesh get its prefix.
+// Names in pictures must be unique in a page, so those of a mesh get its prefix.
 std::string with_prefix(const std::string& html, const std::string& prefix) {
   constexpr std::array<std::string_view, 3> kMarks{" id=\"", " aria-labelledby=\"", "url(#"};
   std::string text;

@@ -139,7 +139,7 @@ std::string faces_svg(const CrossedPair& pair) {
   return svg.str();
 }
 
-// The parts outside, in words.
+// Describes the parts of the lines outside the faces.
 std::string beyond(const CrossedPair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {
@@ -154,7 +154,7 @@ std::string beyond(const CrossedPair& pair) {
 constexpr PlotArea kSpeeds{640, 58, 18, 54, 210, 50};
 constexpr int kSpeedSteps = 96;
 
-// Flank 1 over flank 2, mm per radian of gear 1.
+// Sliding of flank 1 over flank 2, mm per radian of gear 1.
 struct Sliding {
   double across, along;
   double whole() const { return std::hypot(across, along); }
@@ -168,7 +168,7 @@ Sliding sliding_at(const CrossedPair& pair, double rho1) {
   return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
 }
 
-// mm from C along the line of action.
+// Distance from C along the line of action, mm.
 double along_line(const CrossedPair& pair, double rho1) {
   return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
 }
@@ -234,13 +234,12 @@ std::string speed_table(const CrossedPair& pair) {
 std::string face_width_figure(const CrossedPair& pair) {
   return captioned(
       widths_svg(pair),
-      fmt::format(
-          "<strong>Face widths</strong> that the lines of action ask for, free of backlash: "
-          "full for one flank ({}), dashed for both flanks about the common perpendicular "
-          "({}). {}{}{}",
-          symbol_html("f"), symbol_html("f′"), caption_of_gears(),
-          pair.flanks_meet() ? " Dots: as mounted." : "",
-          pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
+      fmt::format("<strong>Face widths</strong> required by the lines of action, free of backlash: "
+                  "full for one flank ({}), dashed for both flanks about the common perpendicular "
+                  "({}). {}{}{}",
+                  symbol_html("f"), symbol_html("f′"), caption_of_gears(),
+                  pair.flanks_meet() ? " Dots: as mounted." : "",
+                  pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
 }
 
 std::string face_use_figure(const CrossedPair& pair) {

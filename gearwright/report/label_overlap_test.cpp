@@ -1,7 +1,7 @@
-// No two labels of a picture cover each other: over 200 random pairs and the awkward ones.
+// No two labels of a picture overlap, for 200 random pairs and the difficult ones.
 //
-// Labels are read from the page's own SVG. A letter counts 0.56 of its font size, near the mean of
-// the fonts that the style names, and 0.62 of its height: what a reader would call touching.
+// Labels are read from the page's own SVG. A letter is 0.56 of its font size wide, near the mean of
+// the fonts in the style, and 0.62 high. Labels that overlap by this measure seem to touch.
 #include <gtest/gtest.h>
 
 #include <array>

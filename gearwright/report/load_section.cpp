@@ -20,15 +20,15 @@ namespace {
 std::string finding(const LoadScene& report) {
   const LoadedTorque& t = shown_torque(report);
   std::string text = fmt::format(
-      "At {} gear 2 runs up to {}″ unevenly; the flanks bear up to {} N/mm²{}, the roots {} and {} "
-      "N/mm².",
+      "At {} the transmission error is {}″ peak to peak, the greatest pressure on the flanks is {} "
+      "N/mm²{}, and the greatest root stresses are {} and {} N/mm².",
       torque_words(t), shown_arcsec(t.peak_to_peak.arcsec()), fixed(t.max_pressure, 0),
       t.edge_carries   ? " (a lower bound, because an edge carries load)"
       : t.beyond_flank ? " (a lower bound, because an ellipse extends beyond the flank)"
                        : "",
       fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0));
   if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
-    text += fmt::format(" It is quietest at {}: {}″.", torque_words(*quiet),
+    text += fmt::format(" The pair is quietest at {}: {}″.", torque_words(*quiet),
                         shown_arcsec(quiet->peak_to_peak.arcsec()));
   return text;
 }
@@ -46,7 +46,7 @@ std::string facts(const LoadScene& report) {
   for (const TextGroup& group : text_groups(quantities.table(), records, kPage)) {
     for (const TextRow& row : group.rows) {
       if (row.info->key == "torque_Nm") continue;  // heads the columns
-      // A torque's texts, both gears' where there are two.
+      // The texts of one torque: one for each gear if there are two.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)

@@ -44,7 +44,8 @@ TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
     EXPECT_NE(text.find("id=\"" + std::string(id)), text.npos) << id;
   EXPECT_EQ(count_of(text, "<h3>"), 4u);
   EXPECT_NE(text.find("quietest at"), text.npos);
-  // A place of the slider for every position, in three pictures, one of them seen without it.
+  // Each position has a place on the slider, in three pictures, one of which is visible without the
+  // slider.
   EXPECT_EQ(count_of(text, "data-frame=\""), 30u);
   EXPECT_EQ(count_of(text, "data-frames=\"10\">"), 3u);
 }
@@ -60,7 +61,7 @@ TEST(LoadSection, OfHelicalGearsAndEitherDriver) {
     sound(load_sample(testing::helical_pair(), {40e3, 80e3}, 0.02, gear2_drives));
 }
 
-// Of a ring the tip is up too, and the bars lie in the material.
+// The tip of a ring is also drawn at the top, and the bars lie in the material.
 TEST(LoadSection, OfAnInternalPair) {
   for (const bool gear2_drives : {false, true}) {
     const LoadSample s = load_sample(testing::pinion_in_cut_ring(), {20e3}, 0.0, gear2_drives);
@@ -86,8 +87,8 @@ TEST(LoadSection, ManyTorquesShowAFewCurvesAndTheHeaviestField) {
   sound(s);
 }
 
-// A tooth's shares over all its way add up with those of its neighbours: over one pitch they make
-// the whole, so that their sum over the positions is the number of positions.
+// The shares of a tooth and its neighbours add up to 1 at each position of a pitch, so the shares
+// of one tooth over all its positions add up to the number of positions of a pitch.
 TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
   const LoadSample s = load_sample(testing::spur_pair(), {150e3}, 0.01);
   const LoadedTorque& t = shown_torque(s.report);
@@ -110,7 +111,8 @@ TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
   }
 }
 
-// Without an answer at some positions, or at all but one: gaps, and no page that ends.
+// If some positions have no result, or all but one, the curves have gaps and the page is still
+// complete.
 TEST(LoadSection, PositionsWithoutAnAnswerAreGaps) {
   for (const bool only_one : {false, true}) {
     LoadSample s = load_sample(testing::spur_pair(), {50e3, 150e3}, 0.01);

@@ -1,5 +1,5 @@
-// Every class on a page is known to its style sheet or its scripts: a name that nothing knows is a
-// slip, and the picture lacks what it should show.
+// Every class on a page occurs in its style sheet or its scripts. A name that occurs in neither is
+// a mistake, and a part of the picture is missing.
 #include "gearwright/report/page_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::set<std::string> classes_of(const std::string& page) {
   return names;
 }
 
-// Names without a look: of sections, and hooks for programs that read a page.
+// Names without a style: sections, and hooks for programs that read a page.
 const std::set<std::string> kPlain{"green", "pair",  "compensate", "scatter",
                                    "front", "words", "shade",      "circle-name"};
 

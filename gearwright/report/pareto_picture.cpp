@@ -74,7 +74,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
 }  // namespace
 
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater) {
-  // The objectives as costs, of which less is better.
+  // The objectives as costs. A lower cost is better.
   const Vec2 sign(greater[0] ? -1.0 : 1.0, greater[1] ? -1.0 : 1.0);
   std::vector<Vec2> costs;
   for (const Vec2& p : points) costs.push_back(p.cwiseProduct(sign));

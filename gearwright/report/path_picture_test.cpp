@@ -15,7 +15,7 @@ TEST(PathFigures, SaysWhereTheInvoluteEnds) {
   EXPECT_EQ(path_figure(testing::helical_pair()).find("no involute"), std::string::npos);
 }
 
-// Two teeth slide by −5.1 and −5.4 at the ends: the axis goes on to −6.
+// The specific sliding is −5.1 and −5.4 at the ends, so the axis extends to −6.
 TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   const std::string figure = path_figure(testing::two_and_sixty());
   EXPECT_NE(figure.find(">−6.0<"), std::string::npos);
@@ -30,14 +30,14 @@ double label_x(const std::string& figure, const std::string& words) {
   return std::atof(figure.c_str() + figure.rfind("translate(", text) + 10);
 }
 
-// ε_β 0.824 would lie across the line at 1, whose number stands above it.
+// ε_β 0.824 would cross the line at 1, whose number is above it.
 TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   const std::string figure = ratio_figure(testing::helical_pair());
   EXPECT_EQ(label_x(figure, "0.824"), label_x(figure, "1"));
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
 }
 
-// A wide face: ticks three apart have room, the line at 1 is there all the same.
+// A wide face has room for ticks at steps of three, and still has the line at 1.
 TEST(RatioFigure, ManyPairsInContact) {
   const std::string figure = ratio_figure(testing::two_and_sixty(150.0));  // ε_γ 14.3
   EXPECT_NE(figure.find("class=\"one\""), std::string::npos);

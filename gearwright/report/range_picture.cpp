@@ -38,8 +38,8 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
        [](const CrossedSample& s) { return s.contact_ratio; }, pair.contact_ratio(), 3}};
 }
 
-// The range of a panel: the curve where ε ≥ 1, otherwise only the part in between, and the mounted
-// pair.
+// The range of a panel: the mounted pair and the curve. If the contact ratio reaches 1, only the
+// part of the curve with ε ≥ 1 counts.
 std::array<double, 2> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                             const Quantity& q) {
   double lo = q.mounted;
@@ -85,7 +85,7 @@ void draw_panel(Svg& svg, const CrossedPair& pair, const std::vector<CrossedSamp
   const Vec2 here(x(mounted.deg()), y(q.mounted));
   svg.dot(here, 3.4, "mark action-dot");
   const bool left = here.x() > (x.from + x.to) / 2;
-  // The label is next to the curve: below it if the curve rises away on the label's side.
+  // The label is next to the curve, and below it if the curve rises on the label's side.
   const double rise = slope(pair, q, x, y);
   const auto on_curve = crossed_sample(pair, mounted);
   const bool on = on_curve && std::abs(y(q.value(*on_curve)) - here.y()) < kNear;

@@ -32,7 +32,8 @@ TEST(RangePicture, IsWellFormedForEveryPair) {
   }
 }
 
-// Tips so short that the contact ratio reaches 1 nowhere: nothing is shaded, the curves are there.
+// With tips so short that the contact ratio is always below 1, nothing is shaded, but the curves
+// are drawn.
 TEST(RangePicture, WithoutAnIntervalOfContact) {
   const CrossedPair pair = testing::crossed_sample_pair(
       testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 42.5, 24),

@@ -33,9 +33,11 @@ std::string finding_under_load(const CompensateView& v) {
   const auto text = [&](const LoadedScore& s) {
     return pressure ? fixed(s.max_pressure, 0) : fixed(s.peak_to_peak.arcsec(), 3);
   };
-  return fmt::format("Under {:.6g} N m {} then {}{} instead of {}{}.", worst->torque / kMmPerM,
-                     pressure ? "the flanks bear up to" : "gear 2 runs up to", text(worst->after),
-                     pressure ? " N/mm²" : "″ unevenly", text(worst->before), pressure ? "" : "″");
+  const char* unit = pressure ? " N/mm²" : "″";
+  return fmt::format(
+      "Under {:.6g} N m the {} is then {}{} instead of {}{}.", worst->torque / kMmPerM,
+      pressure ? "greatest pressure on the flanks" : "peak-to-peak transmission error",
+      text(worst->after), unit, text(worst->before), unit);
 }
 
 std::string finding(const CompensateView& v) {
@@ -49,9 +51,9 @@ std::string finding(const CompensateView& v) {
     return percent(face ? s.along_face : s.along_profile);
   };
   return fmt::format(
-      "At worst gear 2 then runs up to {}″ unevenly instead of {}″, the contact lies {} % off the "
-      "middle of the {} instead of {} %, and an edge touches at {} % of the positions instead of "
-      "{} %.",
+      "At worst the peak-to-peak transmission error is then {}″ instead of {}″, the contact is {} "
+      "% off the middle of the {} instead of {} %, and an edge touches at {} % of the positions "
+      "instead of {} %.",
       arcsec(v.after), arcsec(v.before), place(v.after), face ? "face" : "profile", place(v.before),
       percent(v.after.edge_share), percent(v.before.edge_share));
 }

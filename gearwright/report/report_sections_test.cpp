@@ -15,7 +15,7 @@ ContactScore score(double arcsec) {
   return s;
 }
 
-// The errors of a range come with the keys of the spec; a reader gets words and units.
+// The errors of a range have the keys of the spec. The report contains words and units instead.
 TEST(CompensateSection, NamesTheErrorsOfARangeInWords) {
   CompensateView view;
   view.before = score(3.0);

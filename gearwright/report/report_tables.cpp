@@ -72,7 +72,7 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-// The arcs of a rack, one row each: signed radius, place of the centre, from which to which angle.
+// Adds one row for each arc of a rack: signed radius, centre, start angle and end angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
   for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
@@ -140,7 +140,7 @@ std::string strike_rows(const std::string& caption, const std::vector<CollisionR
   std::string text = fmt::format(
       "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th scope=\"col\">What</th>"
       "<th scope=\"col\">Gear</th><th scope=\"col\" class=\"value\">Depth</th>"
-      "<th scope=\"col\">In words</th></tr></thead>\n<tbody>\n",
+      "<th scope=\"col\">Meaning</th></tr></thead>\n<tbody>\n",
       caption);
   for (const CollisionRow& row : rows) {
     text += fmt::format(
@@ -159,7 +159,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// The rows without those that the overlap already has.
+// The rows that are not already among those of the overlap.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;
@@ -236,11 +236,11 @@ std::string path_table(const InvolutePair& p) {
   };
   const bool crossed = p.crossed();
   const std::array<Mark, 5> marks{
-      {{"A", "tip of gear 2 comes in", m.rho1_A},
+      {{"A", "contact begins: tip of gear 2", m.rho1_A},
        {"B", crossed ? "one pitch before E" : "one base pitch before E", m.rho1_B},
        {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
        {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
-       {"E", "tip of gear 1 goes out", m.rho1_E}}};
+       {"E", "contact ends: tip of gear 1", m.rho1_E}}};
   std::vector<std::vector<std::string>> rows;
   for (const Mark& mark : marks) {
     const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);

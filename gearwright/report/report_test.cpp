@@ -71,7 +71,7 @@ TEST(StrictHtml, SeesWhatIsBroken) {
   }
 }
 
-// Tolerances give the backlash two ends; the other key figures stay the drawing's.
+// With tolerances the backlash has two ends. The other key figures remain those of the drawing.
 TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
   const auto pair_at = [](double distance) {
     return sample_pair(sample_gear(21, 2, 0, 0), sample_gear(40, 2, 0, 0), distance);
@@ -113,7 +113,7 @@ TEST(Report, SameInputSameBytes) {
 TEST(Report, GearNumbersAreTheGears) {
   const ParallelPair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
-  // d = z m_n/cos β and d_b = d cos α_t by hand, the rest as the gears have it.
+  // d = z m_n/cos β and d_b = d cos α_t are computed here, the other values are those of the gears.
   const double pi = std::numbers::pi;
   const double cos_beta = std::cos(15 * pi / 180);
   const double cos_t = std::cos(std::atan(std::tan(20 * pi / 180) / cos_beta));
@@ -160,7 +160,7 @@ TEST(Report, PairNumbersAreThePairs) {
                     printed(degree * m.backlash.rotation[1], 5)}));
   EXPECT_EQ(row(page, "Tip clearance"),
             (Values{printed(pair.tip_clearance[0], 4), printed(pair.tip_clearance[1], 4)}));
-  EXPECT_EQ(row(page, "<strong>E</strong> tip of gear 1 goes out"),
+  EXPECT_EQ(row(page, "<strong>E</strong> contact ends: tip of gear 1"),
             (Values{printed(m.rho1_E - m.rho1_C, 4), printed(m.rho1_E, 4),
                     printed(m.base_tangent_distance - m.rho1_E, 4),
                     printed(*pair.sliding_E.zeta_1, 4), printed(*pair.sliding_E.zeta_2, 4)}));
@@ -181,11 +181,12 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
                     printed(pair.face_widths.one_flank[1], 4)}));
   const std::string least = page.substr(page.find("Minimum centre distance, free of backlash"));
   EXPECT_EQ(row(least, "Shaft angle"), (Values{"90.01272"}));
-  // The path's points are told along the line, which leaves the transverse section at β_b1.
+  // The points of the path are measured along the line, which is inclined to the transverse section
+  // by β_b1.
   const double pitch = pair.gears[0].reference().base_pitch_normal;
-  const double A = std::stod(row(page, "<strong>A</strong> tip of gear 2 comes in")[0]);
+  const double A = std::stod(row(page, "<strong>A</strong> contact begins: tip of gear 2")[0]);
   const double D = std::stod(row(page, "<strong>D</strong> one pitch after A")[0]);
-  const double E = std::stod(row(page, "<strong>E</strong> tip of gear 1 goes out")[0]);
+  const double E = std::stod(row(page, "<strong>E</strong> contact ends: tip of gear 1")[0]);
   const double B = std::stod(row(page, "<strong>B</strong> one pitch before E")[0]);
   EXPECT_NEAR(D - A, pitch, 1.01e-4);
   EXPECT_NEAR(E - B, pitch, 1.01e-4);

@@ -20,7 +20,8 @@ constexpr double kPlotWidth = 400.0;  // the rest is for labels
 constexpr double kMargin = 22.0;      // px around the essential part
 constexpr int kFewTeeth = 12;  // with more teeth, a root without undercut looks like any other
 
-// Points are marked on the right of the tooth, which is the side y < 0 of the gear frame: mirrored.
+// Points are marked on the right of the tooth, which is the side y < 0 of the gear frame, so they
+// are mirrored.
 
 const Arc& flank_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);

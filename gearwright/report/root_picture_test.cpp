@@ -43,7 +43,7 @@ TEST(RootPicture, UndercutBeginsWhereTheFlankMeetsTheBaseCircle) {
   for (const Gear& gear : {testing::two_teeth(), sample_gear(12, 2, 15, 0.4, 0.0, -0.05)}) {
     const Vec2 F = undercut_limit_point(gear);
     EXPECT_NEAR(F.norm(), gear.base_radius(), 1e-13 * gear.base_radius());
-    // The flank as it is, run back to ξ = 0.
+    // The actual flank, continued back to ξ = 0.
     const Arc* flank = gear.tooth->outline.find(ArcName::flank);
     EXPECT_LT((flank->curve->point(0.0) - F).norm(), 1e-12);
   }

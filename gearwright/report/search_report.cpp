@@ -115,10 +115,9 @@ std::string thumbnail_section(const SearchReport& report) {
   if (n < 2) return {};
   std::string text = fmt::format(
       "<section>\n<h2>Room for the profile shifts of the best {}</h2>\n<p>{} to the right, {} up, "
-      "each in its own window: the filled region is what the limits leave, the dot the design. "
-      "Much "
-      "room forgives changes later on; a sliver or a line asks for exactly these shifts.</p>\n<div "
-      "class=\"multiples\">\n",
+      "each in its own window. The filled region contains the shifts within the limits, and the "
+      "dot is the design. A large region allows later changes. A narrow region or a line allows "
+      "hardly any other shifts.</p>\n<div class=\"multiples\">\n",
       n, symbol_html("x_1"), symbol_html("x_2"));
   for (std::size_t i = 0; i < n; ++i) {
     const DesignRow& row = report.answer.designs[i];

@@ -40,7 +40,7 @@ TEST(SearchReport, CountsInWords) {
   EXPECT_TRUE(has(page,
                   "<th scope=\"row\">centre distance out of reach</th><td "
                   "class=\"value\">2\u202f698</td>"));
-  EXPECT_FALSE(has(page, "sliding too fast"));  // nothing fell to it
+  EXPECT_FALSE(has(page, "sliding too fast"));  // this limit rejected no trial
   const DesignRow& best = sample.answer->designs.front();
   EXPECT_TRUE(has(page, "contact ratio " + fixed(best.contact_ratio, 3) + "."));
   EXPECT_TRUE(has(page, "All 56 by contact ratio"));
@@ -58,7 +58,7 @@ TEST(SearchReport, TheBestTwentyHaveTheirRegions) {
   for (const char* picture :
        {"id=\"region\"", "id=\"designs-plot\"", "id=\"chart-limits\"", "id=\"chart-identical\""})
     EXPECT_EQ(count_of(page, picture), 1u) << picture;
-  // With fewer rows, no picture leads to a row that is not there.
+  // With fewer rows, no picture links to a row that is missing.
   const std::string few = search_report(sample.report(5));
   EXPECT_EQ(count_of(few, "href=\"#design-"), 5u);
 }

@@ -154,7 +154,7 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
       "data-first=\"ascending\" title=\"rank\">#</th>";
   if (fronts)
     text +=
-        "<th scope=\"col\" class=\"value\" title=\"on the Pareto front: no other design betters it "
+        "<th scope=\"col\" class=\"value\" title=\"on the Pareto front: no other design is better "
         "in every objective\" data-first=\"descending\">front</th>";
   for (const Column& c : columns) text += heading(c);
   text += "</tr></thead>\n<tbody>\n";
@@ -174,7 +174,7 @@ std::string design_table_key(const SearchProblem& problem, const SearchAnswer& a
   std::string text;
   if (problem.objectives.size() > 1)
     text +=
-        "<dt>front</dt><dd>● on the Pareto front: no other design betters it in every "
+        "<dt>front</dt><dd>● on the Pareto front: no other design is better in every "
         "objective</dd>\n";
   for (const Column& c : columns_of(records_of(problem, answer, rows)))
     text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", symbol_of(c), escaped(words_of(c)));

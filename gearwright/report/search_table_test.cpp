@@ -92,7 +92,7 @@ TEST(SearchTable, InterferenceComesFirstAndOnlyWhereSomethingInterferes) {
   EXPECT_EQ(table_of(clean).find("interference"), std::string::npos);
 }
 
-// What a reader of the page is told has no key of a file and no number of an equation in it.
+// The text of the page contains no key of a file and no number of an equation.
 TEST(SearchTable, TheKeySpeaksToReadersOfThePage) {
   for (const SearchSample& sample : testing::all_searches()) {
     const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);

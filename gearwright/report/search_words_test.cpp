@@ -36,7 +36,8 @@ TEST(SearchWords, EveryLimitHasWordsOfItsOwn) {
   EXPECT_EQ(words_of(Limit::interference), "interference");
 }
 
-// Values grow the natural way, costs the way of ranks; designs that do not rank have values too.
+// Values increase naturally, and costs increase with the rank. Designs without a rank have values
+// too.
 TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
   const SearchProblem problem = testing::spur_problem();
   DesignRow row;
@@ -52,7 +53,7 @@ TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
   EXPECT_NEAR(*value_of(problem, row, Objective::ratio), 0.05, 1e-12);
   EXPECT_EQ(value_of(problem, row, Objective::size), 2.5 * 2.5 * (20 * 20 + 41 * 41));
   EXPECT_NEAR(*value_of(problem, row, Objective::shift), 0.3, 1e-15);
-  EXPECT_FALSE(value_of(problem, row, Objective::sliding));  // ζ is given nowhere
+  EXPECT_FALSE(value_of(problem, row, Objective::sliding));  // the problem has no ζ
 }
 
 TEST(SearchWords, NamesAndCounts) {

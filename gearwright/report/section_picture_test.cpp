@@ -26,8 +26,8 @@ TEST(SectionPicture, LineOfActionAtItsTrueLengthAndAngle) {
   }
 }
 
-// Cylinders are cut where they are: the tips pass through A and E, and the line touches the base
-// cylinders at T_1 and T_2.
+// The sections of the cylinders are exact. The tips pass through A and E, and the line touches the
+// base cylinders at T_1 and T_2.
 TEST(SectionPicture, CylindersPassThroughTheEndsOfTheLine) {
   for (const CrossedPair& pair : testing::crossed_pairs()) {
     const Mesh<double>& m = pair.mesh;

@@ -98,7 +98,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   for (std::size_t i = 0; i < kChartTips.size(); ++i) {
     const auto meet = where_limits_meet(chart, i);
     if (!meet) continue;
-    // The labels are stacked where undercut leaves nothing else to draw.
+    // The labels are stacked at the bottom, below the limit of undercut, where nothing else is
+    // drawn.
     const double level = f.y.lo + (0.05 + 0.09 * static_cast<double>(i)) * (f.y.hi - f.y.lo);
     f.line({{meet->teeth, meet->shift}, {meet->teeth, level}}, "thin dash");
     f.dot({meet->teeth, meet->shift}, 4.0, "mark");

@@ -41,7 +41,7 @@ TEST(ShiftPicture, UndercutEndsAtTheLimit) {
       ASSERT_TRUE(t.rounded);
       EXPECT_FALSE(t.rounded->undercut);
       EXPECT_TRUE(t.rounded->tooth->root_fillet);
-      // The flank begins where the gear's own fillet has it begin, beyond F.
+      // The flank begins at the end of the gear's own fillet, beyond F.
       const double l_F = std::max(0.0, *t.rounded->involute()->undercut_l);
       const double offset = gear.spec.root_fillet ? gear.spec.root_fillet->offset : 0.0;
       EXPECT_NEAR(*t.rounded->involute()->point_c_l, l_F + offset, 1e-12);

@@ -23,8 +23,8 @@ Vec2 design_of(const DesignRow& row) { return {row.shift[0], row.shift[1]}; }
 std::string description(const ShiftRegion& region, const DesignRow& row) {
   return fmt::format(
       "Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible region has the "
-      "area {:.4g}, from {}, {} at the least sum to {}, {} at the greatest; the design stands at "
-      "{}, {}.",
+      "area {:.4g}, from {}, {} at the least sum to {}, {} at the greatest; the design is at {}, "
+      "{}.",
       region.area, fixed(region.lo.x(), 4), fixed(region.lo.y(), 4), fixed(region.hi.x(), 4),
       fixed(region.hi.y(), 4), fixed(row.shift[0], 4), fixed(row.shift[1], 4));
 }

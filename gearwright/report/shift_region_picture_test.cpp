@@ -68,7 +68,7 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
                         fixed(row.hi.y(), 4) + " at the greatest"),
             figure.npos);
   EXPECT_NE(
-      figure.find("the design stands at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
+      figure.find("the design is at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
       figure.npos);
   for (const char* name : {">min ", ">max ", ">design<", ">balanced<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
@@ -76,7 +76,8 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
   EXPECT_EQ(figure, figure_of(sample, row));
 }
 
-// 2 · 33:67 stands at 100 mm without shift, in the middle of the band: both distances bound it.
+// Without shifts, 2 · 33:67 has the centre distance 100 mm, in the middle of the band, so both
+// limits of the band bound the region.
 TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
   const SearchSample sample = testing::spur_search();
   for (const DesignRow& row : sample.answer->designs) {
@@ -123,7 +124,8 @@ TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   EXPECT_EQ(all.find("class=\"region-map\""), all.npos);
 }
 
-// Without interference an internal gear of 60 leaves 40 teeth two regions apart.
+// If interference is excluded, an internal gear of 60 teeth with a pinion of 40 has two separate
+// regions.
 TEST(ShiftRegionPicture, ARegionInTwoPieces) {
   SearchProblem p = testing::spur_problem();
   p.ratio = {-1.5, -1.5};

@@ -275,7 +275,7 @@ std::vector<ShiftedTooth> shifted_teeth(const Gear& gear) {
     if (!cut) continue;  // beyond the limits of a spec
     ShiftedTooth t{x, x == own, std::move(cut).take(), std::nullopt};
     spec.root_fillet = gear.spec.root_fillet.value_or(RootFilletSpec{});
-    // With its own tip if that fits, otherwise with that of the rack.
+    // The tooth has its own tip fillet if that fits, otherwise the tip of the rack.
     spec.tip_fillet = gear.spec.tip_fillet;
     auto rounded = make_gear(spec);
     if (!rounded && spec.tip_fillet) {

@@ -1,5 +1,6 @@
 // Laws: (1) F⁻¹ grows and stays in the range   (2) its mean and variance over u are the closed ones
-// (3) a range without width is one number. Golden: the standard deviation of a cut normal distribution.
+// (3) a range of width 0 gives one number. Golden: the standard deviation of a cut normal
+// distribution.
 #include "gearwright/scatter/distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ TEST(Distribution, NormalIsCutAtItsLimits) {
   EXPECT_NEAR(d.at(0.5), 0.0, 1e-15);
   EXPECT_NEAR(d.at(1e-12), -3.0, 1e-8);
   EXPECT_NEAR(d.at(1 - 1e-12), 3.0, 1e-8);
-  // A mean off the middle: the nearer end is 3 C_pk standard deviations away.
+  // If the mean is not in the middle, the nearer end is 3 C_pk standard deviations away.
   const Distribution off = made({{-3.0, 3.0}, Kind::normal, 1.0, 1.5});
   EXPECT_NEAR(off.at(0.5), 1.5 - 0.5 * 1.25331 * 2 * (1 - 0.99865), 3e-3);
 }

@@ -47,7 +47,7 @@ class PairCurve {
     while (i < size && te_[static_cast<std::size_t>(way > 0 ? i : size - 1 - i)] == kNone) ++i;
     return i;
   }
-  // Whether it is new.
+  // Records a touch. Returns true if it is new.
   bool offer(int m, const PairTouch& t) {
     if (std::abs(m) > most_) return false;
     const auto at = static_cast<std::size_t>(m + most_);

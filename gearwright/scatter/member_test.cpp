@@ -17,7 +17,7 @@ using Q = ScatterQuantity;
 
 Deviation none(const ContactSetup& setup) { return deviation_at(setup, {}, {}); }
 
-// Least play as the verb contact has it.
+// Least backlash, as computed by the verb contact.
 double least_play(const ContactResult& driving, const ContactResult& other, bool gear2_drives) {
   Angle least = Angle::degrees(360);
   for (std::size_t i = 0; i < driving.positions.size(); ++i) {
@@ -130,7 +130,8 @@ TEST(Member, SpurGearsHaveClosedForms) {
                 2 * second + 0.002 * std::abs(play));
     EXPECT_GT(m[Q::edge_share], 0.99);
   }
-  // More centre distance: 2 sin α_wt ΔC/r_b2 of play, with α_wt between its two ends.
+  // A greater centre distance adds the backlash 2 sin α_wt ΔC/r_b2, with α_wt between the values at
+  // both ends.
   Deviation farther = none(plain);
   farther.errors.center_distance = 0.01;
   const double gained =
@@ -167,7 +168,8 @@ TEST(Tolerance, BoresMoveAndTiltTheAxis) {
   const std::vector<ScatterTolerance> tolerances{bore(false), bore(true)};
   EXPECT_EQ(coordinates_of(tolerances), 4);
   const auto at = [&](std::vector<double> x) { return deviation_at(setup, tolerances, x).errors; };
-  // Both by x: the axis moves. One against the other: it tilts, and at the gear it moves as well.
+  // If both bores are displaced by x, the axis moves. If they are displaced in opposite directions,
+  // the axis tilts and also moves at the gear.
   EXPECT_DOUBLE_EQ(at({0.01, 0.0, 0.01, 0.0}).center_distance, -0.01);
   EXPECT_DOUBLE_EQ(at({0.01, 0.0, 0.01, 0.0}).intersecting.rad(), 0.0);
   EXPECT_DOUBLE_EQ(at({-0.01, 0.0, 0.01, 0.0}).intersecting.rad(), 2e-4);

@@ -1,5 +1,5 @@
 // Laws: (1) the percentile after is at most that before   (2) the same bytes on any number of threads.
-// Oracle: the percentile over a dense scan of the correction, one member after the other.
+// Oracle: the percentile over a dense scan of the correction, computed for each member separately.
 #include "gearwright/scatter/robust.hpp"
 
 #include <gtest/gtest.h>
@@ -41,8 +41,8 @@ class Robust : public ::testing::Test {
 };
 
 TEST_F(Robust, CrowningIsThatOfAScan) {
-  // cases/scatter.json, robust-crowning: a scan of whole micrometres over 1024 samples has its least,
-  // 2.750", at 3 µm, 3.516" at 0 and 3.4" at 20 µm.
+  // cases/scatter.json, robust-crowning: a scan in steps of 1 µm over 1024 samples has its minimum,
+  // 2.750", at 3 µm. The value is 3.516" at 0 and 3.4" at 20 µm.
   const ContactSetup setup = testing::plain_helical_pair().setup();
   const ScatterTask task = housing(32, 256);
   const auto found = robust_corrections(setup, task, crowning(20));
@@ -50,7 +50,7 @@ TEST_F(Robust, CrowningIsThatOfAScan) {
   EXPECT_NEAR(found->value[0], 3.0, 1.0);
   EXPECT_NEAR(percentile(found->before), 3.516, 0.21);
   EXPECT_NEAR(percentile(found->after), 2.750, 0.14);
-  // Judged by samples that the search has not seen.
+  // The result is compared by samples that the search did not use.
   ScatterTask other = task;
   other.seed = task.seed + 1;
   other.percentiles = {95};
@@ -62,7 +62,7 @@ TEST_F(Robust, CrowningIsThatOfAScan) {
 }
 
 TEST_F(Robust, NothingIsWorseThanNothing) {
-  // A pair with crowning enough: with more, and with a slope, there is little or nothing to gain.
+  // The pair has sufficient crowning. More crowning or a slope gains little or nothing.
   const ContactSetup setup = testing::helical_pair().setup();
   ScatterTask task = housing(12, 64);
   const RobustTask robust{{{CorrectionOf::lead_crowning, 1}, {CorrectionOf::profile_slope, 2}},
@@ -116,7 +116,7 @@ TEST(Loosening, IsWhereThePercentileHasGrown) {
     return scatter_of(setup, t)->spread[0]->percentiles[2].estimate.value;
   };
   EXPECT_NEAR(l.percentile, changed(0, 1.0), 1e-15);
-  // The centre distance changes the curve by nothing that matters, a shaft's angle does.
+  // The centre distance has a negligible effect on the curve, but a shaft angle has not.
   EXPECT_FALSE(l.by_tolerance[0].factor);
   ASSERT_TRUE(l.by_tolerance[1].factor);
   for (std::size_t i = 0; i < 3; ++i) {

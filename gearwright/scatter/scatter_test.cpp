@@ -129,11 +129,12 @@ TEST(Scatter, IndicesOfThePlayAreSharesOfItsVariance) {
     EXPECT_NEAR(indices(s, Q::least_play)->first[i].value, part[i] * part[i] / sum, 0.01);
     EXPECT_NEAR(indices(s, Q::least_play)->total[i].value, part[i] * part[i] / sum, 0.01);
   }
-  // Two tolerances as one: their shares add.
+  // If two tolerances form one group, their shares add up.
   task.groups = {{"housing", {0}}, {"teeth", {1, 2}}};
   const Scatter grouped = done(setup, task);
   EXPECT_NEAR(indices(grouped, Q::least_play)->total[1].value, 1 - part[0] * part[0] / sum, 0.01);
-  // Conjugate flanks on parallel axes have no transmission error, so that nobody is to blame for it.
+  // Conjugate flanks on parallel axes have no transmission error, so no tolerance has an influence
+  // on it.
   EXPECT_FALSE(indices(s, Q::peak_to_peak));
 }
 
@@ -151,7 +152,8 @@ TEST(Scatter, TheWorstMayLieInside) {
   task.worst_case = true;
   const Scatter s = done(setup, task);
   ASSERT_TRUE(s.worst_peak_to_peak && s.worst_least_play);
-  // Another program's scan: 0.6353" and 0.7368" at the ends, 4.3057" within 0.05" at -0.03328°.
+  // Values of a scan by another program: 0.6353" and 0.7368" at the ends, 4.3057" within 0.05" at
+  // -0.03328°.
   EXPECT_NEAR(s.worst_peak_to_peak->value * kArcsecPerRad, 4.3057, 0.05);
   EXPECT_NEAR(s.worst_peak_to_peak->x[0], -0.03328, 5e-4);
   EXPECT_FALSE(s.worst_peak_to_peak->corner);
@@ -176,7 +178,7 @@ TEST(Scatter, JamsAndLostContactAreCounted) {
   ScatterTask task = task_of({testing::distance(0.05)}, 2, 64, 2);
   const ContactSetup setup = drawn.setup();
   const Scatter s = done(setup, task);
-  // [T14.14]: play is 0 where 2 sin α_wt ΔC/r_b2 takes all that the drawing has.
+  // [T14.14]: the backlash is 0 where 2 sin α_wt ΔC/r_b2 equals the backlash of the drawing.
   const double r_b2 = setup.gear(2).base_radius();
   const double sine = std::sin(std::acos((setup.gear(1).base_radius() + r_b2) / 60.4));
   const double play = member_at(setup, deviation_at(setup, {}, {}), task.member)[Q::least_play];

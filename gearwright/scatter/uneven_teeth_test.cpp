@@ -1,5 +1,5 @@
-// Laws of uneven pitches and of waves; TE over the long period against its definition, with a cold search
-// for every tooth pair at every rotation.
+// Laws of uneven pitches and of waves. TE over the long period is compared with its definition, a
+// cold search for every tooth pair at every rotation.
 #include "gearwright/scatter/uneven_teeth.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST(FormWave, IsASineOfTheWholeHeight) {
   }
 }
 
-// [T14.22] as it is written, every tooth pair by itself.
+// [T14.22] as written, for every tooth pair separately.
 double by_definition(const ContactPair& pair, int n, const std::array<int, 2>& teeth,
                      const std::array<std::vector<double>, 2>& pitch) {
   Transmission transmission(pair);

@@ -127,7 +127,7 @@ class BadInput(unittest.TestCase):
 
     def test_an_output_that_stands_still(self):
         self.error("[planetary]\nplanet = 20\nring = 60\nring2 = 60\nplanets = 3\n"
-                   'input = "carrier"\noutput = "ring2"\n', "planetary.output", "stands still")
+                   'input = "carrier"\noutput = "ring2"\n', "planetary.output", "does not rotate")
 
     def test_loops_whose_ratios_disagree_name_their_meshes(self):
         bodies = "".join(f'[[drive.body]]\nname = "{b}"\n' for b in "abc")

@@ -149,7 +149,7 @@ class Load(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             run = self.compensated('aim = "pressure"\n' + only, verb="run", options=("--json", "--out", folder))
             self.assertEqual(run.json["compensate"], answer)
-            self.assertIn("the flanks bear up to", (Path(folder) / "report.html").read_text())
+            self.assertIn("the greatest pressure on the flanks is then", (Path(folder) / "report.html").read_text())
 
     def test_corrections_without_load_are_as_before(self):
         answer = self.compensated("").json["compensate"]
