@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/drive_search_quantities.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {

@@ -9,10 +9,12 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_search_quantities.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive_search.hpp"
 
 namespace gearwright {
