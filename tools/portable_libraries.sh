@@ -39,7 +39,7 @@ folder() { find "$sources" -maxdepth 1 -type d -name "$1-*" | head -n 1; }
 with_cmake() {
   local from=$1
   shift
-  local build=$root/work/$target/$(basename "$from")
+  local build=$root/made/$target/$(basename "$from")
   cmake -S "$from" -B "$build" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX="$into" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF \
     -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_CXX_FLAGS=-ffp-contract=off -DCMAKE_C_FLAGS=-ffp-contract=off \
@@ -49,7 +49,7 @@ with_cmake() {
 
 # A library of plain C: NAME, its options, then its sources.
 plain_c() {
-  local name=$1 options=$2 compiler work=$root/work/$target/$1
+  local name=$1 options=$2 compiler work=$root/made/$target/$1
   shift 2
   compiler=$(sed -n 's/^set(CMAKE_C_COMPILER \(.*\))$/\1/p' "$toolchain")
   mkdir -p "$work"
@@ -60,7 +60,7 @@ plain_c() {
 
 # SQLite is one file, which its own scripts put together; tclsh runs them.
 sqlite() {
-  local together=$root/work/sqlite
+  local together=$root/made/sqlite
   if [ ! -f "$together/complete" ]; then
     rm -rf "$together"
     cp -r "$(folder sqlite3)" "$together"
@@ -82,7 +82,7 @@ zlib() {
 # Debian's toml++ is a shared library, which the objects of the preset `release` call. The other programs are compiled
 # with its headers alone.
 tomlplusplus() {
-  local work=$root/work/$target/tomlplusplus
+  local work=$root/made/$target/tomlplusplus
   mkdir -p "$work"
   printf '#define TOML_IMPLEMENTATION\n#include <toml++/toml.h>\n' >"$work/toml.cpp"
   g++ -std=c++20 -O2 -DNDEBUG -fPIC -ffp-contract=off -DTOML_HEADER_ONLY=0 -c "$work/toml.cpp" -o "$work/toml.o"
@@ -90,8 +90,8 @@ tomlplusplus() {
 }
 
 fetch
-rm -rf "$into" "$root/work/$target"
-mkdir -p "$into/lib" "$into/include" "$root/work/$target"
+rm -rf "$into" "$root/made/$target"
+mkdir -p "$into/lib" "$into/include" "$root/made/$target"
 with_cmake "$(folder fmtlib)" -DFMT_TEST=OFF -DFMT_DOC=OFF
 zlib
 with_cmake "$(folder onetbb)" -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DTBB_FIND_PACKAGE=OFF

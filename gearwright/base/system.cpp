@@ -7,12 +7,27 @@
 #include <cerrno>
 #include <csignal>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace gearwright {
 
 namespace {
 
 int open_file(const std::filesystem::path& path, int flags) {
   return ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+}
+
+// Lets the allocator keep what is freed. By default glibc returns large blocks to the system at once,
+// and a third of the time of loaded contact went into fetching their pages again.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kMegabyte = 1 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the greatest value that glibc takes
+  ::mallopt(M_TRIM_THRESHOLD, 1024 * kMegabyte);
+  ::mallopt(M_TOP_PAD, 16 * kMegabyte);
+#endif
 }
 
 }  // namespace
@@ -87,6 +102,7 @@ std::string native_text(std::filesystem::path path) { return path.make_preferred
 
 std::vector<std::string> start_program(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
+  keep_freed_memory();
   return {argv + 1, argv + argc};
 }
 

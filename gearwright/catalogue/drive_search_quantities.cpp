@@ -92,6 +92,15 @@ void say_found(Quantities<F>& q) {
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
 }
 
+// A number for each name.
+template <std::size_t N, class T>
+Value counts(const std::array<std::string_view, N>& names, const std::array<T, N>& numbers) {
+  ValueMap map;
+  for (std::size_t i = 0; i < N; ++i)
+    map.emplace_back(std::string(names[i]), static_cast<long long>(numbers[i]));
+  return Value(std::move(map));
+}
+
 void say_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
   q.word("kind", "kind", "of drive", [](const S& s) {
@@ -106,13 +115,7 @@ void say_search(Quantities<DriveSearchView>& q) {
   q.add(Type::map, "rejected", "rejected", "",
         "number of sets that each limit ruled out; the first one counts, in the order `ratio`, "
         "`assembly`, `neighbours`, `phasing`",
-        [](const S& s) {
-          ValueMap map;
-          for (std::size_t i = 0; i < kDriveLimitNames.size(); ++i)
-            map.emplace_back(std::string(kDriveLimitNames[i]),
-                             static_cast<long long>(s.result->rejected[i]));
-          return Value(std::move(map));
-        })
+        [](const S& s) { return counts(kDriveLimitNames, s.result->rejected); })
       .always()
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
@@ -123,13 +126,7 @@ void say_search(Quantities<DriveSearchView>& q) {
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close with their profile shifts), `safety`, `verdict` "
         "(amber or red)",
-        [](const S& s) {
-          ValueMap map;
-          for (std::size_t i = 0; i < kDriveFaultNames.size(); ++i)
-            map.emplace_back(std::string(kDriveFaultNames[i]),
-                             static_cast<long long>(s.designs->left_out[i]));
-          return Value(std::move(map));
-        })
+        [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
       .always()
       .doors(kJson);
   q.add(Type::index, "pareto", "Pareto front", "",

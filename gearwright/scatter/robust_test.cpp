@@ -33,14 +33,7 @@ double percentile(const Scatter& s) {
   return RobustCorrections::percentile(s).estimate.value * kArcsecPerRad;
 }
 
-class Robust : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!can_minimise()) GTEST_SKIP() << "this build has no minimiser";
-  }
-};
-
-TEST_F(Robust, CrowningIsThatOfAScan) {
+TEST(Robust, CrowningIsThatOfAScan) {
   // cases/scatter.json, robust-crowning: a scan in steps of 1 µm over 1024 samples has its minimum,
   // 2.750", at 3 µm. The value is 3.516" at 0 and 3.4" at 20 µm.
   const ContactSetup setup = testing::plain_helical_pair().setup();
@@ -61,7 +54,7 @@ TEST_F(Robust, CrowningIsThatOfAScan) {
   EXPECT_NEAR(percentile(*again), percentile(found->after), 1e-9);
 }
 
-TEST_F(Robust, NothingIsWorseThanNothing) {
+TEST(Robust, NothingIsWorseThanNothing) {
   // The pair has sufficient crowning. More crowning or a slope gains little or nothing.
   const ContactSetup setup = testing::helical_pair().setup();
   ScatterTask task = housing(12, 64);
@@ -74,7 +67,7 @@ TEST_F(Robust, NothingIsWorseThanNothing) {
   EXPECT_EQ(found->after.contact_lost.count, 0);
 }
 
-TEST_F(Robust, ConjugateTeethAreLeftAlone) {
+TEST(Robust, ConjugateTeethAreLeftAlone) {
   // Parallel spur teeth under a change of the centre distance alone have no transmission error.
   const ContactSetup setup = testing::spur_pair(false).setup();
   ScatterTask task = housing(8, 16);
@@ -85,7 +78,7 @@ TEST_F(Robust, ConjugateTeethAreLeftAlone) {
   EXPECT_LT(percentile(found->after), 1e-6);
 }
 
-TEST_F(Robust, ThreadsDoNotMatter) {
+TEST(Robust, ThreadsDoNotMatter) {
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = housing(8, 64);
   std::vector<double> values;
