@@ -183,6 +183,10 @@ TEST(DriveAnswerTest, RatedSearchesNameWhatTheirLoadLacks) {
   const auto without = answer_drive_search(drive_job(kSizedSearch), 4, 1);
   ASSERT_FALSE(without);
   EXPECT_EQ(without.error().field, "rating.torque_Nm");
+  const auto flat = answer_drive_search(
+      drive_job("[search]\nkind = \"planetary\"\nratio = 4\nsafety_root_min = 1.5\n"), 4, 1);
+  ASSERT_FALSE(flat);
+  EXPECT_EQ(flat.error().field, "search.normal_module_mm");
   EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\n"
                               "face_width_mm = [20, 10]\n"),
             "search.face_width_mm");

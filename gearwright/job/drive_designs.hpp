@@ -24,7 +24,7 @@ bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 /// objectives, at most as many more of the Pareto front. Candidates without a green verdict are
 /// replaced by the next ones, until kMostComputedDrives have been computed.
 ///
-/// Errors    of a rating: its load or a material is missing or wrong
+/// Errors    of a rating: a module, its load or a material is missing or wrong
 Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
                                    const DriveSearchResult& result, std::size_t top, int threads);
 
