@@ -1,5 +1,5 @@
 // The designs of a search for drives: the candidates in their order, each computed as the verb drive
-// does, rated if the search wants safeties, and listed if its verdict is green.
+// does, rated if the search wants safeties, and listed if its verdict is green. Internal to job/.
 #pragma once
 
 #include <string>
