@@ -16,7 +16,7 @@
 #   make figures    draws the figures of the theory pages anew
 #   make python     the Python package as a wheel, build/python/*.whl
 #   make package    .deb and .tgz in build/package
-#   make dist       programs for Windows and Linux that need no package: build/dist
+#   make dist       programs for Windows (with an installer) and Linux that need no package: build/dist
 #   make test-dist  these programs against the native one, under Wine and QEMU
 #   make clean      remove build/
 
@@ -122,6 +122,7 @@ test-dist: dist
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target gearwright_cli
 	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine
+	tests/dist/test_installer.py build/dist/gearwright-*-windows-x86_64-setup.exe
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-x86_64/gearwright
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
 

@@ -5,6 +5,7 @@
 #
 #   gearwright-VERSION-windows-x86_64.zip     gearwright.exe, examples, documents, licences, the list of what is linked
 #                                             in (SPDX) and, if `make web` has built it, the page
+#   gearwright-VERSION-windows-x86_64-setup.exe  the same as an installer: start menu, PATH, uninstall
 #   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux: fully static
 #   gearwright-VERSION-linux-aarch64.tar.gz
 #   SHA256SUMS
@@ -52,6 +53,7 @@ pack() {
   if [ "$program" = gearwright.exe ]; then
     rm -f "$dist/$name.zip"
     (cd "$build/pack" && find "$name" | LC_ALL=C sort | TZ=UTC zip -q -X -@ "$dist/$name.zip")
+    tools/windows_installer.sh "$version" "$folder" "$dist/$name-setup.exe"
   else
     (cd "$build/pack" && tar --sort=name --owner=0 --group=0 --numeric-owner -cf - "$name") | gzip -9n >"$dist/$name.tar.gz"
   fi

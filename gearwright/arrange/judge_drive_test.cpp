@@ -21,9 +21,10 @@ using M = SetMember;
 // A tooth as the points of its half outline, root to tip, and its half angle as a function of radius.
 class Tooth {
  public:
-  explicit Tooth(const Gear& gear) : z_(std::abs(gear.spec.teeth)), internal_(gear.internal()) {
+  Tooth(const Gear& gear, int points_per_arc)
+      : z_(std::abs(gear.spec.teeth)), internal_(gear.internal()) {
     for (const Arc& arc : gear.tooth->outline.arcs)
-      for (const Vec2& p : sample(arc, 60)) {
+      for (const Vec2& p : sample(arc, points_per_arc)) {
         const Vec2 polar(p.norm(), std::atan2(p.y(), p.x()));
         if (points_.empty() || (points_.back() - polar).norm() > 0.0) points_.push_back(polar);
       }
@@ -78,15 +79,20 @@ double depth_in(const Tooth& a, const PlacedGear& at_a, const Tooth& b, const Pl
   return worst;
 }
 
-// The greatest overlap of any two gears of the set in `steps` of a turn of the sun, in modules.
-double overlap(const Drive& drive, int steps) {
+// The greatest overlap of any two gears of the set after the given turns of the sun, and its turn.
+struct Overlap {
+  double depth;  ///< modules
+  double turn;   ///< of the sun, in turns
+};
+
+Overlap overlap_at(const Drive& drive, const std::vector<double>& turns, int points_per_arc) {
   const auto layout = drive_layout(drive);
   EXPECT_TRUE(layout) << layout.error().message();
   std::vector<Tooth> teeth;
-  for (const auto& gear : drive.geometry.gears) teeth.emplace_back(*gear);
-  double worst = -1e9;
-  for (int step = 0; step < steps; ++step) {
-    const DriveLayout now = turned(drive, *layout, static_cast<double>(step) / steps);
+  for (const auto& gear : drive.geometry.gears) teeth.emplace_back(*gear, points_per_arc);
+  Overlap worst{-1e9, 0.0};
+  for (const double turn : turns) {
+    const DriveLayout now = turned(drive, *layout, turn);
     for (const PlacedGear& a : now.gears)
       for (const PlacedGear& b : now.gears) {
         if (a.gear == b.gear) continue;
@@ -94,11 +100,28 @@ double overlap(const Drive& drive, int steps) {
             drive.graph.gears[a.gear].teeth * drive.graph.gears[b.gear].teeth < 0 && a.copy == 0 &&
             b.copy == 0 && a.axis == b.axis;
         if (sun_ring) continue;
-        worst = std::max(worst, depth_in(teeth[a.gear], a, teeth[b.gear], b));
+        const double depth = depth_in(teeth[a.gear], a, teeth[b.gear], b);
+        if (depth > worst.depth) worst = {depth, turn};
       }
   }
-  return worst / drive.geometry.gears.front()->spec.normal_module;
+  worst.depth /= drive.geometry.gears.front()->spec.normal_module;
+  return worst;
 }
+
+// The chords of outlines with 60 points per arc are within 1e-4 m of the curves, and their error
+// falls with the square of the number of points. Where that cannot decide, 600 points decide at
+// the worst step. The thinnest overlap of LongJudgeDrive's 100 red sets is 3.1e-5 m (21:16:52,
+// backlash −0.0001 mm).
+constexpr double kChords = 1e-4;
+
+double overlap(const Drive& drive, int steps) {
+  std::vector<double> turns;
+  for (int step = 0; step < steps; ++step) turns.push_back(static_cast<double>(step) / steps);
+  const Overlap coarse = overlap_at(drive, turns, 60);
+  if (std::abs(coarse.depth) > kChords) return coarse.depth;
+  return overlap_at(drive, {coarse.turn}, 600).depth;
+}
+constexpr double kFineChords = kChords / 100;
 
 bool bodies_overlap(WarningCode code) {
   return code == WarningCode::overlap || code == WarningCode::negative_backlash ||
@@ -145,14 +168,12 @@ Counts try_sets(unsigned seed, int green, int red, int steps) {
     const std::string what = fmt::format(
         "{} {} {}, x {} {}, E {}, N {}", sun, planet, *set.z(M::ring), *set.profile_shift.each[0],
         *set.profile_shift.each[3], *set.allowance.all, set.planets);
-    // Chords of the sampled outlines are within 1e-4 m of the curves.
-    constexpr double kChords = 1e-4;
     if (verdict.level == Level::green && counts.green < green) {
       ++counts.green;
-      EXPECT_LT(overlap(*drive, steps), kChords) << what;
+      EXPECT_LT(overlap(*drive, steps), kFineChords) << what;
     } else if (reds && counts.red < red) {
       ++counts.red;
-      EXPECT_GT(overlap(*drive, steps), kChords) << what << verdict.headline;
+      EXPECT_GT(overlap(*drive, steps), kFineChords) << what << verdict.headline;
     }
   }
   return counts;
