@@ -48,7 +48,7 @@ void GapField::set_rotation(double phi1) {
 }
 
 GapJet GapField::at(double s, double z, double& s2) const {
-  const ProfileJet p = one_->profile.at(s);
+  const PolarJet p = one_->profile.at(s);
   // Flank 1 in its transverse section: w1 = e^{λ}, and λ by s and z.
   Complex l_s = p.d1;
   Complex l_ss = p.d2;

@@ -40,7 +40,7 @@ TEST(GapField, is_the_rotation_at_which_flank_2_passes) {
     const double s = 0.5 * (one.s_lo + one.s_hi), z = 3.0;
     double s2 = 0.3;
     const GapJet j = field.at(s, z, s2);
-    const ProfileJet w1 = one.profile.at(s);
+    const PolarJet w1 = one.profile.at(s);
     const Complex r1 = w1.factor * std::polar(1.0, w1.phase + one.twist * z - phi);
     const Complex r2 = r1 - p.place.center_distance;
     EXPECT_LT(std::abs(j.w - r2), 1e-13);

@@ -133,7 +133,7 @@ class Rasterer {
     if (node.patch < 0) return node;
     const FlankPatch& patch = ones[static_cast<std::size_t>(node.patch)];
     node.s = patch.profile.s_of(u);
-    const ProfileJet p = patch.profile.at(node.s);
+    const PolarJet p = patch.profile.at(node.s);
     node.azimuth = std::arg(p.factor) + p.phase + patch.center + z * patch.twist;
     return node;
   }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/overloaded.hpp"
-
 namespace gearwright {
 
 namespace {
@@ -26,102 +24,47 @@ void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2
 }  // namespace
 
 Profile::Profile(const Arc& arc, double side, double twist)
-    : side_(side), s_lo_(std::min(arc.begin, arc.end)), s_hi_(std::max(arc.begin, arc.end)) {
+    : curve_(arc.curve),
+      involute_(curve_if<Involute>(*curve_)),
+      circle_(curve_if<RackTrochoid>(*curve_)),
+      side_(side),
+      s_lo_(std::min(arc.begin, arc.end)),
+      s_hi_(std::max(arc.begin, arc.end)) {
   const double u_begin = std::log(arc.begin_point.norm());
   const double u_end = std::log(arc.end_point.norm());
   u_lo_ = std::min(u_begin, u_end);
   u_hi_ = std::max(u_begin, u_end);
-  const auto involute = [&](const Involute* curve) {
-    kind_ = Kind::involute;
-    base_radius_ = curve->base_radius();
-    base_half_angle_ = curve->base_half_angle();
+  if (involute_) {
     xi_sign_ = arc.begin + arc.end < 0.0 ? -1.0 : 1.0;
     grows_ = xi_sign_ > 0.0;
-    arm_per_cos_ = base_radius_ / std::hypot(1.0, base_radius_ * twist);
-  };
-  const auto rack_circle = [&](const RackTrochoid* curve) {
-    kind_ = Kind::rack_circle;
-    const RackMotion& m = curve->motion();
-    const EdgeCircle& c = curve->circle();
-    circle_ = {m.pitch_radius, m.cos_beta, c.center.x(), c.center.y(), c.q};
+    arm_per_cos_ = involute_->base_radius() / std::hypot(1.0, involute_->base_radius() * twist);
+  } else if (circle_) {
     grows_ = (u_end > u_begin) == (arc.end > arc.begin);
-    arm_per_cos_ = m.pitch_radius * m.cos_beta;
-  };
-  const auto by_radius = [&](const auto*) {
-    kind_ = Kind::by_radius;
-    curve_ = arc.curve;
+    arm_per_cos_ = circle_->motion().pitch_radius * circle_->motion().cos_beta;
+  } else {
     t_lo_ = u_begin < u_end ? arc.begin : arc.end;
     t_hi_ = u_begin < u_end ? arc.end : arc.begin;
     s_lo_ = u_lo_;
     s_hi_ = u_hi_;
     grows_ = true;
     arm_per_cos_ = twist;  // only the twist is needed in this case
-  };
-  std::visit(Overloaded{involute, rack_circle, by_radius}, arc.curve->kind());
-}
-
-// W = (r + x + ik) e^{iφ} and its derivatives by τ. [T8.6]
-ProfileJet Profile::circle_at(double tau) const {
-  const Circle& g = circle_;
-  const double s = std::sin(tau);
-  const double c = std::cos(tau);
-  const double cot = c / s;
-  const double csc2 = 1.0 / (s * s);
-  const double k = g.cos_beta * (g.x * cot + g.q * c);
-  const double k1 = -g.cos_beta * (g.x * csc2 + g.q * s);
-  const double k2 = g.cos_beta * (2.0 * g.x * cot * csc2 - g.q * c);
-  const double y = g.y + g.q * c;
-  const Complex f{g.r + g.q * s + g.x, k};
-  const Complex over = std::conj(f) / std::norm(f);
-  const Complex a = times({g.q * c, k1}, over);
-  const double phi1 = (-g.q * s / g.cos_beta - k1) / g.r;
-  const double phi2 = (-g.q * c / g.cos_beta - k2) / g.r;
-  ProfileJet j;
-  j.factor = with_side(f, side_);
-  j.phase = side_ * (y / g.cos_beta - k) / g.r;
-  j.d1 = with_side(a + Complex{0.0, phi1}, side_);
-  j.d2 = with_side(times({-g.q * s, k2}, over) - times(a, a) + Complex{0.0, phi2}, side_);
-  return j;
-}
-
-double Profile::circle_log_radius(double tau, double& slope) const {
-  const Circle& g = circle_;
-  const double s = std::sin(tau);
-  const double c = std::cos(tau);
-  const double k = g.cos_beta * (g.x * c / s + g.q * c);
-  const double k1 = -g.cos_beta * (g.x / (s * s) + g.q * s);
-  const double a = g.r + g.x + g.q * s;
-  const double square = a * a + k * k;
-  slope = (a * g.q * c + k * k1) / square;
-  return 0.5 * std::log(square);
-}
-
-ProfileJet Profile::at(double s) const {
-  if (kind_ == Kind::rack_circle) return circle_at(s);
-  ProfileJet j;
-  if (kind_ == Kind::involute) {
-    const double square = 1.0 + s * s;
-    j.factor = base_radius_ * Complex{1.0, side_ * s};
-    j.phase = side_ * (base_half_angle_ - s);
-    j.d1 = Complex{s, -side_ * s * s} / square;
-    const Complex inverse = Complex{1.0, -side_ * s} / square;
-    j.d2 = times(inverse, inverse);
-    return j;
   }
+}
+
+PolarJet Profile::at(double s) const {
+  if (involute_) return involute_->polar_jet(s).on_side(side_);
+  if (circle_) return circle_->polar_jet(s).on_side(side_);
   const RadialJet r = curve_at_radius(s);
-  j.factor = std::exp(s) * r.factor / std::abs(r.factor);
-  j.phase = r.phase;
-  j.d1 = Complex{1.0, r.d1};
-  j.d2 = Complex{0.0, r.d2};
-  return j;
+  return {std::exp(s) * r.factor / std::abs(r.factor), r.phase, Complex{1.0, r.d1},
+          Complex{0.0, r.d2}};
 }
 
 RadialJet Profile::involute_at_radius(double u) const {
-  const double ratio = std::exp(u) / base_radius_;
+  const double ratio = std::exp(u) / involute_->base_radius();
   const double xi = xi_sign_ * std::sqrt(std::max(kMinRollSquare, (ratio - 1.0) * (ratio + 1.0)));
   RadialJet r;
   r.factor = Complex{1.0, side_ * xi};
-  r.phase = side_ * (base_half_angle_ - xi);
+  r.phase = side_ * (involute_->base_half_angle() - xi);
   r.d1 = -side_ * xi;
   r.d2 = -side_ * (1.0 + xi * xi) / xi;
   return r;
@@ -139,10 +82,10 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
   double lo = s_lo_;
   double hi = s_hi_;
   if (!(s > lo && s < hi)) s = 0.5 * (lo + hi);
-  ProfileJet j;
+  PolarJet j;
   double rest = 0.0;
   for (int i = 0; i < kMax; ++i) {
-    j = circle_at(s);
+    j = circle_->polar_jet(s);
     const double here = std::norm(j.factor);
     const double x = (square - here) / here;
     rest = std::abs(x) < kSmall ? x * (0.5 - x * (0.25 - x / 6.0)) : 0.5 * std::log1p(x);
@@ -154,6 +97,7 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
     if (next == s) break;
     s = next;
   }
+  j = j.on_side(side_);
   RadialJet r;
   slopes(j.d1, j.d2, r.d1, r.d2);
   r.factor = j.factor;
@@ -179,9 +123,9 @@ RadialJet Profile::curve_at_radius(double u) const {
 
 RadialJet Profile::at_radius(double u, double& s) const {
   const double inside = std::clamp(u, u_lo_, u_hi_);
-  RadialJet r = kind_ == Kind::involute      ? involute_at_radius(inside)
-                : kind_ == Kind::rack_circle ? circle_at_radius(inside, s)
-                                             : curve_at_radius(inside);
+  RadialJet r = involute_ ? involute_at_radius(inside)
+                : circle_ ? circle_at_radius(inside, s)
+                          : curve_at_radius(inside);
   if (const double beyond = u - inside; beyond != 0.0) {
     r.phase += (r.d1 + 0.5 * r.d2 * beyond) * beyond;
     r.d1 += r.d2 * beyond;
@@ -190,11 +134,11 @@ RadialJet Profile::at_radius(double u, double& s) const {
 }
 
 TurnPerRemoval Profile::turn_per_removal(double s) const {
-  if (kind_ == Kind::involute) return {1.0 / arm_per_cos_, 0.0, 0.0};
-  if (kind_ == Kind::rack_circle) {
+  if (involute_) return {1.0 / arm_per_cos_, 0.0, 0.0};
+  if (circle_) {
     // k = 1/(r cos β cos τ), because the rack moves along the datum line, on which its normal has
     // the component cos τ cos β.
-    const ProfileJet j = circle_at(s);
+    const PolarJet j = circle_->polar_jet(s);
     const double k = 1.0 / (arm_per_cos_ * std::cos(s));
     const double t = std::tan(s);
     const double k_s = k * t;
@@ -212,9 +156,9 @@ double Profile::s_of(double u) const { return s_of(u, 0.5 * (s_lo_ + s_hi_)); }
 
 double Profile::s_of(double u, double start) const {
   const double inside = std::clamp(u, u_lo_, u_hi_);
-  if (kind_ == Kind::by_radius) return inside;
-  if (kind_ == Kind::involute) {
-    const double ratio = std::exp(inside) / base_radius_;
+  if (!involute_ && !circle_) return inside;
+  if (involute_) {
+    const double ratio = std::exp(inside) / involute_->base_radius();
     const double xi = xi_sign_ * std::sqrt(std::max(0.0, (ratio - 1.0) * (ratio + 1.0)));
     return std::clamp(xi, s_lo_, s_hi_);
   }
@@ -222,8 +166,8 @@ double Profile::s_of(double u, double start) const {
   double hi = s_hi_;
   double s = std::clamp(start, lo, hi);
   for (int i = 0; i < 200; ++i) {
-    double slope = 0.0;
-    const double rest = inside - circle_log_radius(s, slope);
+    const auto [u_here, slope] = circle_->log_radius(s);
+    const double rest = inside - u_here;
     if (std::abs(rest) <= kRounding) break;
     ((rest > 0.0) == grows_ ? lo : hi) = s;
     double next = s + rest / slope;
@@ -235,7 +179,7 @@ double Profile::s_of(double u, double start) const {
 }
 
 std::optional<double> Profile::rack_angle(double s) const {
-  if (kind_ == Kind::rack_circle) return s;
+  if (circle_) return s;
   return std::nullopt;
 }
 

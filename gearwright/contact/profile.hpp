@@ -12,30 +12,17 @@
 // Along a piece the radius is monotone, so that θ(u) is a function.
 #pragma once
 
-#include <complex>
+#include <optional>
 
+#include "gearwright/base/vector.hpp"
+#include "gearwright/curve/polar_jet.hpp"
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 
 namespace gearwright {
 
-using Complex = std::complex<double>;
-
-/// A product without the library's treatment of infinities, which costs a branch.
-inline Complex times(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
 /// A point of the transverse plane, at the height z.
 inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
-
-/// The outline at a parameter: W = factor · e^{i phase}. The two are kept apart, so that the phases
-/// of a flank, its lead and its rotation need one sine and cosine together.
-struct ProfileJet {
-  Complex factor;  ///< mm:  W = factor · e^{i phase}
-  double phase;    ///< rad
-  Complex d1, d2;  ///< ℓ′, ℓ″ by s
-};
 
 /// The outline at a radius:  θ = arg(factor) + phase.
 struct RadialJet {
@@ -63,7 +50,7 @@ class Profile {
   double side() const { return side_; }
 
   /// Domain  any s near the piece; the formulas continue beyond its ends.
-  ProfileJet at(double s) const;
+  PolarJet at(double s) const;
   /// At ln ρ = u. Beyond the ends of the piece a Taylor series of second order is used. `s` holds
   /// the parameter of the last call and is updated (circles of a rack iterate from it).
   RadialJet at_radius(double u, double& s) const;
@@ -71,29 +58,22 @@ class Profile {
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;                ///< solved to rounding; u is moved into the piece
   double s_of(double u, double start) const;  ///< the same, starting nearby
-  bool is_involute() const { return kind_ == Kind::involute; }
+  bool is_involute() const { return involute_ != nullptr; }
   /// Normal angle of the generating rack's circle; none if no such circle cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:
-  enum class Kind { involute, rack_circle, by_radius };
-  struct Circle {
-    double r, cos_beta, x, y, q;  // pitch radius, centre (x with the shift), radius
-  };
-
-  ProfileJet circle_at(double tau) const;
-  double circle_log_radius(double tau, double& slope) const;
   RadialJet involute_at_radius(double u) const;
   RadialJet circle_at_radius(double u, double& s) const;
   RadialJet curve_at_radius(double u) const;
 
-  Kind kind_;
+  CurvePtr curve_;
+  const Involute* involute_ = nullptr;    // the curve, if it is one
+  const RackTrochoid* circle_ = nullptr;  // the curve, if a circle of a rack cut it
   double side_;
   double s_lo_, s_hi_, u_lo_, u_hi_;
   bool grows_;
-  double base_radius_ = 0.0, base_half_angle_ = 0.0, xi_sign_ = 1.0;
-  Circle circle_{};
-  CurvePtr curve_;
+  double xi_sign_ = 1.0;
   double t_lo_ = 0.0, t_hi_ = 0.0;
   double arm_per_cos_ = 0.0;  // r cos β, or r_b cos β_b
 };

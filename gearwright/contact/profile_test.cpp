@@ -34,7 +34,7 @@ std::vector<Named> arcs_of_all_kinds() {
           {"round", round_arc(), 0.01}};
 }
 
-Complex point(const ProfileJet& j) { return j.factor * std::polar(1.0, j.phase); }
+Complex point(const PolarJet& j) { return j.factor * std::polar(1.0, j.phase); }
 
 // (1) the piece is the arc, its other side the mirror image    (2) ℓ′ and ℓ″ are derivatives
 // (3) by radius it is the same curve    (4) θ′ and θ″ are derivatives
@@ -46,7 +46,7 @@ TEST(Profile, is_its_arc) {
       EXPECT_LT(p.s_lo(), p.s_hi());
       for (int i = 1; i < 10; ++i) {
         const double s = p.s_lo() + (p.s_hi() - p.s_lo()) * i / 10;
-        const ProfileJet j = p.at(s);
+        const PolarJet j = p.at(s);
         const Complex w = point(j);
         const double rho = std::abs(w);
         const bool rises = n.arc.begin_point.norm() < n.arc.end_point.norm();
@@ -56,7 +56,7 @@ TEST(Profile, is_its_arc) {
         EXPECT_NEAR(w.imag(), side * on_arc.y(), 1e-12 * rho);
         const double h = 1e-5 * (p.s_hi() - p.s_lo());
         const auto log_at = [&](double t) {
-          const ProfileJet q = p.at(t);
+          const PolarJet q = p.at(t);
           return std::log(q.factor) + Complex(0, q.phase);
         };
         const Complex d1 = (log_at(s + h) - log_at(s - h)) / (2 * h);

@@ -110,7 +110,7 @@ Change change_of_modification(const ContactPair& pair, const GapField& field, co
                               double s, double z, double s2, const Influence& influence) {
   Change c;
   if (influence.modified_gear == 1) {
-    const ProfileJet p = field.one().profile.at(s);
+    const PolarJet p = field.one().profile.at(s);
     const Jet2 m =
         turn_per_amount(field.one(), s, std::log(std::abs(p.factor)), z, influence.modification);
     add_turn_of_1(c, pair, j, m.v, m.s * p.d1.real(), m.z);

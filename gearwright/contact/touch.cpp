@@ -202,7 +202,7 @@ bool TouchSearch::window(double& z_lo, double& z_hi) const {
   z_lo = a.z_lo;
   z_hi = a.z_hi;
   const auto azimuth = [&](double s) {
-    const ProfileJet p = a.profile.at(s);
+    const PolarJet p = a.profile.at(s);
     return std::arg(p.factor) + p.phase + a.center + field_.rotation_sign() * field_.rotation();
   };
   const double at_lo = azimuth(a.s_lo);
@@ -218,7 +218,7 @@ bool TouchSearch::window(double& z_lo, double& z_hi) const {
 
 bool TouchSearch::within_a_turn(const Touch& t) const {
   const FlankPatch& a = field_.one();
-  const ProfileJet p = a.profile.at(t.s);
+  const PolarJet p = a.profile.at(t.s);
   const double azimuth = std::arg(p.factor) + p.phase + a.center +
                          field_.rotation_sign() * field_.rotation() + t.z * a.twist;
   return std::abs(azimuth - mesh_azimuth_) < std::numbers::pi;

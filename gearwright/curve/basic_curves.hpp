@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "gearwright/curve/curve.hpp"
+#include "gearwright/curve/polar_jet.hpp"
 
 namespace gearwright {
 
@@ -17,7 +18,6 @@ namespace gearwright {
 class AxisCircle final : public Curve {
  public:
   explicit AxisCircle(double radius) : radius_(radius) {}
-  CurveKind kind() const override { return this; }
   Vec2 point(double theta) const override;
   CurvePoint at(double theta) const override;
   double polar_angle(double theta) const override { return theta; }
@@ -37,9 +37,9 @@ class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
       : base_radius_(base_radius), base_half_angle_(base_half_angle) {}
-  CurveKind kind() const override { return this; }
   Vec2 point(double xi) const override;
   CurvePoint at(double xi) const override;
+  PolarJet polar_jet(double xi) const;
 
   double base_radius() const { return base_radius_; }
   double base_half_angle() const { return base_half_angle_; }
@@ -55,6 +55,14 @@ class Involute final : public Curve {
   double base_half_angle_;
 };
 
+// Inline for the inner loop of contact.
+inline PolarJet Involute::polar_jet(double xi) const {
+  const double square = 1.0 + xi * xi;
+  const Complex inverse = Complex{1.0, -xi} / square;
+  return {base_radius_ * Complex{1.0, xi}, base_half_angle_ - xi, Complex{xi, -xi * xi} / square,
+          times(inverse, inverse)};
+}
+
 /// Circle about a point at the distance D and the polar angle γ,  W(t) = D e^{iγ} + r e^{it}.
 /// [T6.1]
 ///
@@ -64,7 +72,6 @@ class OffsetCircle final : public Curve {
  public:
   OffsetCircle(double distance, double direction, double radius)
       : distance_(distance), direction_(direction), radius_(radius) {}
-  CurveKind kind() const override { return this; }
   Vec2 point(double t) const override;
   CurvePoint at(double t) const override;
   double polar_angle(double t) const override;

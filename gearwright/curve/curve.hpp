@@ -6,11 +6,10 @@
 //
 // Curves are immutable and shared. An envelope holds the curve that generates it, so a pinion cut
 // by a rack can itself cut a wheel. Most code uses only the points of a curve; code with a closed
-// form for one kind of curve queries its kind.
+// form for one class of curves queries its class. This room names no class of a higher one.
 #pragma once
 
 #include <memory>
-#include <variant>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/vector.hpp"
@@ -23,23 +22,9 @@ struct CurvePoint {
   double curvature;      ///< 1/mm, > 0 where the tangent turns counter-clockwise
 };
 
-class Curve;
-class AxisCircle;      // curve/basic_curves.hpp
-class Involute;        // curve/basic_curves.hpp
-class OffsetCircle;    // curve/basic_curves.hpp
-class RackTrochoid;    // generation/rack_envelope.hpp
-class CornerFan;       // generation/pinion_envelope.hpp
-class PinionEnvelope;  // generation/pinion_envelope.hpp
-
-/// A curve as one of the kinds with a closed form; `const Curve*` means none of them.
-using CurveKind =
-    std::variant<const Curve*, const AxisCircle*, const Involute*, const OffsetCircle*,
-                 const RackTrochoid*, const CornerFan*, const PinionEnvelope*>;
-
 class Curve {
  public:
   virtual ~Curve() = default;
-  virtual CurveKind kind() const { return this; }
   virtual Vec2 point(double t) const = 0;
   virtual CurvePoint at(double t) const = 0;
 
@@ -54,20 +39,29 @@ class Curve {
 
 using CurvePtr = std::shared_ptr<const Curve>;
 
-/// The curve as one kind; null if it is another kind.
+/// The curve as one class; null if it is of another class.
 template <class Kind>
 const Kind* curve_if(const Curve& curve) {
-  const CurveKind kind = curve.kind();
-  const auto* known = std::get_if<const Kind*>(&kind);
-  return known ? *known : nullptr;
+  return dynamic_cast<const Kind*>(&curve);
 }
 
-/// The curve as a kind that is known by construction.   Domain: it is of that kind (contract)
+/// The curve as a class that is known by construction.   Domain: it is of that class (contract)
 template <class Kind>
 const Kind& curve_as(const Curve& curve) {
   const Kind* known = curve_if<Kind>(curve);
   GW_EXPECTS(known != nullptr);
   return *known;
+}
+
+/// Calls `visit` with a pointer to the first of the classes that the curve has, and otherwise with
+/// a pointer to the curve itself.
+template <class Kind, class... Others, class Visitor>
+auto visit_curve(const Curve& curve, const Visitor& visit) {
+  if (const Kind* known = curve_if<Kind>(curve)) return visit(known);
+  if constexpr (sizeof...(Others) > 0)
+    return visit_curve<Others...>(curve, visit);
+  else
+    return visit(&curve);
 }
 
 }  // namespace gearwright

@@ -88,12 +88,12 @@ class Cutting {
         pieces(all, std::make_shared<CornerFan>(arc.end_point), Walk::forward, nu_tip_side, nu);
       }
       nu = normal_angle(arc, 0.0);
-      std::visit(Overloaded{[](const AxisCircle*) {},  // a land only ends the tooth
-                            [&](const Involute* involute) { involute_piece(all, *involute, arc); },
-                            [&](const auto*) {
-                              pieces(all, arc.curve, walk_of(arc), arc.begin, arc.end);
-                            }},
-                 arc.curve->kind());
+      visit_curve<AxisCircle, Involute>(
+          *arc.curve,
+          Overloaded{
+              [](const AxisCircle*) {},  // a land only ends the tooth
+              [&](const Involute* involute) { involute_piece(all, *involute, arc); },
+              [&](const auto*) { pieces(all, arc.curve, walk_of(arc), arc.begin, arc.end); }});
     }
     return all;
   }
@@ -130,14 +130,14 @@ class Cutting {
 
   // Returns true if the next branch continues smoothly.
   bool add_arc(const Arc& arc, bool smooth) {
-    return std::visit(
+    return visit_curve<AxisCircle, Involute>(
+        *arc.curve,
         Overloaded{[](const AxisCircle*) { return true; },  // a land only ends the tooth
                    [&](const Involute* involute) { return add_involute(arc, *involute, smooth); },
                    [&](const auto*) {
                      return add_envelope(cut_by_arc(arc.name), arc.curve, walk_of(arc), arc.end,
                                          arc.begin, smooth);
-                   }},
-        arc.curve->kind());
+                   }});
   }
 
   void add_fan(const Arc& arc, double nu_from, double nu_to, bool& smooth) {

@@ -143,19 +143,19 @@ struct PinionEnvelope::Circle {
 
 std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
   using None = std::optional<Circle>;
-  return std::visit(Overloaded{[](const CornerFan* corner) -> None {
-                                 const Vec2 p = corner->point(0.0);
-                                 return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
-                               },
-                               [&](const OffsetCircle* c) -> None {
-                                 // a hollow curve is walked counter-clockwise
-                                 const bool hollow = walk_ > 0.0;
-                                 return Circle{c->distance(), c->direction(),
-                                               hollow ? -c->radius() : c->radius(),
-                                               hollow ? -kPi : 0.0};
-                               },
-                               [](const auto*) -> None { return std::nullopt; }},
-                    cutter_->kind());
+  return visit_curve<CornerFan, OffsetCircle>(
+      *cutter_, Overloaded{[](const CornerFan* corner) -> None {
+                             const Vec2 p = corner->point(0.0);
+                             return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
+                           },
+                           [&](const OffsetCircle* c) -> None {
+                             // a hollow curve is walked counter-clockwise
+                             const bool hollow = walk_ > 0.0;
+                             return Circle{c->distance(), c->direction(),
+                                           hollow ? -c->radius() : c->radius(),
+                                           hollow ? -kPi : 0.0};
+                           },
+                           [](const auto*) -> None { return std::nullopt; }});
 }
 
 namespace {

@@ -39,7 +39,6 @@ struct PinionMotion {
 class CornerFan final : public Curve {
  public:
   explicit CornerFan(const Vec2& point) : point_(point) {}
-  CurveKind kind() const override { return this; }
   Vec2 point(double) const override { return point_; }
   CurvePoint at(double nu) const override;
 
@@ -65,7 +64,6 @@ class PinionEnvelope final : public Curve {
  public:
   PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
                  Meeting meeting = Meeting::ahead);
-  CurveKind kind() const override { return this; }
   Vec2 point(double t) const override;
   CurvePoint at(double t) const override;
   double polar_angle(double t) const override;

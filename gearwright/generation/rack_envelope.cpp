@@ -13,13 +13,15 @@ RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
   circle_.center.x() += motion.shift;
 }
 
-Vec2 RackTrochoid::point(double tau) const {
-  const double s = std::sin(tau);
-  const double c = std::cos(tau);
+RackTrochoid::Cut RackTrochoid::cut(double s, double c) const {
   const double x = circle_.center.x() + circle_.q * s;
   const double y = (circle_.center.y() + circle_.q * c) / motion_.cos_beta;
   const double k = x * motion_.cos_beta * c / s;
-  const double phi = (y - k) / motion_.pitch_radius;
+  return {x, k, (y - k) / motion_.pitch_radius};
+}
+
+Vec2 RackTrochoid::point(double tau) const {
+  const auto [x, k, phi] = cut(std::sin(tau), std::cos(tau));
   const double u = motion_.pitch_radius + x;
   const double sin_phi = std::sin(phi);
   const double cos_phi = std::cos(phi);
@@ -27,12 +29,19 @@ Vec2 RackTrochoid::point(double tau) const {
 }
 
 double RackTrochoid::polar_angle(double tau) const {
+  const auto [x, k, phi] = cut(std::sin(tau), std::cos(tau));
+  return phi + std::atan2(k, motion_.pitch_radius + x);
+}
+
+RackTrochoid::LogRadius RackTrochoid::log_radius(double tau) const {
+  const double x = circle_.center.x(), q = circle_.q;
   const double s = std::sin(tau);
   const double c = std::cos(tau);
-  const double x = circle_.center.x() + circle_.q * s;
-  const double y = (circle_.center.y() + circle_.q * c) / motion_.cos_beta;
-  const double k = x * motion_.cos_beta * c / s;
-  return (y - k) / motion_.pitch_radius + std::atan2(k, motion_.pitch_radius + x);
+  const double k = motion_.cos_beta * (x * c / s + q * c);
+  const double k1 = -motion_.cos_beta * (x / (s * s) + q * s);
+  const double a = motion_.pitch_radius + x + q * s;
+  const double square = a * a + k * k;
+  return {0.5 * std::log(square), (a * q * c + k * k1) / square};
 }
 
 CurvePoint RackTrochoid::at(double tau) const {
@@ -41,9 +50,7 @@ CurvePoint RackTrochoid::at(double tau) const {
   const double s = std::sin(tau);
   const double c = std::cos(tau);
   const double q = circle_.q;
-  const double x = circle_.center.x() + q * s;
-  const double k = x * cb * c / s;
-  const double phi = ((circle_.center.y() + q * c) / cb - k) / r;
+  const auto [x, k, phi] = cut(s, c);
   const double tau_t = std::atan2(s, cb * c);
   const double square = s * s + cb * cb * c * c;
   // dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β). [T3.9]

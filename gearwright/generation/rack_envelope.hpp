@@ -13,6 +13,8 @@
 // A straight piece of the edge cuts an involute (closed form), a circle or a corner a trochoid.
 #pragma once
 
+#include <cmath>
+#include <complex>
 #include <vector>
 
 #include "gearwright/curve/basic_curves.hpp"
@@ -36,10 +38,16 @@ struct RackMotion {
 class RackTrochoid final : public Curve {
  public:
   RackTrochoid(const RackMotion& motion, const EdgeCircle& circle);
-  CurveKind kind() const override { return this; }
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
+  /// [T8.6]
+  PolarJet polar_jet(double tau) const;
+  /// ln |W| and its derivative by τ: the part of polar_jet that a search for a radius needs.
+  struct LogRadius {
+    double u, slope;
+  };
+  LogRadius log_radius(double tau) const;
   const RackMotion& motion() const { return motion_; }
   const EdgeCircle& circle() const { return circle_; }  ///< its centre lifted by e
 
@@ -50,9 +58,37 @@ class RackTrochoid final : public Curve {
   std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
 
  private:
+  // The cutter's point that is cut, and the turn φ of the gear.
+  struct Cut {
+    double x, k, phi;
+  };
+  Cut cut(double s, double c) const;
+
   RackMotion motion_;
   EdgeCircle circle_;  // its centre already lifted by e
 };
+
+// The inner loop of contact: W = (r + x + ik) e^{iφ} and its derivatives by τ, with x split into
+// that of the centre and q sin τ, so that no derivative divides by more than sin² τ.
+inline PolarJet RackTrochoid::polar_jet(double tau) const {
+  const double r = motion_.pitch_radius, cos_beta = motion_.cos_beta;
+  const double x = circle_.center.x(), q = circle_.q;
+  const double s = std::sin(tau);
+  const double c = std::cos(tau);
+  const double cot = c / s;
+  const double csc2 = 1.0 / (s * s);
+  const double k = cos_beta * (x * cot + q * c);
+  const double k1 = -cos_beta * (x * csc2 + q * s);
+  const double k2 = cos_beta * (2.0 * x * cot * csc2 - q * c);
+  const double y = circle_.center.y() + q * c;
+  const Complex f{r + q * s + x, k};
+  const Complex over = std::conj(f) / std::norm(f);
+  const Complex a = times({q * c, k1}, over);
+  const double phi1 = (-q * s / cos_beta - k1) / r;
+  const double phi2 = (-q * c / cos_beta - k2) / r;
+  return {f, (y / cos_beta - k) / r, a + Complex{0.0, phi1},
+          times({-q * s, k2}, over) - times(a, a) + Complex{0.0, phi2}};
+}
 
 /// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
