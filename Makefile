@@ -124,6 +124,8 @@ test-dist: dist
 	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine
 	tests/dist/test_installer.py build/dist/gearwright-*-windows-x86_64-setup.exe
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-x86_64/gearwright
+	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.x86_64.rpm
+	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.aarch64.rpm qemu-aarch64-static
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
 
 clean:

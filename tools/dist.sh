@@ -8,6 +8,7 @@
 #   gearwright-VERSION-windows-x86_64-setup.exe  the same as an installer: start menu, PATH, uninstall
 #   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux: fully static
 #   gearwright-VERSION-linux-aarch64.tar.gz
+#   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
 #   SHA256SUMS
 #
 # The program for linux-x86_64 consists of the objects of the preset `release`; the others are cross built.
@@ -55,6 +56,9 @@ pack() {
     (cd "$build/pack" && find "$name" | LC_ALL=C sort | TZ=UTC zip -q -X -@ "$dist/$name.zip")
     tools/windows_installer.sh "$version" "$folder" "$dist/$name-setup.exe"
   else
+    local run=$folder/$program
+    [ "$target" != linux-aarch64 ] || run="qemu-aarch64-static $run"
+    tools/rpm.sh "$version" "${target#linux-}" "$folder" "$run" "$dist"
     (cd "$build/pack" && tar --sort=name --owner=0 --group=0 --numeric-owner -cf - "$name") | gzip -9n >"$dist/$name.tar.gz"
   fi
 }
