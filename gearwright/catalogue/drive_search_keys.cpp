@@ -105,6 +105,9 @@ const KeyTable& drive_search_keys() {
                    "no geometry; sizes are in modules",
                    "normal module of all meshes; of several each set is tried with every one")
            .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
+       Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
+                     "greatest diameter over all, of a train the greatest sum of the centre "
+                     "distances, both without profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift"),

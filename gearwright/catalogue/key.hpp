@@ -181,6 +181,8 @@ struct KeyTable {
   std::vector<Key> keys;
   KeyRule rule{};  ///< for the values that were read; "needs" and "excludes" are checked for each
                    ///< key
+  /// The key whose text may stand in place of the table: material = "16MnCr5"; empty if none.
+  std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
   std::vector<std::string> names() const;

@@ -103,7 +103,8 @@ const KeyTable& material_keys() {
                         "Y_ST = 2"),
          by_temperature("youngs_modulus_by_temperature_MPa", "E", &MaterialInput::youngs_modulus_by,
                         "youngs_modulus_by", "Young's modulus at each temperature")},
-        check_name};
+        check_name,
+        "name"};
   }();
   return table;
 }

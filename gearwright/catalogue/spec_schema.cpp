@@ -53,7 +53,10 @@ std::vector<Json> element_schemas(const Key& key) {
     case KeyKind::word: return {enum_schema(key.words)};
     case KeyKind::table: {
       std::vector<Json> list;
-      for (const auto table : key.tables) list.push_back(reference(table()));
+      for (const auto table : key.tables) {
+        list.push_back(reference(table()));
+        if (!table().shorthand.empty()) list.push_back({{"type", "string"}});
+      }
       return list;
     }
     case KeyKind::any: break;

@@ -273,8 +273,9 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
       threads);
 }
 
-// Repeats every candidate, whose size is in modules, with each of the modules.
-void give_modules(const std::vector<double>& modules, DriveSearchResult& result) {
+// Repeats every candidate, whose size is in modules, with each of the modules that is small enough.
+void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
+  const std::vector<double>& modules = problem.modules;
   if (modules.empty()) return;
   const auto count = static_cast<std::int64_t>(modules.size());
   result.tested *= count;
@@ -283,6 +284,10 @@ void give_modules(const std::vector<double>& modules, DriveSearchResult& result)
   each.reserve(result.found.size() * modules.size());
   for (const DriveCandidate& one : result.found)
     for (const double m : modules) {
+      if (one.size * m > problem.size_max) {
+        ++result.rejected[static_cast<std::size_t>(DriveLimit::size)];
+        continue;
+      }
       each.push_back(one);
       each.back().module = m;
       each.back().size *= m;
@@ -406,7 +411,7 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
     if (!ends) return ends.error();
     search_sets(problem, *ends, threads, result);
   }
-  give_modules(problem.modules, result);
+  give_modules(problem, result);
   const DriveObjective first = problem.objectives.front();
   std::stable_sort(result.found.begin(), result.found.end(),
                    [&](const DriveCandidate& a, const DriveCandidate& b) {

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
@@ -56,6 +57,7 @@ struct DriveSearchProblem {
   /// m_n of all meshes  mm; each set is tried with every one. Empty: sets without teeth, whose sizes
   /// are in modules.
   std::vector<double> modules;
+  double size_max = kInfinity;  ///< greatest DriveCandidate::size; needs modules  mm
   std::optional<std::array<double, 2>> face_width;  ///< b, to be sized in this closed band  mm
   double face_diameters = 1.2;                      ///< greatest sized b/d of the smallest gear
   std::optional<double> safety_flank, safety_root;  ///< least S_H and S_F of every mesh
@@ -73,9 +75,9 @@ std::vector<SetMember> members_of(const DriveSearchProblem& problem);
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
 
 /// Reasons for rejecting a set, in the order in which they are checked.
-enum class DriveLimit { ratio, assembly, neighbours, phasing };
-inline constexpr std::array<std::string_view, 4> kDriveLimitNames{"ratio", "assembly", "neighbours",
-                                                                  "phasing"};
+enum class DriveLimit { ratio, assembly, neighbours, phasing, size };
+inline constexpr std::array<std::string_view, 5> kDriveLimitNames{"ratio", "assembly", "neighbours",
+                                                                  "phasing", "size"};
 
 /// A drive by its numbers of teeth.
 struct DriveCandidate {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "gearwright/drive/drive.hpp"
@@ -33,6 +34,7 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
   problem.teeth[at(M::ring)] = {40, 80};
   problem.planets = {3, 5};
   problem.phasing = {PhasingClass::sequential, PhasingClass::counter};
+  problem.size_max = 62.5;
   const auto found = search_drives(problem, 1);
   ASSERT_TRUE(found) << found.error().message();
   std::set<std::array<int, 4>> expected;
@@ -41,6 +43,8 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
       for (int r = s + 2 * p - 1; r <= s + 2 * p + 1; ++r)
         for (int n = 3; n <= 5; ++n) {
           if (r > 80) continue;
+          // Root diameter of the ring, and circle of the planets' tips.
+          if (std::max(r + 2.5, s + 2 * p + 2.0) > problem.size_max) continue;
           PlanetarySpec set = problem.base;
           set.z(M::sun) = s;
           set.z(M::planet) = p;

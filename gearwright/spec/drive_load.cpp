@@ -1,4 +1,4 @@
-// The speed that a drive lends to its [rating].
+// The speed that a drive, or a search for drives, lends to its [rating].
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@ const Json* input_table(const Json& tree) {
     const auto it = owner.find(key);
     return it != owner.end() && it->is_object() ? &*it : nullptr;
   };
-  for (const char* key : {"planetary", "drive"})
+  for (const char* key : {"planetary", "drive", "search"})
     if (const Json* own = table(tree, key)) return own;
   const auto stages = tree.find("stage");
   if (stages == tree.end() || !stages->is_array() || stages->empty() ||

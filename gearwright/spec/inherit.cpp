@@ -9,6 +9,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/material_keys.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -126,6 +127,32 @@ bool is_rack(const Json& gear) {
   if (!gear.is_object()) return false;
   const auto form = gear.find("form");
   return form != gear.end() && *form == "rack";
+}
+
+Json with_named_materials(const Json& tree) {
+  if (tree.is_array()) {
+    Json list = Json::array();
+    for (const Json& item : tree) list.push_back(with_named_materials(item));
+    return list;
+  }
+  if (!tree.is_object()) return tree;
+  const auto named = [](const Json& node) {
+    return node.is_string() ? Json{{material_keys().shorthand, node}} : node;
+  };
+  Json::object_t whole;
+  for (const auto& [key, node] : tree.items()) {
+    if (key == "drawing") {
+      whole.emplace_back(key, node);  // its `material` is a text for people
+    } else if (key == "material" && node.is_object()) {
+      Json::object_t table;  // in a set, each member may have its own material
+      for (const auto& [member, value] : node.items())
+        table.emplace_back(member, material_keys().find(member) ? value : named(value));
+      whole.emplace_back(key, std::move(table));
+    } else {
+      whole.emplace_back(key, key == "material" ? named(node) : with_named_materials(node));
+    }
+  }
+  return whole;
 }
 
 Inherited inherit(const Json& tree) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/drive_search_keys.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -62,6 +63,8 @@ DriveSearchProblem read_drive_search(const Json& search) {
   for (const Key& key : drive_search_keys().keys)
     if (!key.place) t.any(std::string(key.key));
   t.finish();
+  if (p.modules.empty() && p.size_max < kInfinity)
+    t.fail("size_max_mm", "needs normal_module_mm; without a module, sizes are in modules");
   if (p.kind == DriveKind::train) {
     for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
       if (search.contains(key) && !search[key].is_number())

@@ -153,8 +153,9 @@ std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::st
 }
 
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
-  Inherited made = inherit(given);
-  if (is_drive(made.tree)) lend_speed(made.tree);
+  Inherited made = inherit(with_named_materials(given));
+  if (is_drive(made.tree) || is_drive_search(made.tree.value("search", Json())))
+    lend_speed(made.tree);
   const Json& tree = made.tree;
   TableReader t(spec_keys(), tree, "");
   t.refuse_unknown();

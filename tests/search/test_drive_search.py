@@ -33,10 +33,26 @@ class DriveSearch(unittest.TestCase):
         one, two = (Run("search", None, "--json", "--threads", n, folder=where).out for n in ("1", "3"))
         self.assertEqual(one, two)
 
+    def test_a_life_uses_the_speed_of_the_search(self):
+        keys = SET | {"speed_rpm": 1500, "torque_Nm": 60, "face_width_mm": [10, 60], "safety_root_min": 1.4}
+        rating = "\n[rating]\nlife_h = 10000\nquality = 6\n[rating.material]\nname = \"16MnCr5\"\n"
+        found = Run("search", None, "--json", "--top", "1", folder=folder(spec(keys, rating)))
+        self.assertEqual(found.status, 0, found.err)
+        with_speed = Run("search", None, "--json", "--top", "1", folder=folder(spec(keys, rating + "speed_rpm = 1500\n")))
+        self.assertEqual(found.json["search"]["designs"], with_speed.json["search"]["designs"])
+
+    def test_a_greatest_size(self):
+        whole, limited = (Run("search", None, "--json", folder=folder(spec(SET | keys | {"objective": "size"}))).json["search"]
+                          for keys in ({}, {"size_max_mm": 150}))
+        self.assertEqual(limited["rejected"]["size"], whole["feasible_count"] - limited["feasible_count"])
+        self.assertGreater(limited["rejected"]["size"], 0)
+        self.assertLessEqual(max(d["size_mm"] for d in limited["designs"]), 150)
+
     def test_what_a_search_cannot_be(self):
         for keys, key in (({"sun2_teeth": 20}, "search.sun2_teeth"), ({"stages": 2}, "search.stages"),
                           ({"kind": "conical"}, "search.kind"), ({"output": "ring"}, "search.output"),
-                          ({"ratio": [5, 4]}, "search.ratio"), ({"objective": "noise"}, "search.objective")):
+                          ({"ratio": [5, 4]}, "search.ratio"), ({"size_max_mm": -1}, "search.size_max_mm"),
+                          ({"normal_module_mm": None, "size_max_mm": 100}, "search.size_max_mm"), ({"objective": "noise"}, "search.objective")):
             refused = Run("search", None, "--json", folder=folder(spec(SET | keys)))
             self.assertEqual((refused.status, refused.json["error"]["key"]), (1, key), refused.err)
         folder_wanted = Run("search", None, "--out", "o", folder=folder(spec(SET)))
