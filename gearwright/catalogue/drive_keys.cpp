@@ -105,7 +105,7 @@ const KeyTable& planetary_keys() {
        Key::number("positions_deg", "", {}, &P::positions_deg, "by `spacing`",
                    "places of the planets round the carrier, counter-clockwise from the first")
            .with_list({1, 1000}),
-       formed("material", "", "a table as [gear1.material], or a table of those by member",
+       formed("material", "", "a name, a table as [gear1.material], or a table of those by member",
               "that of `[rating]`", "what the teeth are made of")}};
   return table;
 }
@@ -134,7 +134,7 @@ const KeyTable& stage_keys() {
        Key::not_negative("friction_coefficient", "μ", {}, "0.05",
                          "coefficient of friction of the flanks"),
        speed_key(), torque_key(),
-       formed("material", "", "a table as [gear1.material]", "that of `[rating]`",
+       formed("material", "", "a name, or a table as [gear1.material]", "that of `[rating]`",
               "what the teeth of both gears are made of")}};
   return table;
 }

@@ -102,6 +102,18 @@ class Inherited(Asked):
         as_list = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + rating + "quality = [6, 8]\n")
         self.assertEqual(mixed["rating"], as_list["rating"])
 
+    def test_material_by_its_name_alone(self):
+        short, steel = 'material = "C45"\n', STEEL.format(1, "C45")
+        named = self.answer("rate", TWO.format(short, "") + RATING)
+        table = self.answer("rate", TWO.format("", "") + steel + RATING)
+        self.assertEqual(named["rating"], table["rating"])
+        in_rating = self.answer("rate", TWO.format("", "") + RATING + short)
+        self.assertEqual(in_rating["rating"], table["rating"])
+        self.refused("rate", TWO.format('material = "C54"\n', "") + RATING, "gear1.material.name", "C54", "C45")
+        self.refused("rate", TWO.format("material = 45\n", "") + RATING, "gear1.material", "must be a table")
+        drawn = self.answer("gear", '[drawing]\nmaterial = "C45"\n' + TWO.format(short, ""))
+        self.assertEqual(drawn["drawing"]["material"], "C45")
+
     def test_material_in_rating(self):
         common = '[rating.material]\nname = "16MnCr5"\n'
         both = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + STEEL.format(2, "16MnCr5") + RATING)
