@@ -43,7 +43,7 @@ struct ArcContact {
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
-  Angle rotation_offset;      ///< of the concave gear: its lead; < 0: play
+  Angle rotation_offset;      ///< lead of the concave gear; < 0 if there is play
   double radius_convex;       ///< of the point from each axis, mm
   double radius_concave;      ///<
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
@@ -64,7 +64,7 @@ struct ArcContact {
 Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double pitch_radius,
                    double turn);
 
-/// The normal angle of the contact at this centre distance; none: the arcs have no common normal
+/// The normal angle of the contact at this centre distance; none if the arcs have no common normal
 /// there.
 ///
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]

@@ -31,7 +31,7 @@ struct MeshInput {
   std::array<std::optional<T>, 2> root_form_radius{};  ///< d_Ff/2; none if there is no known limit
   std::array<T, 2> face_width{};                       ///< b
   T center_distance{};                                 ///< a
-  std::optional<T> shaft_angle;                        ///< Σ of crossed axes; none: parallel axes
+  std::optional<T> shaft_angle;                        ///< Σ of crossed axes; none if parallel
 };
 
 template <class T>
@@ -59,7 +59,7 @@ struct Mesh {
   T path_ratio;   ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
   T overlap_ratio;                   ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
-                                     ///< axes, to the faces; begin ≥ end: no contact
+                                     ///< axes, to the faces; no contact if begin ≥ end
   T true_ratio;                      ///< of the clipped path, ≥ 0; without overlap
   Backlash<T> backlash;
 
