@@ -24,7 +24,7 @@ struct ContactScore {
 /// The reference of p. Without a width there is no p.
 struct ProfileTarget {
   Angle angle{};  ///< of the rack, at which the contact should lie
-  Angle width{};  ///< the distance that counts as the end; 0: no target
+  Angle width{};  ///< the distance that counts as the end; 0 without a target
 };
 
 /// TE and score of a pair over one pitch.

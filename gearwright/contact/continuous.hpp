@@ -40,7 +40,7 @@ struct CurveExtremes {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);
 
-/// Peak to peak of the continuous curve over a pitch; none: contact is lost at some position.
+/// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position.
 ///
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);

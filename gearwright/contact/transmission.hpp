@@ -20,7 +20,7 @@ namespace gearwright {
 /// A touch of tooth pair k: its patches and the rotation of pair 0 (in N).
 struct PairTouch {
   Touch touch;
-  int fields = -1;   ///< index of the pair of patches; −1: no contact
+  int fields = -1;   ///< index of the pair of patches; −1 without contact
   double phi = 0.0;  ///< rad, of gear 1 in N, for pair 0
   int pair = 0;      ///< k in N
 
