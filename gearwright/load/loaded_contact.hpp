@@ -60,7 +60,7 @@ struct LoadedPosition {
   double max_pressure = kNone;      ///< MPa
   double max_width_ratio = kNone;   ///< greatest half width of contact over its radius
   TouchKind kind =
-      TouchKind::none;      ///< line, interior, or the edge with most load; none: no result
+      TouchKind::none;      ///< line, interior, or the edge with most load; none without a result
   bool unfinished = false;  ///< true if teeth touch but the forces do not converge
   bool edge_carries = false;
   std::array<double, 2> root_stress{kNone, kNone};  ///< MPa, greatest principal at each root
