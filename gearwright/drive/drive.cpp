@@ -39,7 +39,7 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Speeds of all bodies at those of the inputs; with one input it is 1.
+// Speeds of all bodies at the speeds of the inputs; a single input has the speed 1.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;

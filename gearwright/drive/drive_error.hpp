@@ -20,10 +20,10 @@ namespace gearwright {
 /// Positions of each mesh over one period, as the contact of a pair has them.
 inline constexpr int kErrorPositions = 64;
 
-/// Errors of mounting of a mesh, by its number; empty: none.
+/// Errors of mounting of a mesh, by its number; empty if there are none.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
-/// The harmonics 1 … `harmonics` of each mesh frequency, at most half of kErrorPositions less one.
+/// The harmonics 1 … `harmonics` of each mesh frequency, at most kErrorPositions/2 − 1.
 ///
 /// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency and the angle between
 ///           them on the gear gives their phase, [T13.17]. Flanks without modifications and errors

@@ -162,7 +162,7 @@ void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, Drive
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
 
-// Whether the tip of a gear follows from its rack and may be moved.
+// True if the tip of a gear follows from its rack and may be moved.
 bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;

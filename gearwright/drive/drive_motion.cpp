@@ -32,7 +32,7 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// "a_b, c_d": the meshes of which each one locks the drive. Without that mesh the drive is free.
+// "a_b, c_d": the meshes each of which locks the drive. Without that mesh the drive is free.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {

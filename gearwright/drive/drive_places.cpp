@@ -157,7 +157,7 @@ class Placing {
     });
   }
 
-  // Whether two gears would overlap in one plane.
+  // True if two gears would overlap in one plane.
   bool in_the_way(std::size_t g, std::size_t h) const {
     if (g == h || meshed(g, h)) return false;
     const DriveGear &a = graph_.gears[g], &b = graph_.gears[h];

@@ -14,7 +14,7 @@ namespace {
 
 /// Relative to the power or torque of the input: less is rounding error.
 constexpr double kIdle = 1e-11;
-/// At most 2 to this power patterns of signs are tried one by one.
+/// Up to this number of loaded meshes, all patterns of their signs are tried.
 constexpr std::size_t kMostSigns = 16;
 
 // The bodies with an unknown external torque: held ones, and all ends except the given one.

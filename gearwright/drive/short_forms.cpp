@@ -46,7 +46,7 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// Whether central gears of one kind are adjacent along this planet.
+// True if central gears of one kind are adjacent along this planet.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;
