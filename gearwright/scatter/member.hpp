@@ -26,7 +26,7 @@ enum class ScatterQuantity {
   along_face,     ///< mean place of the contact along the face, −1 to 1
   along_profile,  ///< the same along the profile; circular-arc teeth
   edge_share,     ///< of the positions, at which an edge touches
-  least_play,     ///< rad, of gear 2; < 0: the gears jam
+  least_play,     ///< rad, of gear 2; < 0 if the gears jam
   long_period,    ///< rad, peak to peak over all tooth pairs; if pitches differ
 };
 constexpr std::size_t kScatterQuantities = 10;

@@ -40,7 +40,7 @@ struct ScatterTask {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;  ///< with 0, as many as the machine has
   Progress* progress = nullptr;
 };
 
@@ -89,11 +89,12 @@ struct Loosening {
   struct Change {
     std::optional<double>
         factor;     ///< by which it may be multiplied until the percentile has grown by
-                    ///< kLooser; none: by kMostFactor, or as far as there are teeth
+                    ///< kLooser; none if any factor up to kMostFactor
+                    ///< for which the teeth exist is permitted
     double halved;  ///< rad, the percentile with half of this tolerance
   };
   std::vector<Change> by_tolerance;
-  /// The tolerance whose halving lowers the percentile most; none: none lowers it.
+  /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
   std::optional<std::size_t> tighten_first;
 };
 constexpr double kLooser = 0.05, kMostFactor = 8.0;
