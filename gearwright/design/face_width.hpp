@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// The least and the greatest face width of a trial, mm; least > greatest: there is none.
+/// The least and the greatest face width of a trial, mm; there is none if least > greatest.
 std::array<double, 2> face_widths(const SearchProblem& problem, const Trial& trial);
 
 /// The least width that has the required overlap ratio, mm; the greatest one if none has it.

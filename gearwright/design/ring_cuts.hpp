@@ -16,9 +16,9 @@
 
 namespace gearwright {
 
-/// Without a cutter if none leaves the whole flanks. The start of the fillets is then unknown.
+/// There is no cutter if none leaves the whole flanks. The start of the fillets is then unknown.
 struct RingCut {
-  int cutter_teeth = 0;                                          ///< z_0; 0: no cutter
+  int cutter_teeth = 0;                                          ///< z_0; 0 without a cutter
   double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules
 };
 
