@@ -205,7 +205,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::rating_plastic, "rating_plastic", kCaution,
      "plastic teeth: wear, deformation and static peaks, which VDI 2736 covers too, are not rated",
      "wear and deformation that are not rated"},
-    // Good to know.
+    // Information only.
     {C::not_read, "not_read", kNote,
      "a part of the spec that has no effect in this version, or none in this verb", "",
      "Leave it out."},
