@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// A plain value in a cell; empty: nothing, or a list, a record or a map.
+/// A plain value in a cell; empty for no value and for a list, a record or a map.
 std::string csv_cell(const Value& value);
 /// A row for each quantity of the gears and, where they are mounted, of the pair:
 /// key, quantity, symbol, unit, first, second. The last two are gear 1 and gear 2, or the two ends

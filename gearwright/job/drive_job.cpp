@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// The key of a change in the table that describes the drive; empty: there is none.
+// The key of a change in the table that describes the drive; empty if there is none.
 std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
   const auto key = [&]() -> const char* {
     switch (change.what) {

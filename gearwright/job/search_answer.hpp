@@ -29,9 +29,9 @@ std::string search_listing(const Search& search, const SearchRun& run,
 /// modules, …"
 std::string margin_line(const SearchLimits& limits);
 
-/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; empty: not rated.
+/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; may be empty.
 std::string rating_line(const SearchProblem& problem);
-/// Describes the drawings of designs, with their default limits; empty: designs are not drawn.
+/// Describes the drawings of designs, with their default limits; empty if designs are not drawn.
 std::string drawing_line(const SearchProblem& problem);
 
 /// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.

@@ -26,7 +26,7 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 Result<SolvedJob> solve_pair(const JobSpec& spec);
 
 /// "search", "identify" or "fit" if solve rejects the spec because its unknown numbers need that
-/// verb; empty for other errors. The error may be spelled already.
+/// verb; empty for other errors. The error may already contain keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright
