@@ -30,7 +30,7 @@ std::string page_head(std::string_view title, std::string_view version,
 /// How to zoom; shown by the page's script where it runs.
 std::string picture_hint();
 
-/// The spec, verbatim, folded; empty without one.
+/// A folded section with the verbatim text of the spec; empty if there is no spec.
 std::string spec_section(const std::string& spec);
 
 /// The sections of a page with a list of their headings before them, each a link; short pages have
