@@ -276,10 +276,10 @@ void say(Quantities<V>& q) {
        &V::min_play)
       .digits(6);
   q.add(Type::map, "sensitivity", "sensitivities", "",
-        "exact derivatives [T8.10] by each of [errors] and each modification placed, "
+        "exact derivatives [T8.10] by each of [errors] and each modification with a place, "
         "`center_distance_per_mm` and so on: two lists over the positions, "
-        "`transmission_error_arcsec` and `point_mm`; null where nothing touches, `point_mm` also "
-        "along a line of contact",
+        "`transmission_error_arcsec` and `point_mm`; both are null where nothing touches, and "
+        "`point_mm` is also null along a line of contact",
         sensitivities)
       .always()
       .doors(kJson);

@@ -188,7 +188,8 @@ void say_limits(Quantities<V>& q) {
       .column("tip_thickness#_mm")
       .greater_first()
       .digits(kFewDigits);
-  q.term("tip_clearance_mm", "tip of gear 1 to root of gear 2, then the other",
+  q.term("tip_clearance_mm",
+         "tip of gear 1 to root of gear 2, then tip of gear 2 to root of gear 1",
          [](const V& v) { return v.row->tip_clearance; })
       .per_gear()
       .always()
@@ -226,7 +227,7 @@ void say_limits(Quantities<V>& q) {
     }
   }
   q.number("sliding_max", "maximum specific sliding", "ζ_max",
-           "at the ends of the path of contact; null: a flank reaches its base tangent point",
+           "at the ends of the path of contact; null if a flank reaches its base tangent point",
            [](const V& v) { return v.row->max_sliding(); })
       .column("sliding_max")
       .doors(kPage)

@@ -221,12 +221,12 @@ const Quantities<ParallelPair>& needed_face_quantities() {
           };
         };
         q.number("total_1", "face width for a total contact ratio of 1", "b",
-                 "null for a spur pair that needs one",
+                 "null for a spur pair with a lower transverse contact ratio",
                  [](const ParallelPair& p) { return face_width_for_total(p, 1.0); })
             .unit(Unit::mm)
             .shown(positive(1.0));
         q.number("total_1_2", "face width for a total contact ratio of 1.2", "b",
-                 "null for a spur pair that needs one",
+                 "null for a spur pair with a lower transverse contact ratio",
                  [](const ParallelPair& p) { return face_width_for_total(p, 1.2); })
             .unit(Unit::mm)
             .shown(positive(1.2));

@@ -281,9 +281,10 @@ void say_contact(Quantities<V>& q) {
 
 void say_clearances(Quantities<V>& q) {
   q.under(kClearances);
-  q.term("tip_clearance_mm", "tip of gear 1 to root of gear 2, then the other", [](const V& v) {
-     return v.mounted().tip_clearance;
-   }).per_gear();
+  q.term("tip_clearance_mm",
+         "tip of gear 1 to root of gear 2, then tip of gear 2 to root of gear 1",
+         [](const V& v) { return v.mounted().tip_clearance; })
+      .per_gear();
   auto of_involutes = q.part(as<InvolutePair>);
   of_involutes
       .number("contact_root_diameter_mm", "active root diameter", "d_Nf",

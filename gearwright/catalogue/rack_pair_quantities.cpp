@@ -105,8 +105,10 @@ void say(Quantities<V>& q) {
        [](const V& v) -> const auto& { return v; })
       .always();
   q.under(kClearances);
-  q.term("tip_clearance_mm", "tip of the pinion to the root of the rack, then the other [T2.40]",
-         &V::tip_clearance)
+  q.term(
+       "tip_clearance_mm",
+       "tip of the pinion to root of the rack, then tip of the rack to root of the pinion [T2.40]",
+       &V::tip_clearance)
       .per_gear()
       .always();
   q.number("contact_root_diameter_mm", "active root diameter of the pinion", "d_Nf",

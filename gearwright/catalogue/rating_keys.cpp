@@ -129,7 +129,8 @@ const KeyTable& rating_keys() {
        factor("application_factor", "K_A", &RatingInput::application_factor, "1",
               "additional load from the driving and the driven machine"),
        factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
-              "load share of the worst of several meshes, as of planets"),
+              "greatest load of a mesh over the mean if several meshes share the power, as with "
+              "planets"),
        Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors of 1",
                      "hours at this load")
            .with_needs({"speed_rpm"})

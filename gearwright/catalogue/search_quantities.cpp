@@ -52,9 +52,11 @@ const Quantities<SearchProblem>& margin_quantities() {
            [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
         .one_of({"extended", "tight"})
         .when(drawn);
-    q.text("thickness_series", "series of DIN 3967 of both gears; `null`: none", [](const P& p) {
-       return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
-     }).when(drawn);
+    q.text("thickness_series", "series of DIN 3967 of both gears; `null` if there is none",
+           [](const P& p) {
+             return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
+           })
+        .when(drawn);
     q.term(
          "backlash_mm", "least and greatest that the teeth are thinned for; `null`: by the series",
          [](const P& p) { return p.allowances.backlash ? Value(*p.allowances.backlash) : Value(); })

@@ -84,7 +84,7 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
   for (const M m : kMembers) {
     if (!has(m) || is_ring(m) || *spec.z(m) > 0) continue;
     return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
-                   "must be a number of teeth, 1 or more; only a ring's may be negative");
+                   "must be a number of teeth, at least 1; only that of a ring may be negative");
   }
   for (const SetMesh& mesh : meshes_of(spec)) {
     if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;

@@ -129,9 +129,9 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
   GW_EXPECTS((report.pair || at_points(report)) && !torques.empty());
   return fmt::format(
       "<section class=\"loaded\">\n<h2>Under load</h2>\n<p>The same "
-      "pair with teeth that yield: every tooth bends, its root gives way in the body, and the "
-      "flanks flatten where they touch. At each of {} positions of a pitch the load is shared so "
-      "that nothing overlaps and nothing pulls.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
+      "pair with elastic teeth: every tooth bends, its root deforms the body, and the flanks "
+      "flatten where they touch. At each of {} positions of a pitch the load is shared so that no "
+      "flanks overlap and no force is tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
       "</section>\n",
       torques.front().positions.size(), finding(report), facts(report), te_part(report),
       share_part(report), at_points(report) ? ellipse_part(report) : pressure_part(report),
