@@ -241,10 +241,11 @@ void say(Quantities<V>& q) {
   q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
      return v.working->peak_to_peak;
    }).always();
-  q.number("continuous_peak_to_peak_arcsec",
-           "transmission error, peak to peak of the continuous curve", "",
-           "between its extremes [T14.11], whatever the positions; null where contact is lost",
-           &V::continuous_span)
+  q.number(
+       "continuous_peak_to_peak_arcsec", "transmission error, peak to peak of the continuous curve",
+       "",
+       "between its extremes [T14.11], independent of the positions; null where contact is lost",
+       &V::continuous_span)
       .doors(kJson);
   q.number("mean_slope", "mean slope of the transmission error", "",
            "over the rotation of gear 1, by least squares, rad per rad",

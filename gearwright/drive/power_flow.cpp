@@ -172,10 +172,12 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
   for (std::size_t m = 0; m < meshes; ++m)
     if (lossless.driver[m] >= 0) loaded.push_back(m);
   if (loaded.size() > kMostSigns)
-    return Error{"drive.mesh", "",
-                 fmt::format("the direction of power in {} meshes does not settle, and only {} can "
-                             "be tried in all ways; compute the drive in parts",
-                             loaded.size(), kMostSigns)};
+    return Error{
+        "drive.mesh", "",
+        fmt::format("the directions of power in {} meshes do not converge, and all "
+                    "combinations can be tried for at most {} meshes; compute the drive in "
+                    "parts",
+                    loaded.size(), kMostSigns)};
   for (std::size_t pattern = 0; pattern < (std::size_t(1) << loaded.size()); ++pattern) {
     signs = lossless.driver;
     for (std::size_t k = 0; k < loaded.size(); ++k)

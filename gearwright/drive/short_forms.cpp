@@ -89,14 +89,14 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
   for (const SetMesh& mesh : meshes_of(spec)) {
     if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;
     return refused(fmt::format("planetary.{}", to_string(mesh.second)), *spec.z(mesh.second),
-                   fmt::format("must have more teeth than {} = {}, which runs in it",
+                   fmt::format("must have more teeth than {} = {}, which meshes inside it",
                                to_string(mesh.first), *spec.z(mesh.first)));
   }
   if (!spec.fixed && meshes_of(spec).size() == 1 && !has(M::ring) && !has(M::ring2))
     return absent_input(
         "planetary.ring",
-        "; a sun with planets alone has nothing to hold and nothing to drive: give a "
-        "ring, a second sun, or fixed, input and output");
+        "; a sun with planets alone has no default for the fixed and the driven body; give a ring, "
+        "a second sun, or fixed, input and output");
   if (spec.planets < 1)
     return refused("planetary.planets", spec.planets, "must be at least one planet");
   return std::nullopt;

@@ -271,8 +271,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     // Of whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
      "verb drive: no profile shift brings the meshes of a planet to one centre distance, or an "
-     "idler "
-     "finds no place",
+     "idler has no possible place",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
      "verb drive: the tip circles of neighbouring planets overlap, or there are fewer places than "
@@ -281,7 +280,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::unequal_spacing, "unequal_spacing", kCaution,
      "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,
-     "verb drive: a closed loop of meshes shares its torque by compliance; no torques are computed",
+     "verb drive: a closed loop of meshes shares its torque by compliance, so no torques are "
+     "computed",
      "a closed loop of meshes has no torques without compliance"},
 }};
 

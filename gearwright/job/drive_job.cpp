@@ -112,7 +112,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.layout = std::move(layout).take();
   } else {
     const Error& why = layout.error();
-    job.why_no_layout = fmt::format("The drive is not put together here: {}{}.",
+    job.why_no_layout = fmt::format("The drive cannot be assembled here: {}{}.",
                                     why.value.empty() ? "" : why.value + " ", why.rule);
   }
   job.verdict = judge(job);
