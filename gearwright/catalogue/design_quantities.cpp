@@ -80,7 +80,7 @@ void say_numbers(Quantities<V>& q) {
       .always()
       .column("module_mm")
       .digits(0);
-  q.term("teeth", "[z1, z2]; negative: an internal gear",
+  q.term("teeth", "[z1, z2]; negative for an internal gear",
          [](const V& v) {
            return std::array{v.row->trial.z1, v.row->trial.z2};
          })
@@ -198,8 +198,8 @@ void say_limits(Quantities<V>& q) {
       .digits(kFewDigits);
   q.number(
        "form_clearance_path_mm", "form clearance along the line of action", "",
-       "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative: "
-       "interference; null for an internal gear, whose flank end depends on its cutter",
+       "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative "
+       "for interference; null for an internal gear, whose flank end depends on its cutter",
        [](const V& v) { return v.row->form_clearance; })
       .per_gear()
       .column("form_clearance_path#_mm")

@@ -37,7 +37,7 @@ void say_mounting(Quantities<V>& q) {
       .always()
       .one_of({"rack_and_pinion"})
       .doors(kJson);
-  q.term("gear_ratio", "null: a rack has no number of teeth per turn", [](const V&) {
+  q.term("gear_ratio", "null, because a rack has no number of teeth per turn", [](const V&) {
      return Value();
    }).doors(kJson);
   q.term("center_distance_mm", "pinion axis to the datum line of the rack [T2.36]",
@@ -127,7 +127,7 @@ const Quantities<RackGeometry>& rack_quantities() {
         .always()
         .one_of({"rack"})
         .doors(kJson);
-    q.term("teeth", "null: as long as required",
+    q.term("teeth", "null if it is as long as required",
            [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
     q.term("normal_module_mm", "that of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",

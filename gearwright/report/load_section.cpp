@@ -59,13 +59,11 @@ std::string facts(const LoadScene& report) {
 
 std::string te_part(const LoadScene& report) {
   const std::string harris = html_of(harris_figure(report));
-  return "<h3>Transmission error under load</h3>\n<p>Teeth yield, and gear 2 hangs back by what "
-         "they yield. Where two pairs share the load they yield less than where one bears it "
-         "alone, "
-         "so that gear 2 swings at the tooth frequency even when the flanks are perfect. Tip "
-         "relief "
-         "fills that swing at one torque: below it the relief itself is heard, above it the "
-         "teeth.</p>\n" +
+  return "<h3>Transmission error under load</h3>\n<p>Gear 2 lags by the deflection of the teeth. "
+         "The deflection is less where two tooth pairs share the load than where one pair carries "
+         "it alone, so gear 2 oscillates at the tooth frequency even if the flanks are perfect. A "
+         "tip relief compensates this oscillation at one torque. At lower torques the relief "
+         "itself causes noise, at higher torques the deflection does.</p>\n" +
          side_by_side(html_of(loaded_te_figure(report)) + harris) +
          (harris.empty()
               ? "<p>With several torques a Harris map shows at which of them the pair is "
