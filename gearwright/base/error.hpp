@@ -29,8 +29,8 @@ enum class FailureKind {
 };
 
 struct Error {
-  std::string field;  ///< empty: of no member
-  std::string value;  ///< empty: there is no value, or none that fits into a sentence
+  std::string field;  ///< empty if of no member
+  std::string value;  ///< empty without a value that fits into a sentence
   std::string rule;
   FailureKind kind = FailureKind::value;
 

@@ -53,7 +53,7 @@ class FileHandle {
 };
 
 long process_id();
-/// Whether process `id` of this host has ended; false if this cannot be determined.
+/// True if process `id` of this host has ended; false if this cannot be determined.
 bool process_has_ended(long id);
 /// "unnamed" if the system does not give a name.
 std::string host_name();

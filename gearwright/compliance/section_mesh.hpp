@@ -37,7 +37,7 @@ struct SectionMesh {
   std::vector<std::complex<double>> nodes;  ///< normal modules
   std::vector<std::array<int, 9>> elements;
   std::vector<int> bore;  ///< nodes that are held
-  double outward = 1.0;   ///< the teeth point outwards; −1: inwards, of an internal gear
+  double outward = 1.0;   ///< 1 if the teeth point outwards, −1 for an internal gear
   /// The outline of tooth 0 on its side y > 0: element e carries t from e to e + 1 on its side
   /// y = −1, with x growing with t or against it.
   struct Edge {

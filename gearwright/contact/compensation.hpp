@@ -37,7 +37,7 @@ struct CompensationAim {
   /// Evaluates the quantity with this number of positions per pitch, in any unit; infinite is worse
   /// than any value.
   std::function<double(const ContactPair&, int)> of;
-  double same = 0.0;  ///< > 0: smallest improvement worth making
+  double same = 0.0;  ///< smallest improvement worth making, > 0
 };
 
 struct CompensationTask {

@@ -36,9 +36,9 @@ std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row
 /// safety factors.
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row);
 
-/// Mass of both gears, kg: full cylinders of the mean diameter (d_a + d_f)/2, as ISO 6336-1 takes
-/// rims
-/// for the reduced mass; an internal gear from there to 2.5 m_n outside its root. [T9.12]
+/// Mass of both gears, kg. A gear is a full cylinder of the mean diameter (d_a + d_f)/2, as for the
+/// reduced mass of ISO 6336-1. An internal gear extends from there to 2.5 m_n outside its root.
+/// [T9.12]
 double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
 }  // namespace gearwright

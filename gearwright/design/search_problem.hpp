@@ -89,7 +89,6 @@ struct SearchRating {
   std::optional<double> power_kW;       ///< P, if it was given instead of the torque
   std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; if absent, internal gears are cut
                                         ///< separately
-                                        ///< separately
 };
 
 /// The tolerances of the drawing of every design.
@@ -127,7 +126,7 @@ inline constexpr double kDrawnShift = 1.0;
 inline constexpr double kDrawnSliding = 3.0;
 
 struct SearchProblem {
-  std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative: internal pairs
+  std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative for internal pairs
   std::optional<std::array<double, 2>> center_distance;  ///< mm, closed; equal: exactly that
   std::vector<double> modules;                           ///< m_n  mm
   std::array<int, 2> pinion_teeth{};                     ///< z1, closed

@@ -1,8 +1,9 @@
 // Transmission error of a drive from the curves of its meshes, each in its phase.
 //
-//   e_m    transmission error of a mesh along the transverse line of action, mm; > 0: the driven
-//   gear is ahead t      time in periods of the mesh, 0 where the loaded flanks of planet 0 touch
-//   at the pitch point
+//   e_m    transmission error of a mesh along the transverse line of action, mm; > 0 if the driven
+//          gear is ahead
+//   t      time in periods of the mesh, 0 where the loaded flanks of planet 0 touch at the pitch
+//          point
 //   δφ_o = Σ_m |λ_m/T_o| (2π/p_bt,m) ē_m(t), ē_m = Σ_i e_m(t − γ_i)/N          [T13.21], [T13.22]
 //                                              theory: docs/theory/13-drives.md
 //

@@ -109,8 +109,7 @@ struct LoadedContact {
   std::array<FaceSlices, 2> slices;    ///< mm, on each gear; the same on both for line contact
   std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
   /// Positions of each gear along the fillet in tension, starting at the root: mm in the section,
-  /// with the
-  /// tooth's centre line as x axis and the loaded flank at y > 0.
+  /// with the tooth's centre line as x axis and the loaded flank at y > 0.
   std::array<std::vector<std::complex<double>>, 2> root_points;
   long unfinished = 0;  ///< positions, of all torques
   bool slices_too_fine = false;

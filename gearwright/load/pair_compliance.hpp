@@ -33,7 +33,7 @@ struct LoadRequest {
   // Of lines only:
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
-  bool root_stress = true;        ///< false: root stress is omitted from tables and positions
+  bool root_stress = true;        ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
 };
 
@@ -77,8 +77,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
                                                            int which, const LoadRequest& request);
 
 /// True if gear `which` of two pairs has the same table: the same tooth, faces, body, slices and
-/// accuracy,
-/// to the last bit.
+/// accuracy, to the last bit.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
 

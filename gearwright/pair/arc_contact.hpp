@@ -48,9 +48,10 @@ struct ArcContact {
   double radius_concave;      ///<
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
   Mat2 curvature_concave;     ///<
-  std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; ≤ 0: interference
+  std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
   Angle angle;                ///< of the direction of k1 to the projection of the axis
-  double transverse_radius_convex;   ///< of the transverse profiles, mm; > 0: centre on the convex
+  double
+      transverse_radius_convex;  ///< of the transverse profiles, mm; > 0 if centred on the convex
   double transverse_radius_concave;  ///< gear's side
   double line_contact_difference;    ///< required difference of the second and the first radius for
                                      ///< line contact

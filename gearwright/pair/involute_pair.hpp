@@ -22,7 +22,7 @@ struct Interference {
                      ///< unnamed (beyond an undercut nothing collides, which is the warning
                      ///< `contact_lost_to_undercut`)
   int gear;          ///< the gear whose root or tip is affected
-  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; < 0: depth of the
+  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if < 0, depth of the
                                        ///< interference
   std::string message;                 ///< one sentence
 };
@@ -52,7 +52,7 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
   SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
+  double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the racks at this distance
   std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact is
                                          ///< continuous
   std::vector<Interference>
@@ -124,8 +124,8 @@ Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& pla
                                   std::optional<double> friction = {});
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm; < 0: the corner cuts into the fillet by this depth. The flanks of that side
-/// are in contact.
+/// `which` (1, 2), mm; if < 0, the corner cuts into the fillet by this depth. The flanks of that
+/// side are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
 /// Domain    none for the fillet of an internal gear

@@ -53,7 +53,7 @@ struct Mesh {
   T line_cosine;            ///< c_1 on crossed axes, whose line of action leaves the transverse
                             ///< section; 1 on parallel axes
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
-                                             ///< negative: beyond the base tangent
+                                             ///< negative beyond the base tangent
   T path_length;  ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
   T step;         ///< increase of ρ_1 per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
   T path_ratio;   ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed

@@ -1,7 +1,8 @@
 // One member of the family: its contact over a pitch in a few numbers.
 //
-//   ΔE_sn   change of the tooth thickness      s   its reduction of the backlash, as an angle of
-//                                    gear 2 theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
+//   ΔE_sn   change of the tooth thickness
+//   s       its reduction of the backlash, as an angle of gear 2
+//                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
 // The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
 // continuous curve.

@@ -24,7 +24,7 @@ enum class SpecUse {
 };
 
 /// Everything that a spec lacks, each with an example, with the keys of a file: a second gear, a
-/// torque, and for a rating its load, the gears' materials and what its factors need. A wrong
+/// torque, and for a rating its load, the gears' materials and the inputs of its factors. A wrong
 /// material is included. Nothing is listed for a search and for an unknown gear, which have other
 /// verbs.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
