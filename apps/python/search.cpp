@@ -205,7 +205,7 @@ void bind_search(py::module_& m) {
       .def("__getitem__", &design, "The design of this rank as a Record")
       .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
       .def("to_numpy", &to_numpy,
-           "A structured array with the columns of search.parquet, a row a design")
+           "A structured array with the columns of search.parquet and a row for each design")
       .def("to_parquet", &to_parquet, py::arg("path"), "The same as a Parquet file")
       .def_property_readonly("counts", &counts_of,
                              "The numbers of candidates tested, feasible, and ruled out by each "

@@ -16,7 +16,7 @@ namespace gearwright {
 
 struct ArrangedEnds;
 
-/// With a pair, its gears are those of the pair.
+/// The completed gears and pair. If there is a pair, `gears` are the gears of the pair.
 struct Arranged {
   GivenPair completed;         ///< the input with the values that follow: shifts, thickness, tips
   std::vector<Gear> gears{};   ///< one or two

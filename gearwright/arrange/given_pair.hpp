@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// How the two gears are mounted.
+/// The mounting of the two gears.
 struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed

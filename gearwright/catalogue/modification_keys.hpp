@@ -32,7 +32,7 @@ struct ModificationEntry {
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 
-/// In the order of RemovalField::kParameters.
+/// The entries of all modifications, in the order of RemovalField::kParameters.
 const std::array<ModificationEntry, 7>& modification_entries();
 
 constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};

@@ -23,7 +23,7 @@ struct ScatterBearings {
 /// [scatter.gearN]. Distributions are in the units of their keys.
 struct ScatterGear {
   std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
-  /// By modification_entries(), for both flanks, µm.
+  /// One for each of modification_entries(), for both flanks, µm.
   std::array<std::optional<DistributionSpec>, 7> modifications;
   bool pitch = false;                               ///< by the grade
   std::optional<std::array<int, 2>> profile_waves;  ///< least and most, of f_fα of the grade
@@ -50,7 +50,7 @@ struct ScatterInput {
   bool worst_case = false;
   bool loosening = false;
   std::optional<std::array<int, 2>> quality;  ///< A of gear 1, gear 2; by default of the gears
-  /// By error_entries(), in the unit of the key.
+  /// One for each of error_entries(), in the unit of the key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;
   std::array<ScatterGear, 2> gears;

@@ -29,8 +29,8 @@ struct SectionMeshOptions {
   int rim = 2;
   int body = 6;
   int rest = 10;            ///< around the smooth part of the rim
-  double to_tip = 1.25;     ///< > 1: finer towards the tip, where contact ends
-  double to_outline = 1.3;  ///< > 1: finer towards the outline
+  double to_tip = 1.25;     ///< if > 1, finer towards the tip, where contact ends
+  double to_outline = 1.3;  ///< if > 1, finer towards the outline
 };
 
 struct SectionMesh {
@@ -45,7 +45,7 @@ struct SectionMesh {
     bool forward;
   };
   std::vector<Edge> edges;
-  std::vector<std::vector<Edge>> tooth_edges;  ///< the same for each tooth, from −side_teeth
+  std::vector<std::vector<Edge>> tooth_edges;  ///< edges of each tooth, from −side_teeth on
   int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< elements of the outline
   /// Nodes of tooth k in one order for all teeth, k from −side_teeth on.
   std::vector<std::vector<int>> teeth;

@@ -38,11 +38,11 @@ struct ContactCurve {
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 
-/// The same from touches over a pitch. TE is that of N.
+/// The same curve, computed from touches over a pitch. TE is that of N.
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target, bool edges);
 
-/// Of one pair.
+/// The score of one pair over a pitch.
 inline ContactScore score_of(const ContactPair& pair, int positions,
                              const ProfileTarget& target = {}) {
   return contact_curve(pair, positions, target, true).score;

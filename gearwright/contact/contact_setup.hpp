@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// Of gear 1 and gear 2: the right flank, the left flank.
+/// The modifications of gear 1 and gear 2: the right flank, the left flank.
 using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
 
 /// Changes made by a workshop, as amounts in addition to those of the drawing.
@@ -52,8 +52,8 @@ class ContactSetup {
   /// The same pair with a copy of this setup.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// With root fillets and tips in addition to the flanks; none if a cutter's lead was changed and
-  /// the root was not cut by a rack.
+  /// The pair with root fillets and tips in addition to the flanks; none if a cutter's lead was
+  /// changed and the root was not cut by a rack.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }

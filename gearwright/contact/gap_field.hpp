@@ -71,7 +71,7 @@ class GapField {
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// At (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
+  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
   GapJet at(double s, double z, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle: 1/|∇φ2*|, mm. [T8.3]
   static double arm(const GapJet& j);

@@ -43,7 +43,7 @@ struct DriveSearchProblem {
   std::array<double, 2> ratio{};       ///< closed, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Of the members of the kind; by default those of teeth_band().
+  /// Bands of the members of the kind; by default those of teeth_band().
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of them, of a train, which have one module
   TeethBand pinion{17, 40}, wheel{17, 150};
@@ -87,7 +87,7 @@ struct DriveCandidate {
   long long places = 0;    ///< N*; 0 of a train
   double clearance = 0.0;  ///< c  modules, without shifts; of a train and one planet infinite
   double size = 0.0;  ///< diameter over all without shifts, of a train the sum of its distances; mm
-  /// With given or estimated losses; 0 if self-locking or not requested.
+  /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
   std::optional<double> face_width{};  ///< b  mm, if the search sizes it
 };

@@ -24,8 +24,8 @@ struct RingCut {
 
 class RingCuts {
  public:
-  /// For the wheel of a trial with its shift, by cut_by_default(); none if there is no such gear.
-  /// Thread-safe.
+  /// The cut of the wheel of a trial with its shift, made by cut_by_default(); none if there is no
+  /// such gear. Thread-safe.
   std::optional<RingCut> of(const SearchProblem& problem, const Trial& trial, double shift);
 
   /// The number of generated teeth, as a measure of the work.

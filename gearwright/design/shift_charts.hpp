@@ -36,8 +36,8 @@ struct ShiftLimits {
 std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, Angle helix,
                                            int which, int from, int to);
 
-/// Where x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth numbers;
-/// none if it does not.
+/// The point at which x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth
+/// numbers; none if they do not meet.
 ///
 /// Accuracy  0.01 teeth: chords between whole tooth numbers, not the limits of broken ones
 struct LimitsMeet {

@@ -30,8 +30,8 @@ using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 ///           them on the gear gives their phase, [T13.17]. Flanks without modifications and errors
 ///           of mounting are conjugate, and their curve is 0
 /// Domain    drive as made, with its flow if there is one; harmonics ≥ 1 (contract)
-/// None      several inputs, a redundant mesh, a rack, no geometry, contact lost, or a measured
-///           gear that is loaded on the flank without readings
+/// None      with several inputs, a redundant mesh, a rack, no geometry, lost contact, or a
+///           measured gear that is loaded on the flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors = {});
 

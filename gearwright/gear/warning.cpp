@@ -268,7 +268,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::changes_left_out, "changes_left_out", kNote,
      "verb search: changes of the limits were not searched, or not all of them; the message has "
      "the reason"},
-    // Of whole drives.
+    // Warnings about whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
      "verb drive: no profile shift brings the meshes of a planet to one centre distance, or an "
      "idler has no possible place",

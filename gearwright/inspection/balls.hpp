@@ -48,7 +48,8 @@ struct PinReading {
 ///           project beyond them, with the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
-/// Over two opposite balls in one transverse plane; between them in an internal gear. [T10.8]
+/// The dimension over two opposite balls in one transverse plane, or between them in an internal
+/// gear. [T10.8]
 ///
 /// Domain    |z| ≥ 2 (contract): one space has no opposite one
 double over_two_balls(const Gear& gear, const BallSeat& seat);

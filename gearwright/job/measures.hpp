@@ -43,8 +43,8 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
 /// The gear, with the teeth as cut, in terms of that rack.
 ///
-/// Errors    `--as-rack`: no such rack has this gear; the message names the module for the angle,
-///           or the greatest angle
+/// Errors    `--as-rack` if no such rack describes this gear; the message names the module for the
+///           angle, or the greatest angle
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
 
 /// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,

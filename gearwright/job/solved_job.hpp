@@ -11,7 +11,7 @@ namespace gearwright {
 /// Warnings name the keys of the file.
 struct SolvedJob : Arranged {
   JobSpec spec;  ///< as read; computed values are in `completed`
-  /// For double-helical gears, whose `gears` and `pair` are those of the half at z > 0.
+  /// The halves of double-helical gears, whose `gears` and `pair` are those of the half at z > 0.
   std::array<std::optional<Halves>, 2> halves{};
 };
 

@@ -14,7 +14,7 @@ namespace gearwright {
 
 enum class SheetFormat { pdf, svg, dxf };
 
-/// By the extension of a file's name, in any case; none for other extensions.
+/// The format for the extension of a file, in upper or lower case; none for other extensions.
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {

@@ -78,7 +78,7 @@ struct LoadedTorque {
   /// pitch.
   std::vector<Angle> harmonics{};
   struct Stiffness {
-    /// N/(mm µm), N/µm; mean: at the mean approach
+    /// N/(mm µm), N/µm; `mean` is the value at the mean approach
     double mean = LoadedPosition::kNone, min = LoadedPosition::kNone, max = LoadedPosition::kNone;
   };
   Stiffness stiffness, without_twist, tangent;

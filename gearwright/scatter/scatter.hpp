@@ -70,7 +70,7 @@ struct Probability {
   ConfidenceInterval interval;
 };
 
-/// By group.
+/// The indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
 };
@@ -102,7 +102,7 @@ constexpr double kLooser = 0.05, kMostFactor = 8.0;
 struct Scatter {
   Scatter() = default;                 ///< empty, and not an aggregate; scatter_of() makes it
   std::vector<ScatterSample> samples;  ///< replicate by replicate
-  /// By ScatterQuantity; none if there is no such number.
+  /// One for each ScatterQuantity; none if there is no such number.
   std::array<std::optional<Spread>, kScatterQuantities> spread{};
   /// None if the quantity varies by rounding only, or if a sample has no contact.
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};

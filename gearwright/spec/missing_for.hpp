@@ -32,7 +32,7 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 /// The same as one error; none if nothing is missing.
 std::optional<Error> missing_error(SpecUse use, const JobSpec& spec);
 
-/// For a rating alone. `tables` are those of the materials of both gears.
+/// The missing inputs of a rating alone. `tables` are those of the materials of both gears.
 std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables);
