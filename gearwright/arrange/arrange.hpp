@@ -32,9 +32,9 @@ struct Arranged {
   }
 };
 
-/// The same at both ends of its tolerances. `lower` has the thinnest teeth and the centre distance
-/// with the most backlash. `upper` has the thickest teeth and the least backlash. The manufactured
-/// gears, and contact, use the mean of the allowances.
+/// Gears and pair at both ends of their tolerances. `lower` has the thinnest teeth and the centre
+/// distance with the most backlash. `upper` has the thickest teeth and the least backlash. The
+/// manufactured gears, and contact, use the mean of the allowances.
 struct ArrangedEnds {
   Arranged lower, upper;
 };

@@ -24,7 +24,7 @@ struct DoubleHelical {
   double hob_half_length = 0.0;          ///< l_0   mm
 };
 
-/// One for each gear.
+/// The inputs of double-helical gears, one for each gear.
 using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
 
 /// One gear of two halves, with the values that follow.

@@ -64,7 +64,7 @@ class ContactSetup {
   const PairModifications& modifications() const { return modifications_; }
   /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
-  /// The same with fields of removed material on these gears, even if nothing is removed, because
+  /// The setup with fields of removed material on these gears, even if nothing is removed, because
   /// their derivatives need the fields.
   ContactSetup with_fields(std::array<bool, 2> wanted) const;
   /// The gear that a rack F cuts, 1 or 2; none for other teeth.

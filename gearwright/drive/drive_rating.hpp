@@ -30,7 +30,7 @@ using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
 /// Domain    a drive with a flow that does not lock itself (contract)
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
 
-/// One for each mesh; none if a mesh carries no load or has no pair.
+/// The ratings of all meshes; none for a mesh that carries no load or has no pair.
 ///
 /// Errors    `drive.mesh` without a flow, or that locks itself; as rate(), with the mesh in the rule
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,

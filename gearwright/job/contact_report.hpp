@@ -22,8 +22,8 @@ struct ContactPart {
 };
 
 /// The contact part of a report. None if the spec does not request it, and none with a warning in
-/// the job if there is no result. The report requires equal positions over one pitch, so if the spec
-/// has other rotations, only the result has those.
+/// the job if there is no result. The report requires equal positions over one pitch, so if the
+/// spec has other rotations, only the result has those.
 ///
 /// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);

@@ -17,7 +17,7 @@ std::string csv_cell(const Value& value);
 /// of a range; common values are in `first`, and a longer list has its own rows (key.1, key.2, …).
 /// Lists of records (contacts, overlaps) are left to JSON.
 std::string quantities_csv(const SolvedJob& job);
-/// The same for a pinion, its rack and the pair.
+/// A row for each quantity of a pinion, its rack and the pair, in the same columns.
 std::string rack_csv(const Gear& pinion, const RackPair& pair);
 /// A row for each position of the working flanks, a column for each number of it.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);

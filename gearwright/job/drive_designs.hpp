@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// Its numbers of teeth, "sun 19, planet 17, ring 56".
+/// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56".
 std::string teeth_text(const DriveCandidate& c);
 
 /// A candidate as a spec of the verb drive: the common keys of the search, and its own numbers.

@@ -55,7 +55,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::pa
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 
-/// One file of the whole drive, as make_file(); a 3MF file has it laid out.
+/// One file of the whole drive, as make_file(). In a 3MF file the bodies are laid out for printing.
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::filesystem::path& path, const FileOptions& options);
 

@@ -20,7 +20,7 @@ namespace gearwright {
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
-/// The same as records for the page; impossible measurements are omitted.
+/// The measurements as records for the page; impossible ones are omitted.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
 /// For each gear the numbers that differ at the lower and at the upper end of its tolerances, or

@@ -18,7 +18,7 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
 /// The whole result as text, one design per line, because the array may be long.
 std::string search_json_text(const Search& search, const SearchRun& run);
 
-/// The same for a run without a result yet, or a stopped one.
+/// The result of a run that has not finished, or was stopped.
 Json unfinished_json(const SearchRun& run);
 
 /// Counts, the best designs, and changes that would help if there are none.

@@ -23,13 +23,13 @@ struct WorkshopSheets {
   double deviation_mm;  ///< greatest, of the outlines
 };
 
-/// A sheet for each of these gears, 1 or 2. `tolerance_mm`: of the outlines, in the gears' mm.
+/// A sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
 ///
 /// Errors    as make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 
-/// The same as one file.
+/// The sheets as one file.
 ///
 /// Domain    at least one gear (contract)
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,

@@ -78,7 +78,7 @@ struct ScatterTolerance {
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
-  /// Its coordinates from as many numbers in (0, 1), in the user's units.
+  /// The coordinates of x, computed from as many numbers in (0, 1), in the user's units.
   std::array<double, 3> at(std::span<const double> u) const;
   /// Least and greatest value of a coordinate.
   std::array<double, 2> side(int coordinate) const;
