@@ -205,8 +205,9 @@ void bind_search(py::module_& m) {
       .def("__getitem__", &design, "The design of this rank as a Record")
       .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
       .def("to_numpy", &to_numpy,
-           "A structured array with the columns of search.parquet, a row a design")
-      .def("to_parquet", &to_parquet, py::arg("path"), "The same as a Parquet file")
+           "A structured array with the columns of search.parquet and a row for each design")
+      .def("to_parquet", &to_parquet, py::arg("path"),
+           "Writes the designs to a Parquet file, with the same columns")
       .def_property_readonly("counts", &counts_of,
                              "The numbers of candidates tested, feasible, and ruled out by each "
                              "limit")

@@ -16,7 +16,7 @@ namespace gearwright {
 
 struct ArrangedEnds;
 
-/// With a pair, its gears are those of the pair.
+/// The completed gears and pair. If there is a pair, `gears` are the gears of the pair.
 struct Arranged {
   GivenPair completed;         ///< the input with the values that follow: shifts, thickness, tips
   std::vector<Gear> gears{};   ///< one or two
@@ -32,9 +32,9 @@ struct Arranged {
   }
 };
 
-/// The same at both ends of its tolerances. `lower` has the thinnest teeth and the centre distance
-/// with the most backlash. `upper` has the thickest teeth and the least backlash. The manufactured
-/// gears, and contact, use the mean of the allowances.
+/// Gears and pair at both ends of their tolerances. `lower` has the thinnest teeth and the centre
+/// distance with the most backlash. `upper` has the thickest teeth and the least backlash. The
+/// manufactured gears, and contact, use the mean of the allowances.
 struct ArrangedEnds {
   Arranged lower, upper;
 };

@@ -9,13 +9,14 @@
 
 namespace gearwright {
 
-/// Sets the thickness allowances of both gears so that the pair has the backlash at its place, split
-/// by `backlash_split`. Backlash is linear in the allowances of involute teeth and nearly so in those of
-/// arcs; it is measured on the mounted pair itself, so it equals the backlash of the result.
+/// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
+/// `backlash_split` divides the thinning between the gears. Backlash is linear in the allowances of
+/// involute teeth and nearly linear in those of arcs. It is measured on the mounted pair itself, so
+/// it equals the backlash of the result.
 ///
 /// Accuracy  1e-9 mm, or degrees
 /// Domain    given.pair.wants_backlash(), two gears cut by racks, their shifts complete (contract)
-/// Errors    `pair.backlash…` if no teeth have it
+/// Errors    `pair.backlash…` if no allowances give this backlash
 std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings);
 

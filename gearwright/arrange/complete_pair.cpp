@@ -138,7 +138,7 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // Neither shifts nor angle are given: the pair for which this is the minimum centre distance.
+    // If neither shifts nor angle are given, this is the minimum centre distance of the pair.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);

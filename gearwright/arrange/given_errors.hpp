@@ -10,14 +10,14 @@ namespace gearwright {
 /// numbers of a rack are not its own, so the error names the rack that describes the gear.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// An error of a pair names the racks of its gears. A gear given by its base cylinder has its own
-/// numbers instead.
+/// Replaces the numbers of racks in the error of a pair by the own numbers of a gear that is given
+/// by its base cylinder.
 Error of_basic(const Error& error, const GivenPair& given);
 
-/// For a tip with a clearance, the radius of the end was not given.
+/// Attributes an error of the end of a tooth to the given tip clearance that determines it.
 Error of_clearance(const Error& error, const GivenPair& given, int which);
 
-/// An absent shift cannot be wrong, because it follows from the centre distance.
+/// Attributes an error of an absent shift to the centre distance from which the shift follows.
 Error of_distance(const Error& error, const GivenPair& given);
 
 /// An error of placing the gears, with that kind if it has no other.

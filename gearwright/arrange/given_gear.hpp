@@ -26,7 +26,7 @@ using Ends = std::array<double, 2>;
 
 /// The pinion cutter, and its cutting depth.
 struct CutByInput {
-  int gear = 0;                              ///< 1 or 2: that finished gear; 0: a separate cutter
+  int gear = 0;                              ///< 1 or 2 if that finished gear cuts; 0 for a cutter
   std::shared_ptr<const GearInput> cutter;   ///< the separate cutter
   std::optional<double> profile_shift_pair;  ///< e: shift of the cutter and of the gear together
   std::optional<double> module;              ///< mm; given although the cutter determines it
@@ -60,14 +60,14 @@ struct ToleranceInput {
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< else 0 for a gear, and an unknown for `fit`
-  bool hand_given = false;        ///< the hand is a word of its own, not the sign of the helix
+  bool helix_given = false;             ///< if false, 0 for a gear, and an unknown for `fit`
+  bool hand_given = false;              ///< true if the hand is a word, not the sign of the helix
   bool transverse_given = false;  ///< module or pressure angle is that of the transverse section
-  bool face_width_given = false;  ///< else 10 m_n, with a warning
-  std::optional<BaseGear<double>> basic;  ///< the gear as itself; module, helix, shift follow
-  std::optional<CutByInput> cut_by;       ///< none: cut by its rack
+  bool face_width_given = false;  ///< if false, 10 m_n, with a warning
+  std::optional<BaseGear<double>> basic;  ///< determines module, helix and shift
+  std::optional<CutByInput> cut_by;       ///< none if cut by its rack
   std::optional<double> tip_clearance;    ///< of a tip fillet, to the mating root  mm
-  bool tip_clearance_by_rule = false;     ///< a tip fillet without a number: 0.2 m_n + 0.05
+  bool tip_clearance_by_rule = false;     ///< 0.2 m_n + 0.05 for a tip fillet without a number
   std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the gear is made at their mean
   MeasureInput measure;
   ToleranceInput tolerance;
@@ -75,7 +75,7 @@ struct GearInput {
   MaterialInput material;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// A gear by all its numbers, its profile shift among them; reset that to have it chosen.
+  /// A gear by all its numbers, including its profile shift; reset the shift to have it computed.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// How the two gears are mounted.
+/// The mounting of the two gears.
 struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
@@ -38,11 +38,11 @@ struct PairInput {
 struct GivenPair {
   std::array<std::optional<GearInput>, 2> gears;  ///< one gear alone is the first
   PairInput pair;
-  bool shaft_angle_found = false;  ///< it was not given but follows from the centre distance
+  bool shaft_angle_found = false;  ///< true if not given but computed from the centre distance
   std::vector<Warning> notes;      ///< on the input itself; they are added to the warnings of the
                                    ///< result
 
-  /// Gear 1 or 2; null: there is none.
+  /// Gear 1 or 2; null if there is none.
   GearInput* find(int which) {
     auto& gear = gears[static_cast<std::size_t>(which - 1)];
     return gear ? &*gear : nullptr;

@@ -17,7 +17,7 @@ namespace gearwright {
 
 /// Results computed in addition to the pair. All must outlive the call.
 struct JudgedWith {
-  const ContactResult* contact = nullptr;  ///< of the working flanks; null: not computed
+  const ContactResult* contact = nullptr;  ///< of the working flanks; null if not computed
   bool errors = false;                     ///< true if the contact is under errors
   std::optional<JudgedRating> rating{};    ///< none if not computed
   /// The contact of a changed pair under the same errors; it may add warnings. None if there is no

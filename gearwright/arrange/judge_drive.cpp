@@ -95,7 +95,7 @@ std::optional<DriveChange> of_drive(const Drive& drive, std::size_t m, const Spe
   return DriveChange{change.what, gear_index(drive, m, change.gear), change.value};
 }
 
-// Whether every other part is at least as good as before.
+// True if every other part is at least as good as before.
 bool no_worse(const std::vector<Part>& before, const std::vector<Part>& after, std::size_t mesh) {
   return std::all_of(after.begin(), after.end(), [&](const Part& now) {
     if (now.mesh == mesh || now.finding.level == Level::green) return true;

@@ -17,11 +17,11 @@ struct DriveChange {
   double value;       ///< as in SpecChange
 };
 
-/// The drive with a change; none: there is no such number in a drive.
+/// The drive with a change; none if a drive has no such number.
 std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& change);
 
-/// A note or a warning about the assembly, or of a mesh, whose name the message begins with. What
-/// mounts planets only axially is no more than a note: that is how they are mounted.
+/// The verdict over the assembly and the meshes. The message of a mesh begins with its name. If
+/// planets can be mounted only axially, this is a note, because that is the usual way.
 ///
 /// `wanted`  least safeties of a rated drive
 /// `key_of`  the key of a change in the spec's own words, after the remedy; may be empty
@@ -30,7 +30,7 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const WantedSafety& wanted = {1.0, 1.0});
 
 /// The level of that verdict, without a search for remedies. Planets at unequal pitch do not count
-/// if the caller has asked for them.
+/// if the caller has requested them.
 Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts);
 
 }  // namespace gearwright

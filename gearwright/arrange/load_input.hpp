@@ -26,7 +26,7 @@ struct LoadInput {
   int driver = 1;
   int positions = 64;              ///< per pitch
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
-  std::optional<int> slices{};     ///< absent: fair_slices
+  std::optional<int> slices{};     ///< fair_slices by default
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm

@@ -40,7 +40,7 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr);
 
-/// The same under this single torque on gear 1, N m, with the other numbers of `input`.
+/// The pair under this single torque on gear 1, N m, with the other numbers of `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
                                     std::vector<Warning>& warnings, Progress* progress = nullptr);

@@ -43,7 +43,7 @@ struct ThicknessAt {
   double helix;       ///< β_y  rad, signed
 };
 
-/// All measurements of one gear; a missing one is none.
+/// All measurements of one gear; an impossible one is absent.
 struct GearMeasures {
   std::optional<Span> span;
   std::vector<Span> spans;  ///< usable ones
@@ -68,9 +68,8 @@ struct MeasureRequest {
   std::function<std::string(const Error&)> words{};
 };
 
-/// A measurement that a gear does not have is none and, if its tool was not given, causes a
-/// warning: `no_chord`, `no_span`, `no_balls`; a contact that is off the usable flank is a warning
-/// too.
+/// A measurement that a gear does not have is absent. If its tool was not given, it also causes a
+/// warning: `no_chord`, `no_span`, `no_balls`. A contact off the usable flank is also a warning.
 ///
 /// Errors    `gearN.measure.…` if a given tool does not fit
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,

@@ -19,7 +19,7 @@ std::optional<Warning> note_shifts(const GivenPair& given);
 /// possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);
 
-/// `what`: a key or a table.
+/// `what` is a key or a table.
 Warning not_read(const std::string& what);
 
 }  // namespace gearwright

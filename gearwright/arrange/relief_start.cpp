@@ -40,7 +40,7 @@ bool lacks_relief_start(const GivenPair& given) {
 
 Error missing_relief_start(const GivenPair& given) {
   return *first_without_start(given, [](int, bool, const Relief&, const std::string& field) {
-    return std::optional(absent_input(field, "; only the mating gear of a pair decides it"));
+    return std::optional(absent_input(field, "; it depends on the mating gear of a pair"));
   });
 }
 

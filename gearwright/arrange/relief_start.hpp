@@ -3,9 +3,9 @@
 //   ε_α   transverse contact ratio over the usable flanks       p_bt   transverse base pitch
 //   ρ     radius of curvature of a flank, the place on the path of contact
 //
-// Tips with a short relief on both gears leave one base pitch of the path without relief, so that at
-// no time all teeth in contact are relieved; each has half of the rest, (ε_α − 1) p_bt/2. Root reliefs
-// divide the path in the same way from the other side.
+// Tips with a short relief on both gears leave one base pitch of the path without relief, so that
+// an unrelieved tooth is always in contact. Each relief has half of the rest, (ε_α − 1) p_bt/2.
+// Root reliefs divide the path in the same way from the other side.
 // Internal to arrange/.
 #pragma once
 
@@ -16,13 +16,13 @@
 namespace gearwright {
 
 /// Start diameters of the tip reliefs and of the root reliefs of gear `which` that leave one base
-/// pitch of the path, mm; none: the flanks touch over at most one base pitch, or the axes cross.
+/// pitch of the path, mm; none if the flanks touch over at most one base pitch or the axes cross.
 struct ReliefStarts {
   double tip, root;
 };
 std::optional<ReliefStarts> short_relief(const InvolutePair& pair, int which);
 
-/// Whether a tip or root relief has no start.
+/// True if a tip or root relief has no start.
 bool lacks_relief_start(const GivenPair& given);
 /// The error for the first such relief of a gear without a mating gear.
 Error missing_relief_start(const GivenPair& given);

@@ -128,7 +128,7 @@ std::vector<StiffnessFactor> factors_of(const Arranged& arranged, const LoadTask
     without("modifications of the flanks", bare_pair(task, one, two));
   if (standard.low_load > 1.0)
     factors.push_back(
-        {fmt::format("a load below {} N/mm, under which the standard softens the teeth", 100),
+        {fmt::format("a load below {} N/mm, at which the standard reduces the stiffness", 100),
          standard.low_load});
   double left = t.without_twist.mean / standard.stiffness;
   for (const StiffnessFactor& f : factors) left /= f.value;

@@ -9,7 +9,7 @@ namespace gearwright {
 /// Adds a note if the mean stiffness differs by more than a quarter from c_γα, with the factor of
 /// each cause and the remaining factor.
 ///
-/// Domain    an answer of this task with contact (contract)
+/// Domain    a result of this task with contact (contract)
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
                        std::vector<Warning>& warnings);
 

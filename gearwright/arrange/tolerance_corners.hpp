@@ -17,14 +17,14 @@ namespace gearwright {
 /// One toleranced number.
 struct TolerancedNumber {
   enum class Of { thickness, tip, distance } of;
-  int gear;   ///< 1, 2; 0: the pair's
+  int gear;   ///< 1, 2; 0 for the pair
   Ends ends;  ///< mm: thickness allowance, tip diameter, centre distance
 };
 
 /// The tolerances; empty if there are none.
 std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
 
-/// For each tolerance the end that applies, 0 or 1; none: its nominal value.
+/// For each tolerance the end that applies, 0 or 1; none for its nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 
 /// All combinations of ends.

@@ -13,7 +13,7 @@ namespace gearwright {
 /// Errors    `gearN.tolerance.…`: no such series; a reading that no tooth has; no tool to read it
 Result<GivenPair> with_allowances(const GivenPair& given);
 
-/// Both ends; none if there are no tolerances.
+/// Gears and pair at both ends; none if there are no tolerances.
 ///
 /// Errors    as arrange() at that end; `pair.backlash` if the tolerance of the centre distance
 ///           alone exceeds it; `pair.distance_tolerance`

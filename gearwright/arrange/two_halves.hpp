@@ -19,12 +19,12 @@ namespace gearwright {
 struct DoubleHelical {
   double gap = 0.0;                      ///< mm, between the halves
   double stagger_pitches = 0.0;          ///< s, of the half at z < 0 relative to the other one
-  std::optional<double> hob_diameter{};  ///< d_a0  mm; none: the run-out is not computed
+  std::optional<double> hob_diameter{};  ///< d_a0  mm; if absent, the run-out is not computed
   Angle hob_lead_angle{};                ///< γ_0
   double hob_half_length = 0.0;          ///< l_0   mm
 };
 
-/// By gears.
+/// The inputs of double-helical gears, one for each gear.
 using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
 
 /// One gear of two halves, with the values that follow.

@@ -19,18 +19,18 @@ namespace gearwright {
 
 /// The kind of an error, on which code may branch. The rule is for users only.
 enum class FailureKind {
-  value,            ///< the value, or the input as a whole, violates the rule
-  missing,          ///< the input lacks the field
-  no_flank,         ///< a gear has no usable flank
-  placement,        ///< two gears cannot be placed, or have no helix or shift, as the input asks
+  value,      ///< the value, or the input as a whole, violates the rule
+  missing,    ///< the input lacks the field
+  no_flank,   ///< a gear has no usable flank
+  placement,  ///< two gears cannot be placed, or have no helix or shift, as the input requires
   nothing_touches,  ///< at no position do teeth of the two gears touch
   not_under_load,   ///< teeth of this kind are not computed under load
   not_in_build,     ///< this build cannot compute it
 };
 
 struct Error {
-  std::string field;  ///< empty: of no member
-  std::string value;  ///< empty: there is no value, or none that fits into a sentence
+  std::string field;  ///< empty if of no member
+  std::string value;  ///< empty without a value that fits into a sentence
   std::string rule;
   FailureKind kind = FailureKind::value;
 

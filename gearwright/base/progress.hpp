@@ -16,7 +16,7 @@ struct WorkStopped {};
 class Progress {
  public:
   struct State {
-    const char* stage;  ///< "map of two errors"; null: nothing has begun
+    const char* stage;  ///< "map of two errors"; null if nothing has begun
     std::int64_t done, of;
   };
 

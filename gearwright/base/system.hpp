@@ -17,9 +17,9 @@ namespace gearwright {
 /// A file that is open, closed at the end. Failures are error numbers (errno), 0 is success.
 class FileHandle {
  public:
-  /// For writing; an existing file is emptied.
+  /// Creates a file for writing; an existing file is emptied.
   static FileHandle create(const std::filesystem::path& path);
-  /// For writing; fails with EEXIST if the file exists.
+  /// Creates a file for writing; fails with EEXIST if it exists.
   static FileHandle create_new(const std::filesystem::path& path);
   static FileHandle open_to_read(const std::filesystem::path& path);
 
@@ -53,7 +53,7 @@ class FileHandle {
 };
 
 long process_id();
-/// Whether process `id` of this host has ended; false if this cannot be determined.
+/// True if process `id` of this host has ended; false if this cannot be determined.
 bool process_has_ended(long id);
 /// "unnamed" if the system does not give a name.
 std::string host_name();

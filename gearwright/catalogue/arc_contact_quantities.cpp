@@ -51,10 +51,10 @@ const Quantities<ArcContact>& ellipse_quantities() {
     q.number("marking_mm", "thickness of the marking compound", "δ", "that shows the ellipse",
              [](const A&) { return Value(kMarking); })
         .doors(kJson);
-    q.number("semi_major_mm", "semi-major axis of the contact ellipse", "", "null: the gap closes",
-             [](const A& a) { return semi_axis(a.gap[0]); });
-    q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "", "null: the gap closes",
-             [](const A& a) { return semi_axis(a.gap[1]); });
+    q.number("semi_major_mm", "semi-major axis of the contact ellipse", "",
+             "null if the gap closes", [](const A& a) { return semi_axis(a.gap[0]); });
+    q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "",
+             "null if the gap closes", [](const A& a) { return semi_axis(a.gap[1]); });
     q.number("angle_deg", "major axis of the contact ellipse to the axis", "",
              "about the normal, from the projection of axis 1", &A::angle);
   });
@@ -82,7 +82,7 @@ void say(Quantities<C>& q) {
   q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
            at([](const ArcContact& a) { return a.theta.deg(); }));
   q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
-           "[T7.9]; null: no contact there", [](const C& c) {
+           "[T7.9]; null without contact there", [](const C& c) {
              const auto& theta = c.contact->nominal_theta;
              return theta ? Value(theta->deg()) : Value();
            });
@@ -106,7 +106,7 @@ void say(Quantities<C>& q) {
   q.record<tensor_quantities>(
        "curvature_per_mm", "of both flanks", [](const C& c) -> const auto& { return c; })
       .doors(kJson);
-  q.term("gap_curvature_per_mm", "k1 ≤ k2; ≤ 0: interference",
+  q.term("gap_curvature_per_mm", "k1 ≤ k2; ≤ 0 for interference",
          at([](const ArcContact& a) { return a.gap; }))
       .words("relative curvatures")
       .list({2});

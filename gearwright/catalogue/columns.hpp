@@ -26,7 +26,7 @@ struct RecordColumn {
   std::string name(std::string_view between) const;
   /// True if the column is given at this interface.
   bool has(Doors door) const;
-  /// Number of values in each row, including nested lists; 0: any number.
+  /// Number of values in each row, including nested lists; 0 for any number.
   std::size_t width() const;
   /// Its value in a record of the row's table; null if the record lacks it.
   const Value* in(const ValueRecord& row) const;

@@ -59,7 +59,7 @@ const KeyTable& contact_keys() {
            "1, or 2: gear 2 pushes in the same sense of rotation, and the non-working flanks "
            "touch"),
        Key::flag("pattern", &ContactInput::pattern, "false",
-                 "true: the result has the marking pattern of both flanks"),
+                 "if true, the result has the marking pattern of both flanks"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
                    "rotations of gear 1, instead of positions and pitches")
            .with_list(KeyList{1, 100'000})

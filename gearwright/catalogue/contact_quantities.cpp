@@ -66,7 +66,7 @@ void say_position(Quantities<P>& q) {
   q.number("rotation2_deg", "rotation of gear 2", "φ_2", "as it is driven",
            touching([](const P& p) { return p.rotation2.deg(); }));
   q.term("transmission_error_arcsec",
-         "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0: gear 2 is ahead [T8.2]",
+         "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0 if gear 2 is ahead [T8.2]",
          touching([](const P& p) { return p.te.arcsec(); }));
   q.whole("tooth", "tooth pair", "k", "the pair that reaches the centre line k pitches later",
           touching(&P::pair));
@@ -241,10 +241,11 @@ void say(Quantities<V>& q) {
   q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
      return v.working->peak_to_peak;
    }).always();
-  q.number("continuous_peak_to_peak_arcsec",
-           "transmission error, peak to peak of the continuous curve", "",
-           "between its extremes [T14.11], whatever the positions; null where contact is lost",
-           &V::continuous_span)
+  q.number(
+       "continuous_peak_to_peak_arcsec", "transmission error, peak to peak of the continuous curve",
+       "",
+       "between its extremes [T14.11], independent of the positions; null where contact is lost",
+       &V::continuous_span)
       .doors(kJson);
   q.number("mean_slope", "mean slope of the transmission error", "",
            "over the rotation of gear 1, by least squares, rad per rad",
@@ -269,17 +270,16 @@ void say(Quantities<V>& q) {
        "non_working_flank", "the flanks that do not drive, at the same positions",
        [](const V& v) { return non_working_quantities().of(*v.non_working); })
       .always();
-  q.number(
-       "least_play_deg", "minimum angular backlash of gear 2", "",
-       "between both flanks, over the positions; negative: the gears jam; null: both flanks never "
-       "touch",
-       &V::min_play)
+  q.number("least_play_deg", "minimum angular backlash of gear 2", "",
+           "between both flanks, over the positions; negative if the gears jam; null if both "
+           "flanks never touch",
+           &V::min_play)
       .digits(6);
   q.add(Type::map, "sensitivity", "sensitivities", "",
-        "exact derivatives [T8.10] by each of [errors] and each modification placed, "
+        "exact derivatives [T8.10] by each of [errors] and each modification with a place, "
         "`center_distance_per_mm` and so on: two lists over the positions, "
-        "`transmission_error_arcsec` and `point_mm`; null where nothing touches, `point_mm` also "
-        "along a line of contact",
+        "`transmission_error_arcsec` and `point_mm`; both are null where nothing touches, and "
+        "`point_mm` is also null along a line of contact",
         sensitivities)
       .always()
       .doors(kJson);

@@ -24,7 +24,7 @@ struct ContactView {
   const ContactResult* working;      ///< the flanks that the driver pushes
   const ContactResult* non_working;  ///< the others, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
-  std::optional<Angle> min_play{};   ///< of gear 2, between both; < 0: the gears jam
+  std::optional<Angle> min_play{};   ///< of gear 2, between both; < 0 if the gears jam
   std::vector<NamedSlope> slopes{};  ///< one for each of the sensitivities
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;

@@ -80,7 +80,7 @@ void say_numbers(Quantities<V>& q) {
       .always()
       .column("module_mm")
       .digits(0);
-  q.term("teeth", "[z1, z2]; negative: an internal gear",
+  q.term("teeth", "[z1, z2]; negative for an internal gear",
          [](const V& v) {
            return std::array{v.row->trial.z1, v.row->trial.z2};
          })
@@ -188,7 +188,8 @@ void say_limits(Quantities<V>& q) {
       .column("tip_thickness#_mm")
       .greater_first()
       .digits(kFewDigits);
-  q.term("tip_clearance_mm", "tip of gear 1 to root of gear 2, then the other",
+  q.term("tip_clearance_mm",
+         "tip of gear 1 to root of gear 2, then tip of gear 2 to root of gear 1",
          [](const V& v) { return v.row->tip_clearance; })
       .per_gear()
       .always()
@@ -197,8 +198,8 @@ void say_limits(Quantities<V>& q) {
       .digits(kFewDigits);
   q.number(
        "form_clearance_path_mm", "form clearance along the line of action", "",
-       "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative: "
-       "interference; null for an internal gear, whose flank end depends on its cutter",
+       "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative "
+       "for interference; null for an internal gear, whose flank end depends on its cutter",
        [](const V& v) { return v.row->form_clearance; })
       .per_gear()
       .column("form_clearance_path#_mm")
@@ -226,7 +227,7 @@ void say_limits(Quantities<V>& q) {
     }
   }
   q.number("sliding_max", "maximum specific sliding", "ζ_max",
-           "at the ends of the path of contact; null: a flank reaches its base tangent point",
+           "at the ends of the path of contact; null if a flank reaches its base tangent point",
            [](const V& v) { return v.row->max_sliding(); })
       .column("sliding_max")
       .doors(kPage)

@@ -10,7 +10,7 @@ const KeyTable& drawing_keys() {
       {Key::text("title", &D::title, "the spec's `title`", "what the drawing shows"),
        Key::text("number", &D::number, "", "drawing number")
            .with_also({"drawing_number", "no", "part_number"}),
-       Key::text("author", &D::author, "", "who drew it"),
+       Key::text("author", &D::author, "", "name of the author"),
        Key::text("date", &D::date, "", "in quotes, in any form; never filled in automatically"),
        Key::text("material", &D::material, "", "in words"),
        Key::text("note", &D::note, "", "additional notes for the workshop")

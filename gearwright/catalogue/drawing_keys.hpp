@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Empty words are not given.
+/// Words of the title block; empty if not given.
 struct DrawingInput {
   std::string title, number, author, date, material, note;
 

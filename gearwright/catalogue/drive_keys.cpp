@@ -57,7 +57,7 @@ Key torque_key() {
 template <class Member>
 Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
   return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
-                   "how the planets stand: at equal pitch if they assemble, else at the nearest "
+                   "spacing of the planets: at equal pitch if they assemble, else at the nearest "
                    "places; or an error if they do not; or clocked; or in opposite pairs");
 }
 

@@ -185,7 +185,7 @@ void say_motion(Quantities<Drive>& q) {
      return d.motion.freedom;
    }).always();
   q.whole("period_input_turns", "period", "",
-          "turns of the input after which all bodies stand as at the start [T13.5]",
+          "turns of the input after which all bodies are in their initial positions [T13.5]",
           [](const Drive& d) -> Value {
             if (!d.motion.period) return {};
             const auto turns = d.motion.period->numerator();
@@ -222,7 +222,7 @@ void say(Quantities<Drive>& q) {
         [](const Drive& d) { return by_name(drive_mesh_quantities(), d, d.graph.meshes); })
       .doors(kJson);
   q.record<assembly_quantities>(
-       "assembly", "where the planets of the first set stand; null without planets",
+       "assembly", "the positions of the planets of the first set; null without planets",
        [](const Drive& d) {
          return d.sets.empty() ? Value() : Value(assembly_quantities().of(d.sets.front()));
        })
@@ -341,10 +341,10 @@ const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
     q.whole("positions", "places per turn", "N*",
-            "where a planet can be put in; 0: anywhere [T13.12]",
+            "where a planet can be put in; 0 if any place is possible [T13.12]",
             [](const P& p) { return p.assembly.places; })
         .always();
-    q.flag("equal", "equal pitch", "the planets stand at equal pitch",
+    q.flag("equal", "equal pitch", "the planets are at equal pitch",
            [](const P& p) { return p.assembly.equal; });
     q.number("angles_deg", "places of the planets", "", "counter-clockwise from the first [T13.13]",
              [](const P& p) { return each(p.assembly.turns, degrees_of); })

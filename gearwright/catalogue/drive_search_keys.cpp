@@ -50,7 +50,7 @@ Key face_width() {
 const KeyTable& drive_search_keys() {
   static const KeyTable table{
       "drive_search",
-      "What a search for drives is asked",
+      "The input of a search for drives",
       {Key::word("kind", {kDriveKindNames.begin(), kDriveKindNames.end()}, &Problem::kind,
                  kRequired,
                  "sun, planet, ring; stepped planets with `sun` and `ring2`; two rings, with "

@@ -60,7 +60,7 @@ void say_found(Quantities<F>& q) {
       .doors(kJson);
   q.number("efficiency", "efficiency", "η", "input driving",
            [](const F& f) { return of_drive(f, "efficiency"); });
-  q.number("efficiency_backward", "efficiency, output driving", "η", "0: it locks itself",
+  q.number("efficiency_backward", "efficiency, output driving", "η", "0 if it locks itself",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("size_mm", "size", "",
            "diameter over planets and rings without shifts; of a train the sum of its distances",
@@ -70,7 +70,7 @@ void say_found(Quantities<F>& q) {
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
   q.whole("positions", "places per turn", "N*", "of a planet",
           [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
-  q.add(Type::flag, "equal", "equal pitch", "", "the planets stand at equal pitch",
+  q.add(Type::flag, "equal", "equal pitch", "", "the planets are at equal pitch",
         [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
   q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c", "between their tips",
            [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
@@ -139,7 +139,8 @@ void say_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "best first, as many as `--top` says; their numbers are those of the verb drive, whose "
+       "best first, at most the number of `--top`; their numbers are those of the verb drive, "
+       "whose "
        "verdict is green",
        [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
       .list({0})

@@ -46,8 +46,8 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "the same of gear 2"},
       {"cutter_lead1_deg", "Δλ1", "lead angle of gear 1", std::nullopt, 1,
        [](E& e, const Gears&, double v) { e.cutter_lead[0] = Angle::degrees(v); },
-       "gear 1 is cut with its lead angle λ = 90° − |β| wrong by this much, its pitch radius kept: "
-       "lead and transverse section change [T8.14]"},
+       "error of the lead angle λ = 90° − |β| with which gear 1 is cut; its pitch radius does not "
+       "change, but its lead and transverse section do [T8.14]"},
       {"cutter_lead2_deg", "Δλ2", "lead angle of gear 2", std::nullopt, 2,
        [](E& e, const Gears&, double v) { e.cutter_lead[1] = Angle::degrees(v); },
        "the same of gear 2"},

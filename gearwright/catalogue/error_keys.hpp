@@ -35,7 +35,7 @@ struct ErrorEntry {
   std::string member() const;  ///< of ContactErrors, "cutter_lead[0]"
 };
 
-/// In the order for documents.
+/// The entries of all errors, in the order for documents.
 const std::array<ErrorEntry, kErrorCount>& error_entries();
 /// Index of a key in error_entries; none if there is no such error.
 std::optional<std::size_t> error_index(std::string_view key);

@@ -41,9 +41,9 @@ const Quantities<BranchView>& branch_quantities() {
 
 const Quantities<Fit>& nearest_quantities() {
   static const Quantities<Fit> kAll("fit.nearest", [](Quantities<Fit>& q) {
-    q.term("center_distance_mm", "null: none is near", &Fit::nearest_distance)
+    q.term("center_distance_mm", "null if none is near", &Fit::nearest_distance)
         .words("nearest centre distance at this shaft angle");
-    q.term("shaft_angle_deg", "null: none is near", &Fit::nearest_shaft_angle)
+    q.term("shaft_angle_deg", "null if none is near", &Fit::nearest_shaft_angle)
         .words("nearest shaft angle at this centre distance");
   });
   return kAll;

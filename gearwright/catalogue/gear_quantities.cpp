@@ -179,7 +179,8 @@ void say(Quantities<Gear>& q) {
       .expected(has_involutes);
   q.under(kDiameters);
   q.number("pointed_diameter_mm", "diameter of the pointed tooth", "",
-           "where the two flanks would meet, an internal gear's inward [T2.13]; null: nowhere",
+           "where the two flanks would meet, an internal gear's inward [T2.13]; null if they do "
+           "not meet",
            &G::pointed_diameter)
       .expected(has_involutes);
   q.under(kTooth);
@@ -198,7 +199,7 @@ void say(Quantities<Gear>& q) {
       .when();
   of_arcs
       .number("undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
-              "circular arcs only: that of the flank's cusp [T7.12]; null: it has none",
+              "circular arcs only: that of the flank's cusp [T7.12]; null if it has no cusp",
               &ArcTeeth::undercut_limit)
       .when();
   of_involute_gear

@@ -37,11 +37,11 @@ void say_candidate(Quantities<G>& q) {
   q.under("");
   q.term("teeth", "as counted", &G::teeth).always();
   q.term("normal_module_mm", "of the series below", &G::normal_module).always();
-  q.word("module_series", "series of the module", "`none`: no standard's",
+  q.word("module_series", "series of the module", "`none` if it is not of a standard",
          [](const G& g) { return series_word(g); })
       .always()
       .one_of({"ISO54-I", "ISO54-II", "diametral_pitch", "none"});
-  q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null: of a metric gear",
+  q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null for a metric gear",
            &G::diametral_pitch);
   q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle).always();
   q.term("helix_angle_deg", "> 0 right hand, also if no reading determines the hand",
@@ -58,7 +58,7 @@ void say_candidate(Quantities<G>& q) {
       .always();
   q.number(
       "profile_shift_of_tip", "shift that the tip shows", "x",
-      "null: no tip was measured. If it is greater than x_E, it is that of the drawing or a part "
+      "null if no tip was measured. If it is greater than x_E, it is that of the drawing or a part "
       "of it left by wear; the difference to x_E is the thickness allowance",
       &G::shift_of_tip);
   q.number("likelihood", "likelihood", "", "of all candidates 1", &G::likelihood)
@@ -77,7 +77,7 @@ const Quantities<Contradiction>& contradiction_quantities() {
     q.word("reading", "reading that disagrees", "with all others", &C::reading)
         .always()
         .one_of({"span", "over_balls", "lead", "helix_angle"});
-    q.term("tool", "null: it has none",
+    q.term("tool", "null if it has none",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "as it was read", "", "mm, or degrees", &C::value).always();
     q.number("expected", "value predicted by the other readings", "", "mm, or degrees",
@@ -93,7 +93,7 @@ const Quantities<NextMeasurement>& next_quantities() {
     q.word("reading", "what to measure next", "", &N::reading)
         .always()
         .one_of({"span", "over_balls", "helix_angle"});
-    q.term("tool", "null: it has none",
+    q.term("tool", "null if it has none",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
     q.number("expect", "of the first candidate, of the other", "", "mm, or degrees", &N::expect)
         .list({2})
@@ -121,13 +121,14 @@ const Quantities<Identification>& identify_quantities() {
         .always();
     q.under("Contradiction");
     q.record<contradiction_quantities>(
-        "contradiction", "null: the readings agree; the candidates are those of the other readings",
+        "contradiction",
+        "null if the readings agree; the candidates are those of the other readings",
         &I::contradiction);
     q.under("Next measurement");
     q.record<next_quantities>("next_measurement",
-                              "null: only one candidate is left, or no measurement can decide",
+                              "null if only one candidate is left or no measurement can decide",
                               &I::next);
-    q.text("reason", "why there is no candidate, or none that fits; null: at least one fits",
+    q.text("reason", "why there is no candidate, or none that fits; null if at least one fits",
            [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });
   });
   return kAll;

@@ -1,6 +1,6 @@
-// The catalogue of inputs: what is said of each key of a spec, once.
+// The catalogue of inputs: the description of each key of a spec, written once.
 //
-//   Key        name in the file, symbol, kind, range with its reason, default, what it needs or
+//   Key        name in the file, symbol, kind, range with its reason, default, keys it needs or
 //              excludes, one sentence of meaning, and the member of an input struct that it sets
 //   KeyTable   the keys of one table of a spec, and the rule that they keep together
 //   KeyPlace   the member, key_place.hpp
@@ -71,7 +71,7 @@ struct KeyList {
   bool single = false;      ///< a single value without a list is also allowed
   ListOrder order{};        ///< of numbers
   std::string_view noun{};  ///< noun for a word of the list: "objective"
-  /// The word that another one stands for; empty if there is none.
+  /// The word for which another one is a synonym; empty if there is none.
   std::string_view (*meant)(std::string_view word) = nullptr;
   std::string_view must{};  ///< for tables: requirement on the list
   int first = 1;            ///< number of its first element in a path

@@ -28,7 +28,7 @@ struct LoadTorqueView {
 };
 
 struct LoadView {
-  const LoadedContact* contact = nullptr;  ///< null: only probes
+  const LoadedContact* contact = nullptr;  ///< null if there are only probes
   std::vector<LoadStandard> standard{};    ///< at each torque; empty if the standard does not cover
                                            ///< the pair
   std::vector<ProbeView> probes{};

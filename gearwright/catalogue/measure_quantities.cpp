@@ -105,17 +105,16 @@ const Quantities<PinMeasure>& pin_quantities() {
              [](const P& p) { return p.seat.ball_diameter; })
         .always();
     q.number("two_free_mm", "over two pins that may tilt", "M_dR",
-             "the least, as a micrometer finds it [T10.9]; null: an internal helical gear",
+             "the least, as a micrometer finds it [T10.9]; null for an internal helical gear",
              [](const P& p) { return p.reading.two_free; });
-    q.number(
-        "three_mm", "over two pins between parallel anvils", "M_dR",
-        "also over three pins on helical gears [T10.10]; as over two pins on spur gears; null: an "
-        "internal helical gear",
-        [](const P& p) { return p.reading.three; });
+    q.number("three_mm", "over two pins between parallel anvils", "M_dR",
+             "also over three pins on helical gears [T10.10]; as over two pins on spur gears; null "
+             "for an internal helical gear",
+             [](const P& p) { return p.reading.three; });
     q.number(
         "three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
         "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur gear "
-        "with an odd number of teeth [T10.30]; on other gears as between parallel anvils; null: "
+        "with an odd number of teeth [T10.30]; on other gears as between parallel anvils; null for "
         "an internal helical gear",
         [](const P& p) { return p.reading.three_pins; });
     say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
@@ -216,7 +215,7 @@ const Quantities<ThicknessAt>& thickness_quantities() {
 void say_measure(Quantities<GearMeasures>& q) {
   using M = GearMeasures;
   q.under(kSpan);
-  q.record<span_quantities>("span", "null: none can be measured", &M::span);
+  q.record<span_quantities>("span", "null if none can be measured", &M::span);
   q.under("Other spans");
   q.record<span_quantities>("spans",
                             "all spans that can be measured, at most 31 around the usual "
@@ -226,18 +225,18 @@ void say_measure(Quantities<GearMeasures>& q) {
       .always()
       .doors(kJson);
   q.under(kBalls);
-  q.record<ball_quantities>("over_balls", "null: no ball can be measured", &M::balls);
+  q.record<ball_quantities>("over_balls", "null if no ball can be measured", &M::balls);
   q.under(kPins);
-  q.record<pin_quantities>("over_pins", "null: no pin can be measured", &M::pins);
+  q.record<pin_quantities>("over_pins", "null if no pin can be measured", &M::pins);
   q.under(kSizes);
-  q.record<size_quantities>("ball_sizes", "null: no ball can be measured", &M::sizes);
+  q.record<size_quantities>("ball_sizes", "null if no ball can be measured", &M::sizes);
   q.under(kChord);
   q.record<chord_quantities>("chordal_thickness",
-                             "thickness allowance included; null: there is no chord", &M::chord);
+                             "thickness allowance included; null if there is no chord", &M::chord);
   q.under(kConstant);
-  q.record<constant_quantities>("constant_chord", "null: there is no usable flank", &M::constant);
+  q.record<constant_quantities>("constant_chord", "null if there is no usable flank", &M::constant);
   q.under(kThickness);
-  q.record<thickness_quantities>("tooth_thickness", "null: the flank does not reach there",
+  q.record<thickness_quantities>("tooth_thickness", "null if the flank does not reach there",
                                  &M::thickness);
   q.term("normal_base_pitch_mm", "between two flanks of one hand, along their common normal",
          [](const M& m) { return m.reference ? Value(m.reference->base_pitch_normal) : Value(); });
@@ -245,7 +244,7 @@ void say_measure(Quantities<GearMeasures>& q) {
     return m.reference ? Value(m.reference->base_pitch_transverse) : Value();
   });
   q.under(kRanges);
-  q.record<range_quantities>("flank", "null: there is no usable flank", &M::ranges);
+  q.record<range_quantities>("flank", "null if there is no usable flank", &M::ranges);
   q.under(kTolerances);
   q.record<tolerance_quantities>(
        "tolerances", "with `quality`; ISO 1328-1, the edition of the spec", &M::tolerances)

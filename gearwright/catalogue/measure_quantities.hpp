@@ -7,7 +7,7 @@
 
 namespace gearwright {
 
-/// Of one gear.
+/// The measurements of one gear.
 const Quantities<GearMeasures>& measure_quantities();
 
 /// Data of a rack that would cut the same teeth.

@@ -44,10 +44,10 @@ const KeyTable& measured_keys() {
                    {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 right hand"),
        Key::positive("lead_uncertainty_mm", "", {&I::lead, &MaybeReading<double>::uncertainty},
                      "2 % of the lead", "of the lead"),
-       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89),
-                   {&I::helix, &MaybeReading<Angle>::value}, "",
-                   "helix angle at the reference cylinder, > 0 right hand; 0: the teeth "
-                   "are straight"),
+       Key::number(
+           "helix_angle_deg", "β", KeyRange::between(-89, 89),
+           {&I::helix, &MaybeReading<Angle>::value}, "",
+           "helix angle at the reference cylinder, > 0 right hand; 0 if the teeth are straight"),
        Key::positive("helix_angle_uncertainty_deg", "",
                      {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5", "of the helix angle"),
        Key::positive("center_distance_mm", "a", {&I::distance, &MaybeReading<double>::value}, "",

@@ -23,7 +23,7 @@ struct ModificationEntry {
   double FlankModifications::*amount;
   std::string_view reach;        ///< end of the key of a relief's reach, "_start_mm"
   std::string_view reach_words;  ///< "from diameter"
-  std::string_view meaning;      ///< what is removed
+  std::string_view meaning;      ///< the material removed
 
   double amount_of(const FlankModifications& m) const {
     return relief ? (m.*relief).amount : m.*amount;
@@ -32,7 +32,7 @@ struct ModificationEntry {
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 
-/// In the order of RemovalField::kParameters.
+/// The entries of all modifications, in the order of RemovalField::kParameters.
 const std::array<ModificationEntry, 7>& modification_entries();
 
 constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};

@@ -14,7 +14,7 @@ const KeyTable& pair_keys() {
   static const KeyTable table{
       "pair",
       "How the two gears are mounted",
-      {Key::positive("center_distance_mm", "a", &PairInput::center_distance, "what `mounting` says",
+      {Key::positive("center_distance_mm", "a", &PairInput::center_distance, "that of `mounting`",
                      "centre distance")
            .with_also({"centre_distance", "distance", "axis_distance", "center", "cd"}),
        Key::text("center_distance_tolerance", &PairInput::distance_tolerance, "",
@@ -60,8 +60,8 @@ const KeyTable& pair_keys() {
                  "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
                  "x2), an internal gear a_d − m_n (x1 + x2)"),
        Key::flag("choose_profile_shifts", &PairInput::choose_profile_shifts, "true",
-                 "`true`: absent profile shifts follow from a given centre distance, and a note "
-                 "reports them; `false`: they must be given"),
+                 "if `true`, absent profile shifts follow from a given centre distance, and a note "
+                 "reports them; if `false`, they must be given"),
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
                  "tips without a given `tip_diameter_mm` are shortened by k m_n, so that the "
                  "clearance of the racks is kept"),

@@ -198,7 +198,7 @@ const Quantities<PairBacklash>& backlash_quantities() {
     q.number(
          "free_rotation_deg", "free play (mating gear fixed)", "",
          "per gear, the rotation without any contact; less than the backlash if other parts meet "
-         "before the flanks; null: not computed, or a tip lies inside a root",
+         "before the flanks; null if not computed, or if a tip lies inside a root",
          [](const B& b) {
            if (!b.free) return Value();
            return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
@@ -221,12 +221,12 @@ const Quantities<ParallelPair>& needed_face_quantities() {
           };
         };
         q.number("total_1", "face width for a total contact ratio of 1", "b",
-                 "null for a spur pair that needs one",
+                 "null for a spur pair with a lower transverse contact ratio",
                  [](const ParallelPair& p) { return face_width_for_total(p, 1.0); })
             .unit(Unit::mm)
             .shown(positive(1.0));
         q.number("total_1_2", "face width for a total contact ratio of 1.2", "b",
-                 "null for a spur pair that needs one",
+                 "null for a spur pair with a lower transverse contact ratio",
                  [](const ParallelPair& p) { return face_width_for_total(p, 1.2); })
             .unit(Unit::mm)
             .shown(positive(1.2));
@@ -261,10 +261,10 @@ const Quantities<Efficiency>& efficiency_quantities() {
   using E = Efficiency;
   static const Quantities<E> kAll("pair.efficiency", [](Quantities<E>& q) {
     q.number("gear1_drives", "efficiency, gear 1 driving", "η",
-             "power out over power in; null: self-locking", &E::gear1_drives)
+             "power out over power in; null if self-locking", &E::gear1_drives)
         .unit(Unit::percent);
     q.number("gear2_drives", "efficiency, gear 2 driving", "η",
-             "power out over power in; null: self-locking", &E::gear2_drives)
+             "power out over power in; null if self-locking", &E::gear2_drives)
         .unit(Unit::percent);
   });
   return kAll;
@@ -275,12 +275,15 @@ const Quantities<InternalMargins>& internal_quantities() {
   static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
     q.number("involute_margin_mm", "involute: start of the path above the pinion's form point", "",
-             "[T2.27]; negative: the tip reaches below it, null: no such limit", &M::involute);
+             "[T2.27]; negative if the tip reaches below it; null without such a limit",
+             &M::involute);
     q.number("trochoid_margin_deg", "trochoid: tips pass each other", "",
-             "[T2.28], of sharp tips without backlash; negative: they collide; null: no such limit",
+             "[T2.28], of sharp tips without backlash; negative if they collide; null without such "
+             "a limit",
              &M::trochoid);
     q.number("trimming_margin_deg", "trimming: radial assembly", "",
-             "[T2.28]; negative: axial mounting only; null: no such limit", &M::trimming);
+             "[T2.28]; negative if only axial mounting is possible; null without such a limit",
+             &M::trimming);
   });
   return kAll;
 }
@@ -291,10 +294,10 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.text("code", "a fixed word for programs", [](const I& i) {
        return to_string(i.code);
      }).always();
-    q.term("gear", "the gear whose root or tip is affected; null: both",
+    q.term("gear", "the gear whose root or tip is affected; null for both",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
-    q.number("amount", "amount", "", "mm; rad for `trochoid`; < 0: amount of the interference",
-             &I::amount)
+    q.number("amount", "amount", "",
+             "mm; rad for `trochoid`; < 0 for an interference of this amount", &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "one sentence for people", &I::message).always();
   });
@@ -310,9 +313,7 @@ const Quantities<Collision>& collision_quantities() {
     q.text("cause", "a fixed word for programs", [](const S& s) {
        return to_string(s.cause);
      }).always();
-    q.term("gear",
-           "the gear with the affected root or the projecting tip; null: "
-           "both",
+    q.term("gear", "the gear with the affected root or the projecting tip; null for both",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
              "along the common normal: depth of an overlap in the middle of the play; for contact "

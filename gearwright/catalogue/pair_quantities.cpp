@@ -99,7 +99,7 @@ void say_mounting(Quantities<V>& q) {
       .always();
   of_involutes
       .term("backlash_free_center_distance_mm",
-            "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null: "
+            "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null if "
             "there is none",
             &InvolutePair::backlash_free_center_distance)
       .expected();
@@ -178,10 +178,11 @@ void say_crossed(Quantities<V>& all) {
       .when(is<InvolutePair>);
   all.under("Minimum centre distance, free of backlash");
   q.record<place_quantities>("minimum_center_distance",
-                             "of the teeth as cut [T4.15]; null: the teeth are too thin",
+                             "of the teeth as cut [T4.15]; null if the teeth are too thin",
                              &CrossedPair::min_distance);
   all.under("Contact ratio of 1 and more, free of backlash");
-  q.record<places_quantities>("contact_ratio_range", "where AE ≥ p_bn [T4.23]; null: nowhere",
+  q.record<places_quantities>("contact_ratio_range",
+                              "where AE ≥ p_bn [T4.23]; null if there is no such place",
                               &CrossedPair::contact_ratio_range);
 }
 
@@ -255,8 +256,8 @@ void say_contact(Quantities<V>& q) {
   q.record<collision_quantities>(
        "overlap",
        "overlap of the bodies in the middle of the backlash, deepest first [T2.34], on crossed "
-       "axes of tips and roots [T4.33]; null: not computed (circular arcs of unequal lead, an "
-       "internal gear whose cutter is not known)",
+       "axes of tips and roots [T4.33]; null if not computed (circular arcs of unequal lead, an "
+       "internal gear whose cutter is not given)",
        [](const V& v) {
          const auto& overlap = v.mounted().overlap;
          return overlap ? Value(collision_quantities().each(*overlap)) : Value();
@@ -281,9 +282,10 @@ void say_contact(Quantities<V>& q) {
 
 void say_clearances(Quantities<V>& q) {
   q.under(kClearances);
-  q.term("tip_clearance_mm", "tip of gear 1 to root of gear 2, then the other", [](const V& v) {
-     return v.mounted().tip_clearance;
-   }).per_gear();
+  q.term("tip_clearance_mm",
+         "tip of gear 1 to root of gear 2, then tip of gear 2 to root of gear 1",
+         [](const V& v) { return v.mounted().tip_clearance; })
+      .per_gear();
   auto of_involutes = q.part(as<InvolutePair>);
   of_involutes
       .number("contact_root_diameter_mm", "active root diameter", "d_Nf",

@@ -52,12 +52,12 @@ struct QuantityInfo {
   std::string meaning{};  ///< one sentence, and the condition of its existence; without the full
                           ///< stop
   Type type = Type::number;
-  std::vector<int> list{};            ///< lengths of nested lists, 0: any; empty: one value
+  std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
   Two two = Two::values;              ///< of a list of two
   bool always = false;                ///< never null
   std::vector<std::string> one_of{};  ///< of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for users; absent: those of the unit
+  std::optional<int> digits{};             ///< decimals for users; by default those of the unit
   std::string nothing{};                   ///< text for users if there is no value
   const QuantityTable& (*of)() = nullptr;  ///< for a record: its contents
   std::string column{};                    ///< in CSV and Parquet; "#" is the gear's number
@@ -83,8 +83,8 @@ struct Quantity {
                                            ///< present
   std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default always
   std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
-  std::function<bool(const S&)> there{};   ///< of an entry of a part: whether the subject has that
-                                           ///< part
+  std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
+                                           ///< that part
 
   // Refinements of an entry, in the usual order.
   Quantity& always() { return info.always = true, *this; }
@@ -110,7 +110,7 @@ struct Quantity {
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
 };
 
-/// Whether T is an angle, or angles that may be absent, two or many.
+/// True if T is an angle, or angles that may be absent, two or many.
 template <class T>
 struct HasAngles : std::is_same<T, Angle> {};
 template <class T>

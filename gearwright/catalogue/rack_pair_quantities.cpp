@@ -37,7 +37,7 @@ void say_mounting(Quantities<V>& q) {
       .always()
       .one_of({"rack_and_pinion"})
       .doors(kJson);
-  q.term("gear_ratio", "null: a rack has no number of teeth per turn", [](const V&) {
+  q.term("gear_ratio", "null, because a rack has no number of teeth per turn", [](const V&) {
      return Value();
    }).doors(kJson);
   q.term("center_distance_mm", "pinion axis to the datum line of the rack [T2.36]",
@@ -105,8 +105,10 @@ void say(Quantities<V>& q) {
        [](const V& v) -> const auto& { return v; })
       .always();
   q.under(kClearances);
-  q.term("tip_clearance_mm", "tip of the pinion to the root of the rack, then the other [T2.40]",
-         &V::tip_clearance)
+  q.term(
+       "tip_clearance_mm",
+       "tip of the pinion to root of the rack, then tip of the rack to root of the pinion [T2.40]",
+       &V::tip_clearance)
       .per_gear()
       .always();
   q.number("contact_root_diameter_mm", "active root diameter of the pinion", "d_Nf",
@@ -125,7 +127,7 @@ const Quantities<RackGeometry>& rack_quantities() {
         .always()
         .one_of({"rack"})
         .doors(kJson);
-    q.term("teeth", "null: as long as required",
+    q.term("teeth", "null if it is as long as required",
            [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
     q.term("normal_module_mm", "that of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",

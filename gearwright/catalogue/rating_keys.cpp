@@ -129,14 +129,16 @@ const KeyTable& rating_keys() {
        factor("application_factor", "K_A", &RatingInput::application_factor, "1",
               "additional load from the driving and the driven machine"),
        factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
-              "load share of the worst of several meshes, as of planets"),
+              "greatest load of a mesh over the mean if several meshes share the power, as with "
+              "planets"),
        Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors of 1",
                      "hours at this load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
-       Key::flag("reversed", {&R::input, &RatingInput::reversed}, "false",
-                 "true: the teeth bend in both directions, as in an idler, and σ_FG is multiplied "
-                 "by 0.7")
+       Key::flag(
+           "reversed", {&R::input, &RatingInput::reversed}, "false",
+           "if true, the teeth bend in both directions, as in an idler, and σ_FG is multiplied "
+           "by 0.7")
            .with_also({"idler", "alternating"}),
        Key::number("lubricant_viscosity_40C_mm2_s", "ν_40", Range::between(1, 5000),
                    {&R::input, &RatingInput::viscosity}, "Z_L = 1", "viscosity of the oil at 40 °C")
@@ -169,7 +171,8 @@ const KeyTable& rating_keys() {
            .with_also({"web"}),
        Key::flag("limited_pitting",
                  KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
-                 "false", "true: some pitting is permitted, with the corresponding line of Z_NT"),
+                 "false",
+                 "if true, some pitting is permitted, with the corresponding line of Z_NT"),
        Key::number("life_factor_end", "", Range::between(0.85, 1),
                    KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
                    "0.85",
@@ -185,16 +188,17 @@ const KeyTable& rating_keys() {
               "transverse load factor of the flank, given"),
        factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
               "by formula", "transverse load factor of the root, given"),
-       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none: 1 counts",
+       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none; 1 is used",
                      "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
-       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none: 1 counts",
+       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none; 1 is used",
                      "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
-       Key::flag("tooth_contact", &R::tooth_contact, "false",
-                 "true: also compute Hertz pressure and root stress of the teeth under T_1 K_A K_γ "
-                 "K_v, as `load` does with the positions, slices and accuracy of `[load]` (a few "
-                 "seconds)")
+       Key::flag(
+           "tooth_contact", &R::tooth_contact, "false",
+           "if true, also computes Hertz pressure and root stress of the teeth under T_1 K_A K_γ "
+           "K_v, as `load` does with the positions, slices and accuracy of `[load]` (a few "
+           "seconds)")
            .with_also({"loaded_contact", "compare_load"}),
        {.key = "spectrum",
         .kind = KeyKind::table,
@@ -233,7 +237,7 @@ const KeyTable& rating_plastic_keys() {
            .with_fields({"friction"})
            .with_also({"friction", "mu"}),
        Key::not_negative("housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
-                         "0: open; about 0.015 to 0.045 partly open, 0.06 closed",
+                         "0 if open; about 0.015 to 0.045 if partly open, 0.06 if closed",
                          "resistance of the housing to heat")
            .with_needs({"housing_area_m2"}),
        Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
@@ -277,7 +281,7 @@ const KeyTable& rating_mounting_keys() {
                  "of the standard's figure of K': a, b torque from the near or the far side, c "
                  "overhung, d and e with a second pinion"),
        Key::flag("stiffening", &P::stiffening, "true",
-                 "true: the pinion is integral with its shaft or shrunk onto it"),
+                 "true if the pinion is integral with its shaft or shrunk onto it"),
        Key::not_negative("misalignment_um", "f_ma", &P::manufacture, "√(f_Hβ1² + f_Hβ2²)",
                          "mesh misalignment from manufacture")
            .with_fields({"manufacture"})},

@@ -250,10 +250,10 @@ void say_spectrum(Quantities<V>& q) {
   q.number(
       "torque_holding_Nm", "greatest torque", "T_1",
       "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, or "
-      "1 if they are absent; null: there is none",
+      "1 if they are absent; null if there is none",
       &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
-           "with the same safeties, up to 40 modules; null: there is none", &V::face_holding)
+           "with the same safeties, up to 40 modules; null if there is none", &V::face_holding)
       .digits(2);
 }
 

@@ -24,9 +24,9 @@ struct ToothContact {
 struct RatingView {
   const RatingInput& input;
   const Rating& rating;
-  double power_kW;               ///< 0: without a speed
+  double power_kW;               ///< 0 without a speed
   std::array<double, 2> torque;  ///< N m
-  std::array<double, 2> speed;   ///< 1/min, 0: not given
+  std::array<double, 2> speed;   ///< 1/min, 0 if not given
   std::optional<SpectrumRating> spectrum;
   std::optional<double> torque_holding;  ///< N m
   std::optional<double> face_holding;    ///< mm

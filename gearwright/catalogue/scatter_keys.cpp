@@ -42,9 +42,10 @@ std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
   if (!r.range) return std::nullopt;
   const auto [lo, hi] = *r.range;
   if (lo <= 0.0 && hi >= 0.0 && lo < hi) return std::nullopt;
-  return KeyFault{"range",
-                  "must hold 0 and another value, because no correction at all must be among the "
-                  "choices; [0, 20] for example"};
+  return KeyFault{
+      "range",
+      "must contain 0 and another value, because the case without a correction must be among the "
+      "choices; [0, 20] for example"};
 }
 
 }  // namespace
@@ -68,13 +69,16 @@ const KeyTable& scatter_keys() {
        Key::number("confidence", "", KeyRange::inside(0, 1), &S::confidence, "0.95",
                    "that of the intervals"),
        Key::flag("indices", &S::indices, "false",
-                 "true: first and total Sobol indices of each input [T14.10], for (inputs + 2) "
+                 "if true, computes first and total Sobol indices of each input [T14.10], for "
+                 "(inputs + 2) "
                  "times the work"),
        Key::flag("worst_case", &S::worst_case, "false",
-                 "true: the greatest peak to peak and the least play within all ranges [T14.15]"),
-       Key::flag("loosening", &S::loosening, "false",
-                 "true: how far each tolerance may grow until the greatest of `percentiles` of the "
-                 "peak to peak has grown by 5 %, and which one to tighten first [T14.19]"),
+                 "if true, searches the greatest peak to peak and the least play within all ranges "
+                 "[T14.15]"),
+       Key::flag(
+           "loosening", &S::loosening, "false",
+           "if true, computes how far each tolerance may grow until the greatest of `percentiles` "
+           "of the peak to peak has grown by 5 %, and which one to tighten first [T14.19]"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
            "ISO 1328 grade, one for both gears or two, which gives the tolerances that are not "

@@ -23,7 +23,7 @@ struct ScatterBearings {
 /// [scatter.gearN]. Distributions are in the units of their keys.
 struct ScatterGear {
   std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
-  /// By modification_entries(), for both flanks, µm.
+  /// One for each of modification_entries(), for both flanks, µm.
   std::array<std::optional<DistributionSpec>, 7> modifications;
   bool pitch = false;                               ///< by the grade
   std::optional<std::array<int, 2>> profile_waves;  ///< least and most, of f_fα of the grade
@@ -32,7 +32,7 @@ struct ScatterGear {
 
 /// [scatter.robust]
 struct ScatterRobust {
-  std::vector<std::size_t> corrections;  ///< places in kCorrections; empty: the pair's own
+  std::vector<std::size_t> corrections;  ///< places in kCorrections; the pair's own if empty
   double percentile = 95.0;
   std::optional<std::array<double, 2>> range;  ///< of every correction, in its unit
 };
@@ -49,8 +49,8 @@ struct ScatterInput {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
-  std::optional<std::array<int, 2>> quality;  ///< A of gear 1, gear 2; none: those of the gears
-  /// By error_entries(), in the unit of the key.
+  std::optional<std::array<int, 2>> quality;  ///< A of gear 1, gear 2; by default of the gears
+  /// One for each of error_entries(), in the unit of the key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;
   std::array<ScatterGear, 2> gears;

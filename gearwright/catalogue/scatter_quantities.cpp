@@ -187,7 +187,7 @@ const Quantities<LooseningView>& change_quantities() {
   static const Quantities<L> kAll("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "the tolerance", [](const L& l) { return Value(*l.input); }).always();
     q.number("factor", "factor until the percentile has grown by 5 %", "",
-             "null: by 8, or as far as there are such teeth, it grows by less",
+             "null if it grows by less up to the factor 8, or as far as there are such teeth",
              [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "",
              [](const L& l) { return Value(Angle::radians(l.change->halved).arcsec()); });
@@ -217,7 +217,7 @@ const Quantities<V>& loosening_quantities() {
         .list({0})
         .always();
     q.text("tighten_first",
-           "the input that lowers the percentile most if it is halved; null: none does",
+           "the input that lowers the percentile most if it is halved; null if none does",
            [](const V& v) {
              const auto& first = v.scatter->loosening->tighten_first;
              return first ? Value(v.inputs[*first]) : Value();
@@ -303,7 +303,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
       {Q::edge_share, "edge_share", "positions with an edge in contact", Unit::none, 4,
        "share of the positions of a pitch at which an edge touches, 0 to 1"},
       {Q::least_play, "least_play_deg", "least play of gear 2", Unit::deg, 5,
-       "least play of gear 2 with both flanks; < 0: the gears jam"},
+       "least play of gear 2 with both flanks; < 0 if the gears jam"},
       {Q::long_period, "long_period_arcsec", "transmission error until the same teeth meet again",
        Unit::arcsec, 3,
        "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; with "
@@ -338,12 +338,18 @@ const Quantities<SpreadView>& spread_quantities() {
              })
         .list({0})
         .always();
-    q.number("lower", "lower ends of their intervals", "", "null: too few samples", [](const S& s) {
-       return listed(s.spread->percentiles, *s.entry, [](const Percentile& p) { return p.lower; });
-     }).list({0});
-    q.number("upper", "upper ends of their intervals", "", "null: too few samples", [](const S& s) {
-       return listed(s.spread->percentiles, *s.entry, [](const Percentile& p) { return p.upper; });
-     }).list({0});
+    q.number("lower", "lower ends of their intervals", "", "null if there are too few samples",
+             [](const S& s) {
+               return listed(s.spread->percentiles, *s.entry,
+                             [](const Percentile& p) { return p.lower; });
+             })
+        .list({0});
+    q.number("upper", "upper ends of their intervals", "", "null if there are too few samples",
+             [](const S& s) {
+               return listed(s.spread->percentiles, *s.entry,
+                             [](const Percentile& p) { return p.upper; });
+             })
+        .list({0});
     q.record<error_quantities>(
          "standard_errors", "from the replicates [T14.9]",
          [](const S& s) -> const auto& { return s; })

@@ -115,7 +115,7 @@ std::vector<Key> trial_keys() {
           .with_fields({"helix"}),
       Key::number("shaft_angle_deg", "Σ", Range::inside(-178, 178),
                   KeyPlace::by<P, double>(set_shaft_angle), "0",
-                  "shaft angle of crossed axes, 0.1 to 178 of either sign, or 0: parallel axes; "
+                  "shaft angle of crossed axes, 0.1 to 178 of either sign, or 0 for parallel axes; "
                   "gear 2 has β2 = Σ − β1"),
       Key::word("racks", {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}, {},
                 "those of `[gear1]`, `[gear2]`; else α_n 20°, h_aP* 1, h_fP* 1.25",
@@ -175,8 +175,7 @@ std::vector<Key> limit_keys() {
             "least safety against root breakage, likewise")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
-                "true: only z1, z2 without a common factor (hunting tooth); others are not "
-                "counted")};
+                "if true, only z1, z2 without a common factor (hunting tooth) are counted")};
 }
 
 std::vector<Key> design_keys() {
@@ -185,7 +184,7 @@ std::vector<Key> design_keys() {
                 "\"extended\"; of internal pairs and of designs that are drawn \"tight\"",
                 "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
-                "true: tips are shortened by the clearance that tight centres remove"),
+                "if true, tips are shortened by the clearance that tight centres remove"),
       Key::positive("face_width_mm", "b", &P::face_width, "of `[gear1]`, else 10 m_n",
                     "face width of both gears; of a band each design takes the least width with "
                     "the required safeties and overlap ratio")

@@ -36,15 +36,15 @@ const Quantities<SearchProblem>& margin_quantities() {
            [](const P& p) { return Value(p.limits.avoid_interference ? "exclude" : "flag"); })
         .one_of({"exclude", "flag"})
         .always();
-    q.number("tip_clearance_min", "tip clearance", "c", "`null`: none is asked",
+    q.number("tip_clearance_min", "tip clearance", "c", "`null` if none is required",
              [](const P& p) { return Value(p.limits.tip_clearance); });
     q.number("form_clearance_min", "form clearance", "c_F", "along the line of action",
              [](const P& p) { return Value(p.limits.form_clearance); })
         .always();
-    q.number("safety_flank_min", "safety against pitting", "S_Hmin", "where one is asked",
+    q.number("safety_flank_min", "safety against pitting", "S_Hmin", "if one is required",
              [](const P& p) { return Value(p.limits.safety_flank); })
         .when([](const P& p) { return p.limits.safety_flank.has_value(); });
-    q.number("safety_root_min", "safety against root breakage", "S_Fmin", "where one is asked",
+    q.number("safety_root_min", "safety against root breakage", "S_Fmin", "if one is required",
              [](const P& p) { return Value(p.limits.safety_root); })
         .when([](const P& p) { return p.limits.safety_root.has_value(); });
     const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
@@ -52,15 +52,18 @@ const Quantities<SearchProblem>& margin_quantities() {
            [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
         .one_of({"extended", "tight"})
         .when(drawn);
-    q.text("thickness_series", "series of DIN 3967 of both gears; `null`: none", [](const P& p) {
-       return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
-     }).when(drawn);
+    q.text("thickness_series", "series of DIN 3967 of both gears; `null` if there is none",
+           [](const P& p) {
+             return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
+           })
+        .when(drawn);
     q.term(
-         "backlash_mm", "least and greatest that the teeth are thinned for; `null`: by the series",
+         "backlash_mm",
+         "least and greatest that the teeth are thinned for; `null` if the series determines them",
          [](const P& p) { return p.allowances.backlash ? Value(*p.allowances.backlash) : Value(); })
         .ends()
         .when(drawn);
-    q.text("center_distance_tolerance", "of ISO 286; `null`: none", [](const P& p) {
+    q.text("center_distance_tolerance", "of ISO 286; `null` if there is none", [](const P& p) {
        return p.allowances.distance_tolerance ? Value(*p.allowances.distance_tolerance) : Value();
      }).when(drawn);
     q.number("profile_shift", "limits of the profile shifts", "x", "lower and upper, of both",

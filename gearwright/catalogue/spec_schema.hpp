@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// As a file: two spaces per level, a line feed at the end.
+/// The text of the file, with two spaces per level and a line feed at the end.
 std::string spec_schema();
 
 }  // namespace gearwright

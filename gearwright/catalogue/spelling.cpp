@@ -47,7 +47,7 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
     if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
 }
 
-// Of several keys the given one, otherwise the first one in documents.
+// The given one of several keys, otherwise the first one in documents.
 std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
   if (found.empty()) return std::nullopt;
   for (const Spelling& s : found)

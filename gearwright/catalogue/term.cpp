@@ -46,7 +46,7 @@ const UnitRow& row(Unit unit) {
   return r;
 }
 
-// By key.
+// Sorted by key.
 constexpr std::array kTerms{
     Term{"S_F", "safety against root breakage", "S_F"},
     Term{"S_H", "safety against pitting", "S_H"},

@@ -1,8 +1,8 @@
-// Terms: what a quantity is called, its symbol and its unit, written once for all tables of results.
+// Terms: the name, the symbol and the unit of a quantity, written once for all tables of results.
 //
-//   Unit   the unit of a value, as its key ends and as people read it
+//   Unit   the unit of a value, as the suffix of its key and as the user reads it
 //   Type   the type of a value
-//   Term   key, words (the standard's term) and symbol of a quantity that stands in several tables
+//   Term   key, words (the standard's term) and symbol of a quantity that occurs in several tables
 #pragma once
 
 #include <span>

@@ -30,7 +30,7 @@ class Value {
                                ValueRecord, ValueMap>;
 
   // NOLINTBEGIN(google-explicit-constructor): a getter returns what it has.
-  Value() noexcept;  ///< nothing: JSON's null
+  Value() noexcept;  ///< no value, which is null in JSON
   // Defined in value.cpp, where Member is complete, as clang requires for functions that may
   // destroy the variant.
   Value(bool flag);

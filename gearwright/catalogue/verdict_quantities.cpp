@@ -60,7 +60,8 @@ const Quantities<Finding>& finding_quantities() {
            "`contact_place`, `root_safety`, `flank_safety`",
            [](const F& f) { return to_string(f.code); })
         .always();
-    q.word("level", "level", "green: good to know", [](const F& f) { return to_string(f.level); })
+    q.word("level", "level", "green is for information",
+           [](const F& f) { return to_string(f.level); })
         .always()
         .one_of({"green", "amber", "red"});
     q.term("gear", "1 or 2; null for the pair or the spec",

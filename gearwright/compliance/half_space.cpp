@@ -18,7 +18,7 @@ double bump_at(double x, double c) {
   return q > 0.0 ? 15.0 / (16.0 * c) * q * q : 0.0;
 }
 
-// The density of x − x′ for two bumps: a polynomial between its ends, met exactly.
+// The density of x − x′ for two bumps. It is a polynomial between its ends, so the rule is exact.
 double difference_density(double t, double c, double c_other) {
   static const GaussRule rule = gauss_rule(6);
   const double lo = std::max(-c, t - c_other);

@@ -14,7 +14,7 @@ namespace gearwright::detail {
 struct RootPoints {
   std::vector<double> t;                    ///< along the outline
   std::vector<std::complex<double>> place;  ///< on tooth 0, normal modules
-  /// For tooth −1, 0, 1: six rows for each point.
+  /// Stresses of tooth −1, 0, 1: six rows for each point.
   std::vector<Eigen::MatrixXd> of_mode, of_slope;
 };
 

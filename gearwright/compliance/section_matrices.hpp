@@ -2,7 +2,7 @@
 //
 //   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
 //   A, B            strains of U that is constant along the face, and of its slope by z   [T12.5]
-//   τ               turn of the section per length, 1/m_n; 0: spur gear
+//   τ               turn of the section per length, 1/m_n; 0 for a spur gear
 //   E = 1, lengths in normal modules                theory: docs/theory/12-loaded-contact.md
 #pragma once
 

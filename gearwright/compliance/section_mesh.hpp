@@ -29,15 +29,15 @@ struct SectionMeshOptions {
   int rim = 2;
   int body = 6;
   int rest = 10;            ///< around the smooth part of the rim
-  double to_tip = 1.25;     ///< > 1: finer towards the tip, where contact ends
-  double to_outline = 1.3;  ///< > 1: finer towards the outline
+  double to_tip = 1.25;     ///< if > 1, finer towards the tip, where contact ends
+  double to_outline = 1.3;  ///< if > 1, finer towards the outline
 };
 
 struct SectionMesh {
   std::vector<std::complex<double>> nodes;  ///< normal modules
   std::vector<std::array<int, 9>> elements;
   std::vector<int> bore;  ///< nodes that are held
-  double outward = 1.0;   ///< the teeth point outwards; −1: inwards, of an internal gear
+  double outward = 1.0;   ///< 1 if the teeth point outwards, −1 for an internal gear
   /// The outline of tooth 0 on its side y > 0: element e carries t from e to e + 1 on its side
   /// y = −1, with x growing with t or against it.
   struct Edge {
@@ -45,7 +45,7 @@ struct SectionMesh {
     bool forward;
   };
   std::vector<Edge> edges;
-  std::vector<std::vector<Edge>> tooth_edges;  ///< the same for each tooth, from −side_teeth
+  std::vector<std::vector<Edge>> tooth_edges;  ///< edges of each tooth, from −side_teeth on
   int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< elements of the outline
   /// Nodes of tooth k in one order for all teeth, k from −side_teeth on.
   std::vector<std::vector<int>> teeth;

@@ -38,7 +38,7 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
   return out;
 }
 
-// Combinations of the snapshots that are orthonormal in the energy, small ones dropped.
+// Combinations of the snapshots that are orthonormal in the energy. Small ones are dropped.
 //   loaded = E · snapshots
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
   const Eigen::MatrixXd energy = snapshots.transpose() * loaded;

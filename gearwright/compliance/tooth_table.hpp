@@ -86,7 +86,7 @@ class ToothTable {
   int n_ = 0, places_ = 0;
   std::vector<double> middles_;             // of the slices
   std::vector<double> same_;                // [load slice][read slice][load place][read place]
-  std::vector<double> image_;               // the same of H[b, b] mirrored at the ends
+  std::vector<double> image_;               // as same_, of H[b, b] mirrored at the ends
   std::vector<std::vector<double>> other_;  // of tooth −side … side
   Eigen::MatrixXd hertz_;                   // H[a, a] of slices
   detail::RootPoints root_;

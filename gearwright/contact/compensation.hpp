@@ -37,7 +37,7 @@ struct CompensationAim {
   /// Evaluates the quantity with this number of positions per pitch, in any unit; infinite is worse
   /// than any value.
   std::function<double(const ContactPair&, int)> of;
-  double same = 0.0;  ///< > 0: smallest improvement worth making
+  double same = 0.0;  ///< smallest improvement worth making, > 0
 };
 
 struct CompensationTask {
@@ -46,14 +46,14 @@ struct CompensationTask {
   int positions = 24;                ///< per pitch, during the search
   int fine_positions = 64;           ///< per pitch, for the reported scores
   int curves = 6000;                 ///< approximate number of curves in each search of the box
-  std::optional<Angle> centering{};  ///< w, the cost of a pattern at the end of the face; absent:
+  std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face; if absent,
                                      ///< default_centering, and the error never increases
   bool along_face = true;  ///< false if a contact point runs along the face in any case, so that h
                            ///< is ignored
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< starting values in addition to its own
   Progress* progress = nullptr;               ///< reports the progress
-  std::optional<CompensationAim> aim{};       ///< absent: f
+  std::optional<CompensationAim> aim{};       ///< f if absent
   /// The pair under a scenario with these corrections; null if there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };

@@ -36,7 +36,7 @@ struct ContactErrors {
 
 struct ContactGear {
   const Gear* gear = nullptr;
-  /// Removal from the right (y < 0) and the left flank; null: none.
+  /// Removal from the right (y < 0) and the left flank; null if there is none.
   std::array<const RemovalField*, 2> removal{};
 };
 

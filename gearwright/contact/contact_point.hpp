@@ -58,7 +58,7 @@ struct ContactRidge {
 
 struct ContactPoint {
   Angle rotation1, rotation2;
-  Angle te;      ///< > 0: gear 2 is ahead
+  Angle te;      ///< > 0 if gear 2 is ahead
   int pair = 0;  ///< k
   TouchKind kind = TouchKind::none;
   Vec3 point = Vec3::Zero();                   ///< mm, housing

@@ -24,7 +24,7 @@ struct ContactScore {
 /// The reference of p. Without a width there is no p.
 struct ProfileTarget {
   Angle angle{};  ///< of the rack, at which the contact should lie
-  Angle width{};  ///< the distance that counts as the end; 0: no target
+  Angle width{};  ///< the distance that counts as the end; 0 without a target
 };
 
 /// TE and score of a pair over one pitch.
@@ -38,11 +38,11 @@ struct ContactCurve {
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 
-/// The same from touches over a pitch. TE is that of N.
+/// The same curve, computed from touches over a pitch. TE is that of N.
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target, bool edges);
 
-/// Of one pair.
+/// The score of one pair over a pitch.
 inline ContactScore score_of(const ContactPair& pair, int positions,
                              const ProfileTarget& target = {}) {
   return contact_curve(pair, positions, target, true).score;

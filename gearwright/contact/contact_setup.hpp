@@ -17,10 +17,10 @@
 
 namespace gearwright {
 
-/// Of gear 1 and gear 2: the right flank, the left flank.
+/// The modifications of gear 1 and gear 2: the right flank, the left flank.
 using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
 
-/// Changes made by a workshop: amounts in addition to those of the drawing.
+/// Changes made by a workshop, as amounts in addition to those of the drawing.
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ
@@ -52,8 +52,8 @@ class ContactSetup {
   /// The same pair with a copy of this setup.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// With root fillets and tips in addition to the flanks; none if a cutter's lead was changed and
-  /// the root was not cut by a rack.
+  /// The pair with root fillets and tips in addition to the flanks; none if a cutter's lead was
+  /// changed and the root was not cut by a rack.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
@@ -64,7 +64,8 @@ class ContactSetup {
   const PairModifications& modifications() const { return modifications_; }
   /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
-  /// The same with removed material on these gears, even if it is none; its derivatives need it.
+  /// The setup with fields of removed material on these gears, even if nothing is removed, because
+  /// their derivatives need the fields.
   ContactSetup with_fields(std::array<bool, 2> wanted) const;
   /// The gear that a rack F cuts, 1 or 2; none for other teeth.
   std::optional<int> convex_gear() const;

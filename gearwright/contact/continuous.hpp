@@ -2,8 +2,9 @@
 // some positions.
 //
 //   T_a, T_b   two branches: a tooth pair on a pair of patches, as a function of the rotation
-//   TE = max over the branches, so that a maximum lies inside a branch or at its end, and a minimum inside
-//   one or at a handover T_a = T_b; where a branch begins ahead of the others TE jumps
+//   TE         the greatest of the branches. A maximum lies inside a branch or at its end, and a
+//              minimum inside a branch or at a handover T_a = T_b. TE jumps where a branch begins
+//              ahead of the others
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
 // The peak to peak at the positions alone is too small by up to half a slope times a step, and the
@@ -40,7 +41,7 @@ struct CurveExtremes {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);
 
-/// Peak to peak of the continuous curve over a pitch; none: contact is lost at some position.
+/// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position.
 ///
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);

@@ -58,7 +58,7 @@ bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 /// The usual corrections: tool setting and lead for arcs, otherwise slope and crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// These amounts, in the corrections' units; `gear2_drives`: which flanks a slope is meant for.
+/// These amounts, in the corrections' units; `gear2_drives` selects the flanks of a slope.
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 

@@ -19,7 +19,7 @@ struct ErrorMap {
 /// `pair_at(x, y)` makes the pair under these errors. It is called from several threads at once.
 ///
 /// Units     rad
-/// Domain    positions ≥ 2, x and y not empty (contract); `threads` 0: as many as there are cores
+/// Domain    positions ≥ 2, x and y not empty (contract); `threads` 0 means one per core
 ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
                        const std::function<ContactPair(double, double)>& pair_at, int positions,
                        int threads = 0, Progress* progress = nullptr);

@@ -25,7 +25,7 @@ struct StepProblem {
   std::array<Bound, kBounds> bounds;
 };
 
-/// The active bounds; −1: none.
+/// The active bounds; −1 if there is none.
 struct ActiveSet {
   std::int8_t first = -1, second = -1;
   bool inside() const { return first < 0; }

@@ -28,7 +28,7 @@ struct FlankPatch {
   double center;      ///< rad, azimuth of the tooth's centre line at rotation 0, section z = 0
   double twist;       ///< τ  rad/mm, with the lead error
   double z_lo, z_hi;  ///< mm
-  /// Material removed from this flank; null: none. Its z runs along `removal_z`, ±1.
+  /// Material removed from this flank; null if there is none. Its z runs along `removal_z`, ±1.
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
@@ -65,13 +65,13 @@ struct GapJet {
 
 class GapField {
  public:
-  /// `rotation_sign`: −1 gear 1 turns clockwise for growing φ1, +1 counter-clockwise.
+  /// `rotation_sign` is −1 if gear 1 turns clockwise for growing φ1, +1 if counter-clockwise.
   GapField(const FlankPatch& one, const FlankPatch& two, const RelativeMount& mount, double ratio,
            double rotation_sign);
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// At (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
+  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
   GapJet at(double s, double z, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle: 1/|∇φ2*|, mm. [T8.3]
   static double arm(const GapJet& j);

@@ -51,10 +51,10 @@ class Profile {
 
   /// Domain  any s near the piece; the formulas continue beyond its ends.
   PolarJet at(double s) const;
-  /// At ln ρ = u. Beyond the ends of the piece a Taylor series of second order is used. `s` holds
-  /// the parameter of the last call and is updated (circles of a rack iterate from it).
+  /// The outline at ln ρ = u. Beyond the ends of the piece a Taylor series of second order is used.
+  /// `s` is the parameter of the last call and is updated (circles of a rack iterate from it).
   RadialJet at_radius(double u, double& s) const;
-  /// At the parameter s (not far beyond the ends). [T8.7]
+  /// The turn per removal at the parameter s (not far beyond the ends). [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;                ///< solved to rounding; u is moved into the piece
   double s_of(double u, double start) const;  ///< the same, starting nearby

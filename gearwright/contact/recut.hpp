@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// The twist 1/p of a gear of that twist on the pitch radius r after the change.
+/// The twist 1/p that a gear with the given twist and the pitch radius r has after the change.
 /// Domain  Δλ = 0 where there is no lead to change (a spur gear), else 0 < λ + Δλ < π (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 

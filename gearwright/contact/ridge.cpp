@@ -57,8 +57,9 @@ double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   return -GapField::arm(j) * t.dot((hessian(j.t) + mu * c_bend) * t) / step.squaredNorm();
 }
 
-// The patch beyond a border: at the same place by z and next to it by u, or the reverse. Borders
-// come from one list and differ by the rounding of ln ρ.
+// The patch beyond a border. If the border is one of u (`of_u`), that patch has the same range of z
+// and continues the range of u; otherwise u and z are exchanged. All borders come from one list and
+// differ only by the rounding of ln ρ.
 int across(const std::vector<FlankPatch>& patches, const FlankPatch& here, bool of_u, bool below) {
   constexpr double kSame = 1e-9;
   const auto same = [](double a, double b) { return std::abs(a - b) < kSame; };
@@ -114,7 +115,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const double z = touch.touch.z;
   const GapJet j = transmission.jet_at(touch, s, z);
   ContactRidge ridge{gear, 0.0, {side_of(transmission.jet_at(beyond, s, z)), side_of(j)}};
-  // The side of lesser height is that of greater height in N if N is reversed.
+  // If N is reversed, the side of lesser height has the greater height in N.
   if (!below != (!of_u && pair.turned() < 0.0)) std::swap(ridge.side[0], ridge.side[1]);
   if (gear == 1) {
     ridge.along = curvature_along(j, of_u ? Vec2d(1, 0) : Vec2d(0, 1), Mat2d::Zero());

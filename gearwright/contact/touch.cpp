@@ -231,7 +231,7 @@ constexpr int kSections = 9;
 
 struct GridNode {
   double s = 0.0, s2 = 0.0, value = 0.0;
-  double broken = 0.0;  // distance outside flank 2, scaled; 0: inside D
+  double broken = 0.0;  // distance outside flank 2, scaled; 0 inside D
 };
 
 using Grid = std::array<std::array<GridNode, kRows>, kSections>;

@@ -20,7 +20,7 @@ namespace gearwright {
 /// A touch of tooth pair k: its patches and the rotation of pair 0 (in N).
 struct PairTouch {
   Touch touch;
-  int fields = -1;   ///< index of the pair of patches; −1: no contact
+  int fields = -1;   ///< index of the pair of patches; −1 without contact
   double phi = 0.0;  ///< rad, of gear 1 in N, for pair 0
   int pair = 0;      ///< k in N
 
@@ -33,9 +33,9 @@ class Transmission {
   /// The pair must outlive it. `progress` counts every position.
   explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
-  /// n positions over one pitch, from `first` (rad, N) on in steps of a pitch/n.
+  /// The touches at n positions over one pitch, from `first` (rad, N) on in steps of a pitch/n.
   std::vector<PairTouch> over_a_pitch(double first, int n);
-  /// At any rotation, computed from scratch.
+  /// The touch at any rotation, computed from scratch.
   PairTouch at(double phi);
   /// The touch of tooth pair 0 alone, even if another pair carries the load.
   PairTouch of_pair_0(double phi);

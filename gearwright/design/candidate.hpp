@@ -68,7 +68,7 @@ inline constexpr double kSieveDoubt = 1e-10;
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 
-/// One rack, helix and mounting.
+/// The constants of the filter for one rack, helix and mounting.
 struct SieveConstants {
   double cos_transverse = 1.0;       ///< cos α_t
   double involute_transverse = 0.0;  ///< inv α_t

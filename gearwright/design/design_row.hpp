@@ -22,7 +22,7 @@ struct DesignRow {
   std::array<double, 2> shift{};          ///< x1, x2
   std::array<double, 2> allowance{};      ///< E_sn, the mean of its tolerance
   double face_width = 0.0;                ///< b, of both gears
-  bool balanced = false;                  ///< true: on the line of Eq. 11; false: chosen_point()
+  bool balanced = false;                  ///< true on the line of Eq. 11; false for chosen_point()
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt, crossed: α_n
   double ratio = 0.0;                     ///< z2/z1
@@ -42,7 +42,7 @@ struct DesignRow {
   /// S_H, S_F of each gear; none if not requested, or if the standard has no form factor for its
   /// root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
-  bool runs = true;  ///< false: the verdict over the drawing has a finding above green
+  bool runs = true;  ///< false if the verdict over the drawing has a finding above green
   std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest, as drawn
   /// True if the following values of the region are computed.
   bool whole = false;

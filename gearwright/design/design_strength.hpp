@@ -21,7 +21,7 @@ namespace gearwright {
 /// Errors    as make_gear, mount, rated_pair
 /// Accuracy  both ways agree to 1e-12 (design/design_strength_test.cpp)
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
-/// The same from gears that are cut and mounted.
+/// The same pair, computed from gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 
 /// The row with the required safety factors, at the least face width of its band that reaches them
@@ -29,16 +29,16 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 
 /// The limit that the row violates: a safety that is too low or has no number, or the verdict;
-/// none: it meets all.
+/// none if it meets all.
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row);
 
 /// The least of S_H/S_Hmin, S_F/S_Fmin of both gears, 1 for a default limit; none if the row has no
 /// safety factors.
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row);
 
-/// Mass of both gears, kg: full cylinders of the mean diameter (d_a + d_f)/2, as ISO 6336-1 takes
-/// rims
-/// for the reduced mass; an internal gear from there to 2.5 m_n outside its root. [T9.12]
+/// Mass of both gears, kg. A gear is a full cylinder of the mean diameter (d_a + d_f)/2, as for the
+/// reduced mass of ISO 6336-1. An internal gear extends from there to 2.5 m_n outside its root.
+/// [T9.12]
 double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
 }  // namespace gearwright

@@ -44,7 +44,7 @@ struct Ends {
   std::size_t fixed, input, output;
 };
 
-// i = (α_in − α_fixed)/(α_out − α_fixed), of three numbers of teeth exact in double; 0: none.
+// i = (α_in − α_fixed)/(α_out − α_fixed), of three numbers of teeth exact in double; 0 if none.
 double ratio_of(const TeethOfSet& z, const Ends& ends) {
   const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
               o = share_of(z, ends.output);
@@ -136,7 +136,7 @@ class SetSearch {
     }
   }
 
-  // The least angle between neighbours, turns; none: they do not assemble.
+  // The least angle between neighbours, turns; none if they do not assemble.
   std::optional<double> spacing(int n, long long places) const {
     const bool divides = places % n == 0;  // 0 places: any
     if (divides && (problem_.base.spacing != Spacing::opposite || n % 2 == 0)) return 1.0 / n;

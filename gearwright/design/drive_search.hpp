@@ -5,9 +5,9 @@
 //   c        clearance of neighbouring planets between their tip circles, modules [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// All numbers of teeth are tried in whole numbers: ratio, places, neighbours, phases. Those that hold
-// are ranked; with the losses of the meshes given, the ranking by efficiency is exact, else by an
-// estimate of them. The caller makes the drives of the best.
+// Ratio, places, neighbours and phases of every set are checked in whole numbers. The sets that
+// meet all limits are ranked. The ranking by efficiency is exact if the losses of the meshes are
+// given; otherwise they are estimated. The caller makes the drives of the best sets.
 #pragma once
 
 #include <array>
@@ -42,20 +42,20 @@ using TeethBand = std::array<int, 2>;  ///< closed
 struct DriveSearchProblem {
   DriveKind kind = DriveKind::planetary;
   std::array<double, 2> ratio{};       ///< closed, signed
-  std::optional<double> target_ratio;  ///< absent: the middle of the band
+  std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Of the members of the kind; absent: the defaults of teeth_band().
+  /// Bands of the members of the kind; by default those of teeth_band().
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of them, of a train, which have one module
   TeethBand pinion{17, 40}, wheel{17, 150};
-  /// Greatest difference between the sums of teeth of meshes on one circle; absent: 1, for two
-  /// rings on one planet gear the number of planets, for a train no limit.
+  /// Greatest difference between the sums of teeth of meshes on one circle. By default it is 1, or
+  /// for two rings on one planet gear the number of planets; a train has no limit.
   std::optional<int> coaxial_teeth;
   double neighbour_clearance = 1.0;   ///< c ≥ this  modules
-  std::vector<PhasingClass> phasing;  ///< allowed classes; empty: all
+  std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
-  /// m_n of all meshes  mm; each set is tried with every one. Empty: sets without teeth, whose sizes
-  /// are in modules.
+  /// m_n of all meshes  mm; each set is tried with every one. If empty, there is no geometry of
+  /// teeth, and sizes are in modules.
   std::vector<double> modules;
   double size_max = kInfinity;  ///< greatest DriveCandidate::size; needs modules  mm
   std::optional<std::array<double, 2>> face_width;  ///< b, to be sized in this closed band  mm
@@ -81,7 +81,7 @@ inline constexpr std::array<std::string_view, 5> kDriveLimitNames{"ratio", "asse
 
 /// A drive by its numbers of teeth.
 struct DriveCandidate {
-  std::array<int, kSetMembers> teeth{};      ///< > 0 for rings too; 0: no such member
+  std::array<int, kSetMembers> teeth{};      ///< > 0 for rings too; 0 if there is no such member
   std::vector<std::array<int, 2>> stages{};  ///< of a train
   int planets = 1;
   double module = 1.0;     ///< m_n  mm
@@ -89,7 +89,7 @@ struct DriveCandidate {
   long long places = 0;    ///< N*; 0 of a train
   double clearance = 0.0;  ///< c  modules, without shifts; of a train and one planet infinite
   double size = 0.0;  ///< diameter over all without shifts, of a train the sum of its distances; mm
-  /// With given or estimated losses; 0: self-locking, or not requested.
+  /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
   std::optional<double> face_width{};  ///< b  mm, if the search sizes it
 };
@@ -107,8 +107,8 @@ struct DriveSearchResult {
 /// Errors    `drive.fixed`, `drive.input`, `drive.output` : no such member, or the same one twice
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
 
-/// What a kind holds and drives where the problem does not say it: of two rings and of two suns one is
-/// held and the other one is driven; of others as a set has it by itself.
+/// Sets the fixed, input and output members that the problem does not give. Of two rings or two
+/// suns, one is held and the other one is driven; other kinds use the defaults of a set.
 void complete_ends(DriveSearchProblem& problem);
 
 /// The set of a candidate, with the losses and ends of the problem. No train.
@@ -117,7 +117,7 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
 /// The greatest face width that the search may size: that of the band and of b/d  mm
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 
-/// What an objective ranks by, the less the better.
+/// The number by which an objective ranks; smaller is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
                DriveObjective objective);
 

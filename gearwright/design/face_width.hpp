@@ -1,7 +1,7 @@
 // The face widths that a design may have.
 //
 //   b    face width of both gears, mm: one value, or the least of a band with which the design
-//   meets its limits
+//        meets its limits
 //   ε_β  overlap ratio
 //
 // Bands are given for b, b/m_n and b/d_1; a width lies within all of them. Widths within a band are
@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// The least and the greatest face width of a trial, mm; least > greatest: there is none.
+/// The least and the greatest face width of a trial, mm; there is none if least > greatest.
 std::array<double, 2> face_widths(const SearchProblem& problem, const Trial& trial);
 
 /// The least width that has the required overlap ratio, mm; the greatest one if none has it.

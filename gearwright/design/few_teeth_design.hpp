@@ -24,20 +24,20 @@ namespace gearwright {
 
 /// Lengths mm.
 struct FewTeethProblem {
-  std::array<int, 2> teeth{};  ///< wheel < 0: an internal gear
+  std::array<int, 2> teeth{};  ///< the wheel's is < 0 if it is internal
   double normal_module = 0.0;
   Angle normal_pressure_angle{};
-  std::optional<Angle> helix;             ///< β of the pinion; absent: from the centre distance
-  std::optional<double> center_distance;  ///< a; absent: free
-  std::optional<double> pinion_shift;     ///< x1; absent: wanted
+  std::optional<Angle> helix;             ///< β of the pinion; by default from the centre distance
+  std::optional<double> center_distance;  ///< a; free if absent
+  std::optional<double> pinion_shift;     ///< x1; computed if absent
   StraightRack rack;                      ///< of the pinion; its root is the circular fillet's
   double root_offset = 0.0;               ///< of C from the undercut limit
   double min_tip_land = 0.0;              ///< normal thickness at both tips
   double min_gap = 0.0;                   ///< chord of both spaces where the flanks begin
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential
-  double contact_ratio = 1.2;             ///< total, which the face width is made for
-  std::optional<double> face_width;       ///< of both; absent: as the contact ratio requires
+  double contact_ratio = 1.2;             ///< total, which determines the face width
+  std::optional<double> face_width;       ///< of both; by default as the contact ratio requires
   Progress* progress = nullptr;           ///< reports the progress
 };
 
@@ -57,8 +57,8 @@ struct FewTeethAnswer {
   int candidates = 0;  ///< tried
 };
 
-/// The design with the greatest transverse contact ratio; of those alike to 0.02 the one with the
-/// least |x1 + x2|.
+/// The design with the greatest transverse contact ratio. Of designs that agree to 0.02, the one
+/// with the least |x1 + x2| is chosen.
 ///
 /// Errors    `gear1.helix_angle` when neither helix nor centre distance is given; `gear2.teeth`
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem);

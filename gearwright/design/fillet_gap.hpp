@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// The lesser gap of both gears at a point, modules; negative: a corner cuts into a fillet. None
+/// The lesser gap of both gears at a point, modules; negative if a corner cuts into a fillet. None
 /// for internal and crossed pairs, and for corners that do not reach the fillet.
 ///
 /// Domain    a working angle exists, no gear is undercut

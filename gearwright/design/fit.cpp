@@ -92,7 +92,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.nearest_shaft_angle = place.shaft_angle;
     result.reason = fmt::format(
         "the minimum centre distance of these gears is {} mm, at the shaft angle {}°; thinner "
-        "teeth (less profile shift) come closer",
+        "teeth (less profile shift) permit less",
         format_number(place.center_distance, a), format_number(place.shaft_angle.deg()));
   } else {
     result.reason =

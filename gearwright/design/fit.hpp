@@ -53,7 +53,7 @@ struct Fit {
 
 /// Computes the absent values.
 ///
-///   gears known                a of Σ; both Σ of a; neither: the minimum centre distance
+///   gears known                a of Σ; both Σ of a; without either, the minimum distance
 ///   helices and place known    x1 + x2
 ///   place known                helices and x1 + x2 of the designs at their minimum centre
 ///                              distance: with the given α_wn, helix or shifts; else with

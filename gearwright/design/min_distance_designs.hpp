@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The designs that meet the one condition given: α_wn, a helix angle, or x1 + x2 (absent: 0).
+/// The designs that meet the one given condition: α_wn, a helix angle, or x1 + x2 (0 if absent).
 ///
 /// Domain    a and Σ given, a helix angle absent (contract)
 /// Errors    conditions that exclude each other, with their names

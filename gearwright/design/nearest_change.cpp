@@ -24,7 +24,7 @@ std::string shown(const std::array<double, 2>& b) {
 
 // More trials than this are not filtered for one knob.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// Effort of the last resort: designs that do not run.
+// Effort of the last change, which permits designs that do not run.
 constexpr double kNotToRun = 100.0;
 // The change is printed with four digits, and this relative accuracy is beyond all of them.
 constexpr double kEnough = 1e-9;

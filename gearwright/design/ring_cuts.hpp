@@ -16,16 +16,16 @@
 
 namespace gearwright {
 
-/// Without a cutter if none leaves the whole flanks. The start of the fillets is then unknown.
+/// There is no cutter if none leaves the whole flanks. The start of the fillets is then unknown.
 struct RingCut {
-  int cutter_teeth = 0;                                          ///< z_0; 0: no cutter
+  int cutter_teeth = 0;                                          ///< z_0; 0 without a cutter
   double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules
 };
 
 class RingCuts {
  public:
-  /// For the wheel of a trial with its shift, by cut_by_default(); none if there is no such gear.
-  /// Thread-safe.
+  /// The cut of the wheel of a trial with its shift, made by cut_by_default(); none if there is no
+  /// such gear. Thread-safe.
   std::optional<RingCut> of(const SearchProblem& problem, const Trial& trial, double shift);
 
   /// The number of generated teeth, as a measure of the work.

@@ -100,7 +100,7 @@ struct SearchAnswer {
 /// Keeps the best of any number of designs, and the front.
 class BestDesigns {
  public:
-  /// `most`: number of designs that the answer may contain.
+  /// `most` is the number of designs that the result may contain.
   BestDesigns(const SearchProblem& problem, std::size_t most);
   void add(const DesignRow& row);
   SearchAnswer answer(const SearchCounts& counts) &&;

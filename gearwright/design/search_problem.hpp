@@ -73,9 +73,10 @@ struct SearchLimits {
   std::optional<double> overlap_ratio;  ///< ε_β ≥ this
   std::optional<double> sliding;        ///< |ζ| ≤ this at both ends of the path; parallel axes
   std::optional<double> tip_clearance;  ///< c ≥ this, modules
-  bool avoid_interference = false;  ///< a tip may not pass the start of the mating gear's flank,
-  bool clear_fillets = false;       ///< nor cut into the root fillet, at the point of the design
-  double form_clearance = 0.0;      ///< and keeps this from it along the line of action, modules
+  bool avoid_interference = false;      ///< no tip passes the start of the mating gear's flank
+  bool clear_fillets = false;   ///< no tip cuts into the root fillet at the point of the design
+  double form_clearance = 0.0;  ///< distance of a tip from that start on the line of action ≥
+                                ///< this, modules
   std::optional<double> safety_flank, safety_root;  ///< S_Hmin, S_Fmin of rated designs
 };
 
@@ -86,14 +87,13 @@ struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm: a rim on a web
   std::optional<double> power_kW;       ///< P, if it was given instead of the torque
-  std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; none: every internal gear is cut
-                                        ///< separately
+  std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; if absent, internal gears are cut
                                         ///< separately
 };
 
 /// The tolerances of the drawing of every design.
 struct SearchAllowances {
-  std::string series;                             ///< of DIN 3967, "cd25"; empty: from the backlash
+  std::string series;                             ///< of DIN 3967, "cd25"; may be empty
   std::optional<std::array<double, 2>> backlash;  ///< j_n  mm, least and greatest
   std::optional<std::string> distance_tolerance;  ///< of ISO 286, "JS7"
 
@@ -126,7 +126,7 @@ inline constexpr double kDrawnShift = 1.0;
 inline constexpr double kDrawnSliding = 3.0;
 
 struct SearchProblem {
-  std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative: internal pairs
+  std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative for internal pairs
   std::optional<std::array<double, 2>> center_distance;  ///< mm, closed; equal: exactly that
   std::vector<double> modules;                           ///< m_n  mm
   std::array<int, 2> pinion_teeth{};                     ///< z1, closed
@@ -149,13 +149,13 @@ struct SearchProblem {
   std::vector<Objective> objectives{Objective::contact_ratio};
   std::optional<double> shift_step;  ///< of a grid whose feasible points are requested too
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
-  std::optional<SearchRating> rating;                           ///< none: designs are not rated
-  SearchAllowances allowances;                                  ///< empty: nominal teeth
-  DrawDesign draw;  ///< rejects designs whose drawing has findings above green; empty: no drawings
+  std::optional<SearchRating> rating;                           ///< none if designs are not rated
+  SearchAllowances allowances;                                  ///< empty for nominal teeth
+  DrawDesign draw;  ///< rejects designs whose drawing has findings above green; may be empty
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }
-  /// Whether the face width is chosen for each design.
+  /// True if the face width is chosen for each design.
   bool sizes_faces() const {
     const auto open = [](const auto& band) { return band && (*band)[0] < (*band)[1]; };
     return open(face_width) || open(face_modules) || open(face_diameters);

@@ -40,7 +40,7 @@ class SearchSpace {
   }
 
   int min_wheel() const { return min_wheel_; }  ///< |z2|
-  int max_wheel() const { return max_wheel_; }  ///< |z2|; 0: no pair at all
+  int max_wheel() const { return max_wheel_; }  ///< |z2|; 0 if there is no pair
 
  private:
   struct Cursor {
@@ -64,7 +64,7 @@ class SearchSpace {
   int min_wheel_ = 0, max_wheel_ = 0;
 };
 
-/// z2 of the least and the greatest ratio for z1; first > last if there is none.
+/// z2 of the least and of the greatest ratio for z1; first > last if there is none.
 std::array<int, 2> wheels_of(const SearchProblem& problem, int z1);
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 //   x_t(s)   the shift at which s_an = s modules    ε_α      contact ratio of two identical gears
 //                                              theory: docs/theory/09-design-search.md
 //
-// Both show where good designs lie before any design is computed. Few teeth leave little room
+// Both show the range of good designs before any design is computed. Few teeth leave little room
 // between undercut and pointed tips, which reduces the contact ratio. All numbers are those of the
 // search: limits of trial_gear(), contact ratios of row_at().
 #pragma once
@@ -26,7 +26,7 @@ struct ShiftLimits {
   int teeth = 0;
   double undercut = 0.0;        ///< x_u
   std::array<double, 3> tip{};  ///< x_t of kChartTips
-  double min = 0.0, max = 0.0;  ///< those of the problem; min > max: there are none
+  double min = 0.0, max = 0.0;  ///< those of the problem; none if min > max
 };
 
 /// The limits of gear `which` (0, 1) with this rack and helix, for every tooth number of from … to.
@@ -36,8 +36,8 @@ struct ShiftLimits {
 std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, Angle helix,
                                            int which, int from, int to);
 
-/// Where x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth numbers;
-/// none if it does not.
+/// The point at which x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth
+/// numbers; none if they do not meet.
 ///
 /// Accuracy  0.01 teeth: chords between whole tooth numbers, not the limits of broken ones
 struct LimitsMeet {

@@ -252,7 +252,7 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
   // The E of an external pair is concave, so Newton's steps from outside stop short of the root.
-  // That of an internal pair may bend upwards, so the steps are kept in a bracket.
+  // The E of an internal pair may bend upwards, so the steps are kept in a bracket.
   return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
                : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
 }

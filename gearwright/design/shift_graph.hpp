@@ -49,7 +49,7 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// "s1min", "Cmax", …; `mesh`: there is no working angle beyond.
+/// "s1min", "Cmax", …; `mesh` if there is no working angle beyond.
 std::string_view name(ShiftEdge edge);
 
 /// Limits that coincide within this, modules, touch, because a centre distance divided by a module

@@ -31,7 +31,7 @@ enum class OffWalls { sought, none };
 
 struct ShiftRegion {
   RegionDetail detail = RegionDetail::whole;
-  std::vector<Interval> sums;            ///< Σ from … to; more than one: the region is in pieces
+  std::vector<Interval> sums;            ///< Σ from … to; several if the region is in pieces
   std::array<Vec2, 2> lo_edge, hi_edge;  ///< the whole slices at the ends
   Vec2 lo, hi;
   double area = 0.0;                    ///< with `whole` only

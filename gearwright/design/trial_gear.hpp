@@ -42,8 +42,8 @@ struct TrialGear {
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);
 
-/// Normal tip tooth thickness s_an at the shift x and the tip alteration k, modules; negative: the
-/// flanks cross below the tip. [T9.3]
+/// Normal tip tooth thickness s_an at the shift x and the tip alteration k, modules; negative if
+/// the flanks cross below the tip. [T9.3]
 ///
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);

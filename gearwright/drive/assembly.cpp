@@ -14,9 +14,10 @@ namespace gearwright {
 
 namespace {
 
-/// Degrees: an angle of a drawing with two decimals means the nearest place within this.
+/// Degrees. A drawing gives angles with two decimals, so an angle this close to a place means that
+/// place.
 constexpr double kSamePlace = 0.01;
-/// Number of teeth more or less that are tried for proposals.
+/// The greatest change of a number of teeth that is tried for proposals.
 constexpr int kMostTeethChanged = 12;
 
 using Row = std::vector<long long>;  // A | b of a mesh

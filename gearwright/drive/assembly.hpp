@@ -1,7 +1,7 @@
 // The places of the copies of a planet around the carrier at which all their teeth mesh.
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
-//   N*     number of places per turn: u = n/N* [T13.12]; 0: any place is possible
+//   N*     number of places per turn: u = n/N* [T13.12]; 0 if any place is possible
 //   δ      clocking of a stepped planet's second gear against its first [T13.14]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
@@ -16,17 +16,17 @@
 namespace gearwright {
 
 struct Assembly {
-  long long places = 0;            ///< N*, 0: any
+  long long places = 0;            ///< N*; 0 if any place is possible
   bool equal = false;              ///< the copies are at equal pitch
   std::vector<Rational> turns;     ///< u of each copy, u_0 = 0
-  std::vector<Rational> clocking;  ///< δ of each copy, turns; empty: copies are equal
+  std::vector<Rational> clocking;  ///< δ of each copy, turns; empty if copies are equal
 };
 
 /// N* of a group.
 ///
-/// Formula   Turned by u round the carrier while central gears stand, a copy meshes iff every mesh
-///           has moved by whole teeth, A χ + b u ∈ Zᴹ. With Y a saturated integer basis of y A = 0,
-///           N* = gcd |y·b|; [T13.12]
+/// Formula   A copy turned by u about the carrier, with the central gears at rest, meshes iff every
+///           mesh has moved by whole teeth, A χ + b u ∈ Zᴹ. With Y a saturated integer basis of
+///           y A = 0, N* = gcd |y·b|; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
 /// Places of the copies by the body's positions, else by the graph's spacing: n_i = floor(i N*/N +
@@ -34,7 +34,7 @@ long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 ///
 /// Errors    `drive.spacing` that does not assemble, with similar tooth numbers that do;
 ///           `drive.positions` at which teeth do not meet, with the next place.
-///           Fewer places than copies are a fact: some copies get the same place.
+///           If there are fewer places than copies, some copies get the same place.
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 
 }  // namespace gearwright

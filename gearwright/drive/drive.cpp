@@ -39,7 +39,7 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Speeds of all bodies at those of the inputs; with one input it is 1.
+// Speeds of all bodies at the speeds of the inputs; a single input has the speed 1.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
@@ -193,8 +193,8 @@ void find_facts(Drive& drive) {
   if (!drive.motion.redundant.empty())
     say(WarningCode::redundant_meshes,
         fmt::format(
-            "The meshes {} form a closed loop that stays movable: how they share the torque "
-            "depends on their compliance, and no torques are computed.",
+            "The meshes {} form a closed loop that can move. Their shares of the torque depend on "
+            "their compliance, so no torques are computed.",
             names_of(drive.graph, drive.motion.redundant)));
   if (drive.flow && drive.flow->self_locking())
     say(WarningCode::self_locking,

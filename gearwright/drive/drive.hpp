@@ -24,7 +24,7 @@ namespace gearwright {
 struct PlanetSet {
   PlanetGroup group;
   Assembly assembly;
-  std::optional<Neighbours> neighbours;           ///< none: one planet, or no geometry
+  std::optional<Neighbours> neighbours;           ///< none for one planet or without geometry
   std::optional<int> sun_teeth, ring_teeth;       ///< of the first central gears of either kind
   std::vector<Rational> sun_phases, ring_phases;  ///< γ_i; empty if there is no such gear
   std::optional<double>

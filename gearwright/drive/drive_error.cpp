@@ -32,7 +32,7 @@ struct MeshCurve {
 
 using Flanks = std::array<FlankModifications, 2>;
 
-// Seen from the other face, a gear turns in the opposite direction and its right flank becomes the
+// Seen from the other face, a gear turns in the opposite direction, and its right flank becomes the
 // left one.
 std::optional<Flanks> turned_over(const Flanks& flanks) {
   Flanks turned{flanks[1], flanks[0]};

@@ -125,8 +125,8 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
   auto made = make_gear(spec);
   if (!made) {
-    faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be: {}.", gear.name,
-                                                        made.error().message())});
+    faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} are impossible: {}.",
+                                                        gear.name, made.error().message())});
     return std::nullopt;
   }
   auto cut = made->internal() ? cut_by_default(*made) : std::nullopt;
@@ -162,7 +162,7 @@ void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, Drive
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
 
-// Whether the tip of a gear follows from its rack and may be moved.
+// True if the tip of a gear follows from its rack and may be moved.
 bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
@@ -297,8 +297,8 @@ std::optional<std::vector<RiderPlace>> rider_places(
       const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
       if (!(std::abs(cosine) <= 1.0)) {
         fault = {Fault::Kind::not_coaxial,
-                 fmt::format("{} and {} find no place on {}: no triangle has the sides {:.4f}, "
-                             "{:.4f} and {:.4f} mm.",
+                 fmt::format("{} and {} have no possible place on {}: no triangle has the sides "
+                             "{:.4f}, {:.4f} and {:.4f} mm.",
                              graph.bodies[body].name, graph.bodies[group.riders[j]].name,
                              graph.bodies[group.carrier].name, *a, r, *between)};
         return std::nullopt;

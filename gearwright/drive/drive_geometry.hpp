@@ -46,14 +46,14 @@ struct RiderPlace {
   double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
 };
 
-/// The planets of a group in order, from the distances of their meshes. None: a distance is
-/// missing, or an idler has no possible position (`fault` gives the reason).
+/// The planets of a group in order, from the distances of their meshes. None if a distance is
+/// missing, or if an idler has no possible position (`fault` gives the reason).
 std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault);
 
 struct Neighbours {
-  double clearance;  ///< c  mm, < 0: planets overlap
+  double clearance;  ///< c  mm, < 0 if planets overlap
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 

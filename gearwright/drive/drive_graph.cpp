@@ -18,8 +18,9 @@ std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
     return refused("drive.body", body.count,
                    fmt::format("body {} must have at least one copy", body.name));
   if (body.count > 1 && !body.carrier)
-    return refused("drive.body", body.count,
-                   fmt::format("body {} rides on nothing; only a planet has copies", body.name));
+    return refused(
+        "drive.body", body.count,
+        fmt::format("body {} has copies but no carrier; only a planet can have copies", body.name));
   if (!body.carrier) return std::nullopt;
   if (*body.carrier == index)
     return Error{"drive.body", body.name, "a body cannot ride on itself; name its carrier"};
@@ -44,7 +45,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   if (a.teeth + b.teeth == 0 && !b.rack)
     return wrong(
         fmt::format("ring and gear have the same {} teeth and cannot turn against each "
-                    "other; give the ring more",
+                    "other; give the ring more teeth",
                     std::abs(a.teeth)));
   if (const int sum = a.teeth + b.teeth; !b.rack && (a.teeth < 0 || b.teeth < 0) && sum > 0)
     return wrong(
@@ -59,12 +60,13 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
                     "one",
                     graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
   if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
-    return wrong("its planets have different numbers of copies; meshed planets come in pairs");
+    return wrong("its planets have different numbers of copies; meshed planets need equal numbers");
   if (b.rack && carrier_a)
     return wrong("its pinion is on a carrier; a rack can only mesh with a gear on a fixed axis");
   if (mesh.efficiency && !(*mesh.efficiency > 0.0 && *mesh.efficiency <= 1.0))
-    return refused("drive.mesh", *mesh.efficiency,
-                   fmt::format("the efficiency of {} must lie above 0 and not above 1", mesh.name));
+    return refused(
+        "drive.mesh", *mesh.efficiency,
+        fmt::format("the efficiency of {} must be greater than 0 and at most 1", mesh.name));
   return std::nullopt;
 }
 
@@ -88,7 +90,7 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
       return Error{"drive.gear", gear.name, "has no teeth; a ring's number is negative"};
     if (gear.rack && graph.body(gear).carrier)
       return Error{"drive.gear", gear.name,
-                   "is a rack on a planet; a rack's body rides on nothing"};
+                   "is a rack on a planet; the body of a rack must not have a carrier"};
   }
   for (const DriveMesh& mesh : graph.meshes)
     if (auto error = check_mesh(graph, mesh)) return error;

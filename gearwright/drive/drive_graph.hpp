@@ -6,8 +6,8 @@
 //   mesh     two gears; its frame c is the carrier that one of its bodies rides on, else the housing
 //                                              theory: docs/theory/13-drives.md
 //
-// A planetary set and a train of stages are short forms of such a graph (drive/short_forms.hpp) and
-// nothing else: everything is computed from the graph.
+// A planetary set and a train of stages are short forms of such a graph (drive/short_forms.hpp).
+// Everything is computed from the graph.
 #pragma once
 
 #include <array>
@@ -34,18 +34,18 @@ struct DriveBody {
   std::string name;
   std::optional<std::size_t> carrier;  ///< the body on which it rides
   int count = 1;                       ///< N, copies of a body that rides
-  std::vector<double> positions_deg;   ///< of the copies, from copy 0; empty: by `spacing`
-  std::optional<Spacing> spacing{};    ///< absent: that of the graph
+  std::vector<double> positions_deg;   ///< of the copies, from copy 0; by `spacing` if empty
+  std::optional<Spacing> spacing{};    ///< by default that of the graph
 };
 
-/// What is known of the teeth of a gear; without a module there is no geometry.
+/// The known data of the teeth of a gear; without a module there is no geometry.
 struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
   bool rack = false;                    ///< its body moves, and v/p_t replaces its speed
   std::optional<CylindricalSpec> spec;  ///< all but the shift; its teeth are `teeth`
-  std::optional<double> shift;          ///< x; absent: it follows
+  std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
 
   /// The factor in [T13.1]: z, or −1 for a rack.
@@ -55,12 +55,12 @@ struct DriveGear {
 struct DriveMesh {
   std::string name;
   std::array<std::size_t, 2> gears{};
-  std::optional<double> efficiency;       ///< η with the frame at rest; absent: of the pair
+  std::optional<double> efficiency;  ///< η with the frame at rest; by default that of the pair
   std::optional<double> center_distance;  ///< a  mm
   /// Direction from the axis of the first gear to that of the second, counter-clockwise, for meshes
-  /// in the housing; planets are placed by their spacing. Absent: the shafts are in one line.
+  /// in the housing; planets are placed by their spacing. If absent, the shafts are in one line.
   std::optional<Angle> direction{};
-  std::optional<double> friction{};  ///< μ; absent: that of the graph
+  std::optional<double> friction{};  ///< μ; by default that of the graph
 };
 
 /// Gap between the faces of gears beside each other, in m_n.
@@ -72,7 +72,7 @@ struct DriveGraph {
   std::vector<DriveMesh> meshes;
   std::vector<std::size_t> fixed, inputs;  ///< bodies
   std::size_t output = 0;
-  std::vector<double> speeds_rpm;   ///< of the inputs; empty: not given
+  std::vector<double> speeds_rpm;   ///< of the inputs; empty if not given
   std::optional<double> torque_Nm;  ///< on the first input
   double friction = 0.05;           ///< μ of meshes without an efficiency
   Spacing spacing = Spacing::nearest;
@@ -82,7 +82,7 @@ struct DriveGraph {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];
   }
   const DriveBody& body(const DriveGear& gear) const { return bodies[gear.body]; }
-  /// The carrier of a mesh; none: the housing.   Domain  a checked graph
+  /// The carrier of a mesh; none for the housing.   Domain  a checked graph
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;

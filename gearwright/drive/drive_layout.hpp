@@ -49,8 +49,8 @@ Result<DriveLayout> drive_layout(const Drive& drive);
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns);
 
 /// Least number of turns of the input after which the drive looks the same: gears have moved by
-/// whole teeth, equally spaced planets to the position of the next. None: several inputs, or no
-/// such number.
+/// whole teeth, and equally spaced planets to the position of the next one. None with several
+/// inputs, or if there is no such number.
 std::optional<Rational> turns_until_alike(const Drive& drive);
 
 }  // namespace gearwright

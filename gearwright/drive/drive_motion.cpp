@@ -32,7 +32,7 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// "a_b, c_d": the meshes of which each one locks the drive. Without that mesh the drive is free.
+// "a_b, c_d": the meshes each of which locks the drive. Without that mesh the drive is free.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {
@@ -62,12 +62,12 @@ Error locked(const DriveGraph& graph) {
   if (!rank) return too_large();
   if (graph.fixed.size() > 1) {
     return {"drive.fixed", names(graph, graph.fixed),
-            fmt::format("nothing can turn: with these bodies held no degree of freedom is left; "
-                        "without anything held there are {}. Hold fewer",
+            fmt::format("nothing can turn, because these held bodies leave no degree of freedom; "
+                        "if no body is held, there are {}. Hold fewer bodies",
                         graph.bodies.size() - *rank)};
   }
   const std::string culprits = locking_meshes(graph);
-  std::string why = "nothing can turn: no degree of freedom is left";
+  std::string why = "nothing can turn, because no degree of freedom is left";
   if (!culprits.empty())
     why += fmt::format(
         "; a closed loop has meshes whose ratios disagree, and without any one of "
@@ -151,8 +151,8 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   if (freedom > inputs) return undetermined(graph, freedom, inputs);
   if (freedom < inputs)
     return Error{"drive.input", names(graph, graph.inputs),
-                 fmt::format("{} inputs, and only {} degree{} of freedom: their speeds would "
-                             "contradict; leave out {}",
+                 fmt::format("there are {} inputs and only {} degree{} of freedom, so their speeds "
+                             "would contradict each other; leave out {}",
                              inputs, freedom, freedom == 1 ? "" : "s", inputs - freedom)};
 
   // ω of every body for each input; the right-hand sides are additional columns of the matrix.
@@ -164,8 +164,8 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   const auto pivots = reduce_rows(rows, n);
   if (pivots.size() < n) {
     return Error{"drive.input", names(graph, graph.inputs),
-                 inputs == 1 ? "the input does not rotate in this drive whatever the other bodies "
-                               "do; drive another body, or hold another one"
+                 inputs == 1 ? "the input cannot rotate in this drive; drive another body, or "
+                               "hold another one"
                              : "the speeds of the inputs follow from each other; drive other "
                                "bodies"};
   }
@@ -182,7 +182,7 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   const auto& out = motion.speeds[graph.output];
   if (std::all_of(out.begin(), out.end(), [](const Rational& w) { return w.zero(); }))
     return Error{"drive.output", graph.bodies[graph.output].name,
-                 "the output does not rotate whatever the input does: the ratio would be infinite; "
+                 "the output does not rotate when the input does, so the ratio would be infinite; "
                  "change a tooth number of the gears before it, or name another output"};
   if (inputs == 1) {
     motion.ratio = Rational(1) / out[0];

@@ -5,7 +5,7 @@
 //   i      = n_in/n_out, signed [T13.3]
 //                                              theory: docs/theory/13-drives.md
 //
-// In the frame of a mesh the pitch circles roll, whatever the shifts and the centre distance.
+// In the frame of a mesh the pitch circles roll, for any shifts and centre distance.
 #pragma once
 
 #include <optional>

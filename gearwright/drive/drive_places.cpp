@@ -24,7 +24,8 @@ class Placing {
   Result<DrivePlaces> places() {
     for (const DriveGear& gear : graph_.gears)
       if (gear.rack)
-        return Error{"drive.gear", gear.name, "is a rack; a rack has no axis to be placed by"};
+        return Error{"drive.gear", gear.name,
+                     "is a rack, and a rack has no axis that could be placed"};
     measure();
     join_coaxial();
     if (auto error = place_axes()) return *error;
@@ -136,7 +137,7 @@ class Placing {
       const auto riders = rider_places(graph_, set.group, distances_, fault);
       if (!riders)
         return Error{"drive.body", graph_.bodies[set.group.riders.front()].name,
-                     fault ? fault->message : "finds no place on its carrier"};
+                     fault ? fault->message : "has no possible place on its carrier"};
       for (std::size_t i = 0; i < riders->size(); ++i) {
         const std::size_t body = set.group.riders[i];
         made_.turned[body] = (*riders)[i].angle;
@@ -157,7 +158,7 @@ class Placing {
     });
   }
 
-  // Whether two gears would overlap in one plane.
+  // True if two gears would overlap in one plane.
   bool in_the_way(std::size_t g, std::size_t h) const {
     if (g == h || meshed(g, h)) return false;
     const DriveGear &a = graph_.gears[g], &b = graph_.gears[h];

@@ -1,12 +1,12 @@
-// Where the axes of a drive lie, and in which order its gears sit along them.
+// The positions of the axes of a drive, and the order of its gears along them.
 //
 //   slot   a stretch of the axes in which some of the meshes run; gears that would overlap in one
 //          plane have different slots
 //                                              theory: docs/theory/13-drives.md
 //
-// The drive itself fixes the axes of its planets and what is coaxial. The rest is chosen for a
-// simple drawing: shafts of a train lie in one line, unless a mesh has an angle, and the meshes
-// follow each other along the axes in their order.
+// The drive itself determines the axes of its planets and the coaxial bodies. The rest is chosen
+// for a simple drawing: shafts of a train lie in one line, unless a mesh has an angle, and the
+// meshes follow each other along the axes in their order.
 #pragma once
 
 #include <numbers>
@@ -29,7 +29,7 @@ struct DrivePlaces {
   std::vector<int> mesh_slot;    ///< of each mesh
   std::vector<SlotRange> slots;  ///< of each gear
   int slot_count = 0;
-  bool true_scale = false;  ///< computed from the teeth; false: from their numbers, with m = 1
+  bool true_scale = false;  ///< computed from the teeth; if false, from their numbers with m = 1
 
   /// The axis of copy `copy` of a body at the start.
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;

@@ -5,7 +5,7 @@
 //                                              theory: docs/theory/11-rating.md, 13-drives.md
 //
 // A tooth of a central gear engages with N planets per turn. A gear that drives in one mesh and is
-// driven in another is bent in both directions, as a planet between sun and ring.
+// driven in another is bent in both directions, like a planet between sun and ring.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@
 
 namespace gearwright {
 
-/// The load of a drive, and what is common to its meshes.
+/// The load of a drive, and the inputs common to its meshes.
 struct DriveLoad {
   double torque = 0.0;          ///< T  N m, on the first input, > 0
-  std::optional<double> speed;  ///< n  1/min, of the first input; absent: ratings without speed
+  std::optional<double> speed;  ///< n  1/min, of the first input; if absent, ratings without speed
   RatingInput common;           ///< all but torque, speed, materials; K_γ is used if N > 1
 };
 
@@ -30,14 +30,14 @@ using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
 /// Domain    a drive with a flow that does not lock itself (contract)
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
 
-/// One for each mesh; none if a mesh carries no load or has no pair.
+/// The ratings of all meshes; none for a mesh that carries no load or has no pair.
 ///
 /// Errors    `drive.mesh` without a flow, or that locks itself; as rate(), with the mesh in the rule
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);
 
-/// The least S_H or S_F of all meshes; none: no mesh is rated.
+/// The least S_H or S_F of all meshes; none if no mesh is rated.
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
 
 }  // namespace gearwright

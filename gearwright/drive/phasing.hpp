@@ -1,7 +1,7 @@
-// The sequence of the meshes of a group of planets, and the harmonics that cancel by it.
+// The sequence of the meshes of a group of planets, and the harmonics that it cancels.
 //
 //   γ_i    periods by which a tooth event of copy i comes after that of copy 0, the sun turning
-//          counter-clockwise as the carrier sees it [T13.16]
+//          counter-clockwise as seen from the carrier [T13.16]
 //   R_k, F_k^±   remaining share of harmonic k of torque and axial force, and of a transverse
 //          force that turns with and against the sun [T13.18]
 //                                              theory: docs/theory/13-drives.md
@@ -17,8 +17,8 @@ namespace gearwright {
 enum class PhasingClass {
   in_phase,    ///< R = 1: torques add, forces cancel
   sequential,  ///< R = 0, and a rotating force remains
-  counter,     ///< nothing is left
-  mixed,       ///< some of each
+  counter,     ///< torques and forces cancel
+  mixed,       ///< parts of torques and forces remain
 };
 
 struct Resultant {

@@ -14,7 +14,7 @@ namespace {
 
 /// Relative to the power or torque of the input: less is rounding error.
 constexpr double kIdle = 1e-11;
-/// At most 2 to this power patterns of signs are tried one by one.
+/// Up to this number of loaded meshes, all patterns of their signs are tried.
 constexpr std::size_t kMostSigns = 16;
 
 // The bodies with an unknown external torque: held ones, and all ends except the given one.
@@ -172,10 +172,12 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
   for (std::size_t m = 0; m < meshes; ++m)
     if (lossless.driver[m] >= 0) loaded.push_back(m);
   if (loaded.size() > kMostSigns)
-    return Error{"drive.mesh", "",
-                 fmt::format("the direction of power in {} meshes does not settle, and only {} can "
-                             "be tried in all ways; compute the drive in parts",
-                             loaded.size(), kMostSigns)};
+    return Error{
+        "drive.mesh", "",
+        fmt::format("the directions of power in {} meshes do not converge, and all "
+                    "combinations can be tried for at most {} meshes; compute the drive in "
+                    "parts",
+                    loaded.size(), kMostSigns)};
   for (std::size_t pattern = 0; pattern < (std::size_t(1) << loaded.size()); ++pattern) {
     signs = lossless.driver;
     for (std::size_t k = 0; k < loaded.size(); ++k)

@@ -2,7 +2,7 @@
 //
 //   λ_m    tooth load of a mesh in the unit "torque per tooth", all copies together
 //   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)    σ = ±1: a or b drives [T13.6], [T13.7]
-//   Σ_m T_body,m + T_ext = 0 on every body [T13.8]; T_ext > 0 and ω > 0: power flows in
+//   Σ_m T_body,m + T_ext = 0 on every body [T13.8]; power flows in if T_ext > 0 and ω > 0
 //                                              theory: docs/theory/13-drives.md
 //
 // The loss of a mesh depends on the power relative to its frame. The rotation of the frame itself
@@ -29,13 +29,13 @@ struct PowerPath {
 };
 
 struct PowerFlow {
-  std::vector<double> load;        ///< λ of each mesh
-  std::vector<int> driver;         ///< 0: gear a drives, 1: gear b, −1: the mesh is idle
+  std::vector<double> load;  ///< λ of each mesh
+  std::vector<int> driver;   ///< 0 if gear a drives, 1 if gear b does, −1 if the mesh is idle
   std::vector<double> mesh_power;  ///< P_m in the frame, of the driving gear
   std::vector<double> torque;      ///< T_ext of each body, 0 of free ones
   std::vector<PowerPath> paths;    ///< by mesh; none for bodies at rest
   double power_in = 0.0;           ///< Σ of P = T ω that flow in
-  double efficiency = 0.0;         ///< η [T13.9]; 0: self-locking, and the other members are empty
+  double efficiency = 0.0;         ///< η [T13.9]; 0 if self-locking (other members are empty)
   bool circulating = false;        ///< a branch carries more than flows in
 
   bool self_locking() const { return efficiency <= 0.0; }
@@ -47,7 +47,7 @@ struct PowerFlow {
 ///           otherwise all patterns of signs are tried, and the one with η > 0 is used. Closed
 ///           forms: [T13.10], [T13.11]
 /// Domain    independent meshes, f inputs and one output (contract)
-/// Errors    more than 16 loaded meshes whose signs do not settle
+/// Errors    more than 16 loaded meshes whose signs do not converge
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 

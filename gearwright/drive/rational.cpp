@@ -88,7 +88,7 @@ Rational operator+(const Rational& a, const Rational& b) {
 
 Rational operator*(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
-  // Cancelled crosswise first, the products are in lowest terms and as small as they can be.
+  // After cancelling crosswise, the products are in lowest terms and as small as possible.
   const Wide d = common_divisor(a.p_, b.q_);
   const Wide e = common_divisor(b.p_, a.q_);
   Wide p, q;

@@ -1,6 +1,6 @@
 // Exact fractions of whole numbers. Overflow is a separate state and never gives a wrong number.
 //
-//   p/q in lowest terms, q > 0; q = 0: a result did not fit into 127 bits
+//   p/q in lowest terms, q > 0; q = 0 if a result did not fit into 127 bits
 //                                              theory: docs/theory/13-drives.md, [T13.3]
 //
 // Like NaN, overflow passes to every fraction that is computed from it, so code checks once at the

@@ -46,7 +46,7 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// Whether central gears of one kind are adjacent along this planet.
+// True if central gears of one kind are adjacent along this planet.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;
@@ -84,19 +84,19 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
   for (const M m : kMembers) {
     if (!has(m) || is_ring(m) || *spec.z(m) > 0) continue;
     return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
-                   "must be a number of teeth, 1 or more; only a ring's may be negative");
+                   "must be a number of teeth, at least 1; only that of a ring may be negative");
   }
   for (const SetMesh& mesh : meshes_of(spec)) {
     if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;
     return refused(fmt::format("planetary.{}", to_string(mesh.second)), *spec.z(mesh.second),
-                   fmt::format("must have more teeth than {} = {}, which runs in it",
+                   fmt::format("must have more teeth than {} = {}, which meshes inside it",
                                to_string(mesh.first), *spec.z(mesh.first)));
   }
   if (!spec.fixed && meshes_of(spec).size() == 1 && !has(M::ring) && !has(M::ring2))
     return absent_input(
         "planetary.ring",
-        "; a sun with planets alone has nothing to hold and nothing to drive: give a "
-        "ring, a second sun, or fixed, input and output");
+        "; a sun with planets alone has no default for the fixed and the driven body; give a ring, "
+        "a second sun, or fixed, input and output");
   if (spec.planets < 1)
     return refused("planetary.planets", spec.planets, "must be at least one planet");
   return std::nullopt;

@@ -42,7 +42,7 @@ struct PlanetarySpec {
   /// Absent if there is no such gear. A ring's number may have either sign.
   std::array<std::optional<int>, kSetMembers> teeth{};
   int planets = 1;
-  std::optional<double> normal_module;  ///< m_n  mm; none: no geometry
+  std::optional<double> normal_module;  ///< m_n  mm; no geometry if absent
   Angle normal_pressure_angle = Angle::degrees(20);
   PerMember module;         ///< of single gears  mm
   PerMember profile_shift;  ///< x
@@ -51,11 +51,11 @@ struct PlanetarySpec {
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
   PerMesh efficiency;
-  PerMesh center_distance;                        ///< mm; a number: of the first mesh
+  PerMesh center_distance;                        ///< mm; a single number applies to the first mesh
   double friction = 0.05;                         ///< μ
-  std::optional<std::vector<std::string>> fixed;  ///< absent: the ring
-  std::vector<std::string> inputs;                ///< empty: the sun
-  std::string output;                             ///< empty: the carrier
+  std::optional<std::vector<std::string>> fixed;  ///< by default the ring
+  std::vector<std::string> inputs;                ///< the sun if empty
+  std::string output;                             ///< the carrier if empty
   std::vector<double> speeds_rpm;
   std::optional<double> torque_Nm;
   Spacing spacing = Spacing::nearest;
@@ -96,8 +96,8 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
 /// Errors    a missing member, a set without a mesh; unknown bodies in `fixed`, `input`, `output`
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
-/// The whole train, and its stages as separate drives. Bodies are s1_sun, s2_gear1. The body that
-/// joins two stages has the name that it has in the first of them.
+/// The whole train, and its stages as separate drives. Bodies are s1_sun, s2_gear1 and so on. The
+/// body that joins two stages has the name that it has in the first of them.
 Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
 
 }  // namespace gearwright

@@ -2,7 +2,7 @@
 //
 //   r  bore radius     w, t  keyway width and depth     all mm
 //
-// The keyway's floor lies at y = r + t, its walls at x = ±w/2; w = 0: no keyway.
+// The keyway's floor lies at y = r + t, its walls at x = ±w/2. There is no keyway if w = 0.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace gearwright {
 
 struct Bore {
   double diameter;            ///< mm
-  double keyway_width = 0.0;  ///< mm, 0: no keyway
+  double keyway_width = 0.0;  ///< mm, 0 without a keyway
   double keyway_depth = 0.0;  ///< mm, into the hub from the bore, along +y of the gear frame
 
   bool has_keyway() const { return keyway_width > 0.0; }

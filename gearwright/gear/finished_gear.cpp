@@ -147,7 +147,7 @@ void find_tip_bulge(Gear& gear) {
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 
-// Normal thickness of the finished tooth at its tip: the land that is left, 0 at a point.
+// Normal thickness of the finished tooth at its tip, which is the remaining land; 0 at a point.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
   if (!gear.involute()) {

@@ -40,7 +40,7 @@ struct CylindricalSpec {
 struct PinionCutting {
   int cutter_teeth;           ///< z_0
   double distance;            ///< E  mm
-  double tip_rounding = 0.0;  ///< ρ_a0  mm, of the cutter's tip corners; 0: sharp
+  double tip_rounding = 0.0;  ///< ρ_a0  mm, of the cutter's tip corners; 0 if sharp
   bool by_default = false;    ///< true if gear/ring_cutter.hpp chose the cutter
 };
 
@@ -71,7 +71,7 @@ struct TipBulge {
 struct Gear {
   Gear() = default;  ///< empty, and not an aggregate; make_gear() makes a gear from a spec
   CylindricalSpec spec;
-  std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
+  std::optional<PinionCutting> cut_by;  ///< none if cut by its rack
   std::variant<InvoluteTeeth, ArcTeeth> flanks;
   double transverse_module;   ///< m_t   mm
   double reference_diameter;  ///< d     mm

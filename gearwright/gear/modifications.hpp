@@ -46,9 +46,9 @@ struct Relief {
 struct FlankModifications {
   Relief tip_relief{};            ///< C_αa, at d_Fa
   Relief root_relief{};           ///< C_αf, at d_Ff
-  double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0: hollow
+  double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0 if hollow
   double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes at the tip
-  double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0: hollow
+  double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0 if hollow
   double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes at its +z end
   Relief end_relief{};            ///< C_βI = C_βII
   std::shared_ptr<const Topography> topography{};
@@ -173,7 +173,7 @@ class RemovalField {
 ///           a relief without start or length, one steeper than 1 in 5 (a chamfer),
 ///           an amount over a tenth of the flank's depth, a grid that does not cover the flank
 /// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; a topography's grid as its
-///           members say (contract)
+///           members state (contract)
 Result<RemovalField> make_removal_field(const FlankModifications& modifications,
                                         const FlankExtent& extent);
 

@@ -13,7 +13,7 @@ struct PinionCutSpec {
   int teeth = 0;                       ///< z, negative for an internal gear
   double distance = 0.0;               ///< E  mm
   double face_width = 0.0;             ///< b  mm
-  std::optional<double> tip_diameter;  ///< d_a  mm; absent: determined by the cutter's root
+  std::optional<double> tip_diameter;  ///< d_a  mm; by default determined by the cutter's root
 };
 
 /// The reason why a cutter cannot cut a gear of that many teeth at any distance; empty if it can.

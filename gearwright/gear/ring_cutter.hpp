@@ -1,4 +1,4 @@
-// The pinion cutter of an internal gear whose drawing names none.
+// The default pinion cutter of an internal gear, used if the drawing names no cutter.
 //
 // A drawing of an internal gear gives tip, root and thickness of the teeth, but seldom the cutter.
 // The root fillet needs a cutter, so this file uses one without profile shift whose tip reaches the

@@ -8,8 +8,9 @@
 // error of second order in the grid step. The not-a-knot spline has an error of fourth order up to
 // the edge. Two or three points on a side give the line or the parabola through them.
 //
-//   Laws  (1) the surface passes through the points of the grid      (2) cubics in d and in z are
-//   reproduced (3) rows and columns may be exchanged: splines along d first or along z first agree
+//   Laws  (1) the surface passes through the points of the grid
+//         (2) cubics in d and in z are reproduced
+//         (3) rows and columns may be exchanged: splines along d first or along z first agree
 #pragma once
 
 #include <vector>

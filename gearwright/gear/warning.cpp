@@ -205,7 +205,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::rating_plastic, "rating_plastic", kCaution,
      "plastic teeth: wear, deformation and static peaks, which VDI 2736 covers too, are not rated",
      "wear and deformation that are not rated"},
-    // Good to know.
+    // Information only.
     {C::not_read, "not_read", kNote,
      "a part of the spec that has no effect in this version, or none in this verb", "",
      "Leave it out."},
@@ -268,11 +268,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::changes_left_out, "changes_left_out", kNote,
      "verb search: changes of the limits were not searched, or not all of them; the message has "
      "the reason"},
-    // Of whole drives.
+    // Warnings about whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
      "verb drive: no profile shift brings the meshes of a planet to one centre distance, or an "
-     "idler "
-     "finds no place",
+     "idler has no possible place",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
      "verb drive: the tip circles of neighbouring planets overlap, or there are fewer places than "
@@ -281,7 +280,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::unequal_spacing, "unequal_spacing", kCaution,
      "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,
-     "verb drive: a closed loop of meshes shares its torque by compliance; no torques are computed",
+     "verb drive: a closed loop of meshes shares its torque by compliance, so no torques are "
+     "computed",
      "a closed loop of meshes has no torques without compliance"},
 }};
 

@@ -83,7 +83,7 @@ enum class WarningCode {
   rating_notch,
   rating_rim,
   rating_plastic,
-  // Good to know.
+  // Information only.
   not_read,
   tip_bulge,
   fillets_not_asked,
@@ -124,7 +124,7 @@ inline constexpr std::size_t kWarningCodes = static_cast<std::size_t>(WarningCod
 /// A row of the table.
 struct WarningMeaning {
   WarningCode code;
-  const char* text;  ///< the word for programs, in every answer: "undercut"
+  const char* text;  ///< the word for programs in all results, "undercut"
   Severity severity;
   const char* sentence;       ///< when it occurs, for documents
   const char* reason = "";    ///< a clause for headlines, "the gears jam"; empty for a note

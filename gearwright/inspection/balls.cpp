@@ -26,7 +26,7 @@ constexpr std::array kMetric{
 struct Base {
   double d_b, cos_b, tan_b;
   double sigma;  // +1, internal −1
-  double eta;    // half angle of the space on the base cylinder; negative: it begins further out
+  double eta;    // half angle of the space on the base cylinder; negative if it begins further out
 };
 
 // [T10.5]

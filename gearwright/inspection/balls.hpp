@@ -48,7 +48,8 @@ struct PinReading {
 ///           project beyond them, with the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
-/// Over two opposite balls in one transverse plane; between them in an internal gear. [T10.8]
+/// The dimension over two opposite balls in one transverse plane, or between them in an internal
+/// gear. [T10.8]
 ///
 /// Domain    |z| ≥ 2 (contract): one space has no opposite one
 double over_two_balls(const Gear& gear, const BallSeat& seat);
@@ -68,12 +69,12 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat);
 /// None      the flanks of a space meet before that diameter
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
 
-/// The transverse base tooth thickness of the gear over whose balls M_d is read. [T10.12]
-/// None      balls that deep lie inside the base cylinder
+/// The transverse base tooth thickness of a gear that measures M_d over balls. [T10.12]
+/// None      the balls would lie inside the base cylinder
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
                                                 double dimension);
 
-/// The nearest standard balls and pins.
+/// The ideal ball and the standard balls and pins nearest to it.
 struct BallSizes {
   double ideal;   ///< mm, touches at the usual diameter
   double metric;  ///< mm, sizes of gear measuring pins (DIN 3977)

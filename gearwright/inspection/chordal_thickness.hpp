@@ -34,7 +34,7 @@ template <class T>
 struct ChordalThickness {
   T chord;            ///< k*   mm, the least over the inclinations of the calliper
   T height;           ///< Δh*  mm, rise of the arc over the chord
-  T tip_to_chord;     ///< mm, the calliper's depth setting; < 0: an internal chord passes its tip
+  T tip_to_chord;     ///< mm, the calliper's depth setting; < 0 if an internal chord passes its tip
   T caliper_angle;    ///< rad, to the transverse plane, with the sign of ψ while θ* < π/2
   T half_angle_used;  ///< θ*   rad
 };

@@ -23,7 +23,7 @@ constexpr std::array kDiameters{5.,    20.,   50.,   125.,  280.,  560.,  1000.,
                                 1600., 2500., 4000., 6000., 8000., 10000.};
 constexpr std::array kModules{0.5, 2., 3.5, 6., 10., 16., 25., 40., 70.};
 constexpr std::array kFaces{4., 10., 20., 40., 80., 160., 250., 400., 650., 1000.};
-// Of its part 2, 1997.
+// Ranges of part 2, 1997.
 constexpr std::array kRadialDiameters{5., 20., 50., 125., 280., 560., 1000.};
 constexpr std::array kRadialModules{0.2, 0.5, 0.8, 1.0, 1.5, 2.5, 4.0, 6.0, 10.0};
 

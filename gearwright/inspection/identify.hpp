@@ -42,7 +42,7 @@ struct MaybeReading {
 struct IdentifyProblem {
   int teeth = 0;                               ///< z, negative if internal
   std::optional<Angle> normal_pressure_angle;  ///< α_n, where it is known
-  std::optional<Angle> helix_angle;            ///< β, where it is known; 0: a spur gear
+  std::optional<Angle> helix_angle;            ///< β, where it is known; 0 for a spur gear
   std::vector<SpanReading> spans;
   std::vector<DiameterReading> balls;
   double span_uncertainty = 0.02;     ///< mm
@@ -67,9 +67,9 @@ struct IdentifiedGear {
   double generating_shift;                ///< x_E
   double tip_diameter;                    ///< mm, measured, or as the shift determines it
   std::optional<double> shift_of_tip;     ///< x that follows from an unworn tip
-  double likelihood;                      ///< of all candidates: 1
+  double likelihood;                      ///< the sum over all candidates is 1
   double misfit;                          ///< χ² of the exact readings
-  // ± of 95 %; 0: a standard's own number.
+  // Uncertainties, ± of 95 %; 0 for the number of a standard.
   double module_uncertainty;  ///< mm
   double shift_uncertainty;
   Angle helix_uncertainty;
@@ -78,9 +78,9 @@ struct IdentifiedGear {
 /// A reading that disagrees with all others, and the value that they predict.
 struct Contradiction {
   std::string reading;  ///< "span", "over_balls", "lead", "helix_angle"
-  double tool;          ///< k, D_M; 0: it has none
+  double tool;          ///< k, D_M; 0 if it has none
   double value;         ///< as read, mm or degrees
-  double expected;      ///< by the others
+  double expected;      ///< predicted by the others
 };
 
 struct NextMeasurement {
@@ -94,7 +94,7 @@ struct Identification {
   std::vector<IdentifiedGear> candidates;      ///< likeliest first
   std::optional<Contradiction> contradiction;  ///< the candidates are those of the other readings
   std::optional<NextMeasurement> next;         ///< none if one is left or no reading decides
-  std::string reason;                          ///< why there is no candidate
+  std::string reason;                          ///< the reason if there is no candidate
 };
 
 /// The relevant candidates, at most this number.

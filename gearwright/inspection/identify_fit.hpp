@@ -18,7 +18,7 @@ struct Unknowns {
 struct RackFit {
   GearNumbers gear;
   double misfit;                                  ///< χ² of the exact readings
-  double sigma_shift, sigma_helix, sigma_module;  ///< 0: not fitted
+  double sigma_shift, sigma_helix, sigma_module;  ///< 0 if not fitted
   int free;                                       ///< numbers fitted
   double log_evidence;
 };

@@ -49,8 +49,7 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
                                          const PointGrid& grid);
 
 /// The root fillet next to a flank of tooth 0, as cut (modifications apply to the flank only), from
-/// the
-/// root land to d_Ff, tooth by rows of growing height over the same part of the face.
+/// the root land to d_Ff, in rows of growing height over the same part of the face.
 ///
 /// Formula   P = R(2π z/p_z) p + z k with p on the outline's fillet and e its normal there,
 ///           n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]

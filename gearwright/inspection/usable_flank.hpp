@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// Where a contact lies.
+/// The position of a contact.
 enum class ContactPlace {
   usable,           ///< on the involute between d_Ff and d_Fa
   below_flank,      ///< at the root fillet, which is not an involute, so the reading is meaningless

@@ -5,11 +5,11 @@
 
 namespace gearwright {
 
-/// None unless a rack F cuts one gear and a rack P cuts the other.
+/// The tool setting of circular arcs; none unless a rack F cuts one gear and a rack P the other.
 std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetup& setup);
 
-/// None for involute gears, which touch along lines and use slopes instead, and if the pair does
-/// not touch in the middle of its mesh.
+/// The lead that removes the slope of the transmission error. None for involute gears, which touch
+/// along lines and use slopes instead, and if the pair does not touch in the middle of its mesh.
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup);
 
 }  // namespace gearwright

@@ -21,7 +21,7 @@ class LoadedAim {
 
   /// Peak to peak in rad or pressure in MPa, for the worst of the torques.
   CompensationAim aim() const;
-  /// For each torque, with this number of positions per pitch; NaN values as in loaded_scores.
+  /// The score for each torque with this number of positions per pitch; NaN as in loaded_scores.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;
   int positions() const { return held_->task.request.positions; }
   const std::vector<double>& torques() const { return held_->task.request.torques; }  ///< N mm

@@ -14,8 +14,8 @@ struct ContactAnswer {
   ContactSetup setup;
   ContactResult driving;          ///< flanks of the requested driver
   ContactResult other;            ///< the non-working flanks, at the same positions
-  std::optional<Angle> min_play;  ///< of gear 2, between both; < 0: the gears jam
-  /// Peak to peak of the continuous curve of the driving flanks; none: contact is lost.
+  std::optional<Angle> min_play;  ///< of gear 2, between both; < 0 if the gears jam
+  /// Peak to peak of the continuous curve of the driving flanks; none if contact is lost.
   std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]

@@ -28,7 +28,7 @@ constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
 constexpr int kMaxPositions = 1024;  // of the peak to peak in a small picture
 
-// "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty: none.
+// "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty if there are none.
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
@@ -179,8 +179,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // For the whole pair there is a reason why nothing touches. For one number, the number is
-    // wrong.
+    // If nothing touches, the error gives the reason for the whole pair. Otherwise its message also
+    // names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

@@ -21,9 +21,9 @@ struct ContactPart {
   ContactReport report;
 };
 
-/// None if the spec does not request it, and if there is no result, with a warning in the job. A
-/// contract of the report needs equal positions over one pitch. If the spec has other rotations,
-/// the result has those, and the report has its own pitch.
+/// The contact part of a report. None if the spec does not request it, and none with a warning in
+/// the job if there is no result. The report requires equal positions over one pitch, so if the
+/// spec has other rotations, only the result has those.
 ///
 /// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);

@@ -75,7 +75,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     bool gear2_drives) {
   Json tree = job.spec.tree->tables;
   const auto add = [](Json& table, const std::string& key, double value) {
-    // A sum of decimals has none of the digits that binary addition leaves.
+    // Rounding removes the digits that binary addition adds to a sum of decimals.
     constexpr double kDigits = 1e9;
     const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
     table[key] = std::round(sum * kDigits) / kDigits;
@@ -97,17 +97,17 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       Json& table = tree[gear_field(c.gear)]["modifications"];
       const std::string path = spec_key(setup, c, gear2_drives);
       const std::string own = path.substr(path.rfind('.') + 1);
-      // What holds for both flanks so far is the amount to add to.
+      // A slope of both flanks so far is the amount to which the correction is added.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
-      // What is meant for both is added where a flank has its own, too.
+      // An amount for both flanks is also added to the own amount of a flank.
       for (const char* side : {"left_", "right_"})
         if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
-      // With one of its own each, what was meant for both has no effect.
+      // If each flank has its own amount, the amount for both has no effect.
       if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
     }
   }
-  // Tables after plain values, as a TOML file has them.
+  // Tables follow plain values, as in a TOML file.
   Json ordered = Json::object();
   for (const bool tables : {false, true})
     for (const auto& [key, value] : tree.items())

@@ -24,7 +24,7 @@ Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup
 std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correction,
                      bool gear2_drives);
 
-/// Whether the value is at the end of the searched range, so that more might be better. A crowning
+/// True if the value is at the end of the searched range, so that more might be better. A crowning
 /// of 0 does not count.
 bool at_bound(const Correction& range, double value);
 

@@ -36,7 +36,7 @@ const Value kNothing;
 
 // The values of a column in rows, one after the other.
 using Cells = std::vector<const Value*>;
-using Rows = std::vector<const ValueRecord*>;  // null: a row has no such record
+using Rows = std::vector<const ValueRecord*>;  // null if a row has no such record
 
 // Calls f(column, cells) for the columns of a table that are also in JSON and that at least one of
 // the rows has.

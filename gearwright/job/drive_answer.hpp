@@ -14,7 +14,7 @@ std::string drive_listing(const Drive& drive);
 /// Errors    as solve_drive()
 Result<Answer> answer_drive(const JobSpec& spec);
 
-/// The same with each mesh rated by ISO 6336.
+/// The answer of the verb drive with each mesh rated by ISO 6336.
 ///
 /// Errors    as solve_drive(); `rating.…` as rate_meshes() and material_of()
 Result<Answer> answer_drive_rating(const JobSpec& spec);

@@ -104,14 +104,14 @@ class Candidates {
         made_(all.size()),
         threads_(threads) {}
 
-  // Computes those with these indices. Errors of the spec are the same for all.
+  // Computes the candidates with these indices. Errors of the spec are the same for all.
   std::optional<Error> compute(const std::vector<std::size_t>& which, DriveDesigns& designs) {
     std::vector<std::optional<Outcome>> outcomes(which.size());
     parallel_for(
         which.size(), [&](std::size_t i) { outcomes[i] = designer_(all_[which[i]]); }, threads_);
     for (std::size_t i = 0; i < which.size(); ++i) {
       ++designs.computed;
-      // What is wrong with the spec itself is found with the first drive that has teeth.
+      // An error of the spec itself is found with the first drive that has teeth.
       if (auto* error = std::get_if<Error>(&*outcomes[i])) {
         if (!is_rated_) return *error;
         outcomes[i] = DriveFault::safety;
@@ -137,7 +137,7 @@ class Candidates {
     return which;
   }
 
-  // Those of the Pareto front of what is left that are not yet computed.
+  // The candidates on the Pareto front of the remaining ones that are not yet computed.
   std::vector<std::size_t> next_of_front(std::size_t count) const {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;

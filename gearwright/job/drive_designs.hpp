@@ -1,5 +1,6 @@
-// The designs of a search for drives: the candidates in their order, each computed as the verb drive
-// does, rated if the search wants safeties, and listed if its verdict is green. Internal to job/.
+// The designs of a search for drives. The candidates are computed in their order, in the same way
+// as by the verb drive, rated if the search requires safeties, and listed if the verdict is green.
+// Internal to job/.
 #pragma once
 
 #include <string>
@@ -11,16 +12,16 @@
 
 namespace gearwright {
 
-/// Its numbers of teeth, "sun 19, planet 17, ring 56".
+/// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56".
 std::string teeth_text(const DriveCandidate& c);
 
 /// A candidate as a spec of the verb drive: the common keys of the search, and its own numbers.
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
-/// Whether the designs of the search are rated.
+/// True if the designs of the search are rated.
 bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 
-/// The candidates that the answer lists: the `top` best by the first objective and, with several
+/// The candidates that the result lists: the `top` best by the first objective and, with several
 /// objectives, at most as many more of the Pareto front. Candidates without a green verdict are
 /// replaced by the next ones, until kMostComputedDrives have been computed.
 ///

@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// The key of a change in the table that describes the drive; empty: there is none.
+// The key of a change in the table that describes the drive; empty if there is none.
 std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
   const auto key = [&]() -> const char* {
     switch (change.what) {
@@ -112,7 +112,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.layout = std::move(layout).take();
   } else {
     const Error& why = layout.error();
-    job.why_no_layout = fmt::format("The drive is not put together here: {}{}.",
+    job.why_no_layout = fmt::format("The drive cannot be assembled here: {}{}.",
                                     why.value.empty() ? "" : why.value + " ", why.rule);
   }
   job.verdict = judge(job);

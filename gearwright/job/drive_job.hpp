@@ -15,8 +15,8 @@ namespace gearwright {
 struct DriveJob {
   JobSpec spec;
   Drive drive;
-  std::optional<DrivePlaces> places;  ///< none: it has a rack, or axes that cannot be placed
-  std::optional<DriveLayout> layout;  ///< none: it has no teeth, or they cannot mesh
+  std::optional<DrivePlaces> places;  ///< none if it has a rack or axes that cannot be placed
+  std::optional<DriveLayout> layout;  ///< none if it has no teeth or they cannot mesh
   std::string why_no_layout;          ///< reason as a sentence; empty if there is a layout
   Verdict verdict;
 };
@@ -43,7 +43,7 @@ Verdict judge(const DriveJob& job);
 /// Errors    a drive that has no layout; a gear without an outline
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 
-/// The same bodies standing side by side on the plane z = 0, for printing.
+/// The same bodies side by side on the plane z = 0, for printing.
 std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies);
 
 /// Files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb,
@@ -55,7 +55,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::pa
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 
-/// One file of the whole drive, as make_file(); a 3MF file has it laid out.
+/// One file of the whole drive, as make_file(). In a 3MF file the bodies are laid out for printing.
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::filesystem::path& path, const FileOptions& options);
 

@@ -10,7 +10,7 @@ namespace gearwright {
 /// Default number of drives in an answer.
 inline constexpr std::size_t kDefaultDrives = 100;
 
-/// Whether the spec has a [search] for drives.
+/// True if the spec has a [search] for drives.
 bool searches_drives(const JobSpec& spec);
 
 /// The best drives of the search, each computed by the verb drive; `specs` has their specs.

@@ -66,10 +66,11 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// As on a drawing: nine places, without the last digits of a conversion.
+// The value as on a drawing: nine places, without the last digits of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
-// Nine places if they are the number. A shift that follows from a distance keeps all digits.
+// The shift with nine places if these are exact. A shift that follows from a distance keeps all
+// digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
 // Rounded so that the tooth is never longer than computed.

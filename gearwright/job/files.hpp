@@ -36,7 +36,7 @@ struct FileOptions {
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
-  std::vector<std::string> only{};      ///< for `run`: words of kRunParts; empty: everything
+  std::vector<std::string> only{};      ///< for `run`: words of kRunParts; everything if empty
 
   bool wants(std::string_view part) const;
 };
@@ -95,9 +95,9 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
-/// drawing.pdf, gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead
-/// of files.
+/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*,
+/// gear2.*, pair.*, as far as they apply, or only the parts in `only`. Gears without an outline get
+/// a warning in the job instead of files.
 /// Files of an earlier run that this run does not write are removed (run_folder.hpp).
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);

@@ -12,7 +12,7 @@
 namespace gearwright {
 
 struct IdentifyAnswer {
-  int gear;  ///< 1 or 2: whose readings
+  int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
   std::vector<Json> specs;  ///< of the candidates: the spec as read, with that gear
 };

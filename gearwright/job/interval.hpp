@@ -10,8 +10,8 @@
 namespace gearwright {
 
 /// {key: [at lower, at upper]} of the numbers that differ, for all interfaces (the allowance is for
-/// the page only). Inner records are records, and numbers of lists keep their places (null: does
-/// not differ). Lists of records are omitted.
+/// the page only). Inner records are records. In lists, the place of a number that does not differ
+/// contains null. Lists of records are omitted.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
 /// Both ends as records for a listing, which shows only the rows that differ.

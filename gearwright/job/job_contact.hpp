@@ -20,7 +20,7 @@ Result<ContactSetup> setup_of(const SolvedJob& job);
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// A number whose influence is computed: its key in results, and rad or mm of it per unit of the key.
+/// A number whose influence is computed, with its key in results and its unit in rad or mm.
 struct NamedInfluence {
   std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
   double unit = 1.0;  ///< rad or mm per unit of the key

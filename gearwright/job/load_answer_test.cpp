@@ -166,9 +166,9 @@ TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
   EXPECT_EQ(note_of("torque_Nm = 250\n"), "");
   const std::string crossed = note_of("torque_Nm = 120\n[errors]\ncrossing_deg = 0.02\n");
   EXPECT_NE(crossed.find("for errors of mounting"), crossed.npos) << crossed;
-  EXPECT_EQ(crossed.find("softens"), crossed.npos) << crossed;
+  EXPECT_EQ(crossed.find("reduces the stiffness"), crossed.npos) << crossed;
   const std::string light = note_of("torque_Nm = 20\n");
-  EXPECT_NE(light.find("softens"), light.npos) << light;
+  EXPECT_NE(light.find("reduces the stiffness"), light.npos) << light;
   EXPECT_EQ(light.find("errors of mounting"), light.npos) << light;
 }
 

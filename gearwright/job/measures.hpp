@@ -20,7 +20,7 @@ namespace gearwright {
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
-/// The same as records for the page; impossible measurements are omitted.
+/// The measurements as records for the page; impossible ones are omitted.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
 /// For each gear the numbers that differ at the lower and at the upper end of its tolerances, or
@@ -43,8 +43,8 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
 /// The gear, with the teeth as cut, in terms of that rack.
 ///
-/// Errors    `--as-rack`: no such rack has this gear; the message names the module for the angle,
-///           or the greatest angle
+/// Errors    `--as-rack` if no such rack describes this gear; the message names the module for the
+///           angle, or the greatest angle
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
 
 /// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,

@@ -1,4 +1,4 @@
-// A rating for users and as JSON; as CSV: job/csv_answer.hpp. Internal to job/ and the program.
+// A rating for users and as JSON (as CSV in job/csv_answer.hpp). Internal to job/ and the program.
 #pragma once
 
 #include <string>

@@ -14,9 +14,9 @@ ValueRecord gear_record(const SolvedJob& job, std::size_t i);
 Json warnings_json(const std::vector<Warning>& warnings);
 /// A record that begins with `title`, if the spec has one.
 Json titled_record(const JobSpec& spec);
-/// `drawing` (if given), `gears`, `pair` (if there is one).
+/// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
-/// The same with `warnings` and `verdict`.
+/// This record with `warnings` and `verdict` in addition.
 Json job_json(const SolvedJob& job, const Verdict& verdict);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);

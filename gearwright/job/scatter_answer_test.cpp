@@ -93,7 +93,7 @@ TEST(ScatterAnswer, RefusesCorrectionsThatAreNone) {
   };
   expect_refused(robust(R"({"corrections": ["gear1.crowning"]})"), "scatter.robust.corrections",
                  "gear1.lead_crowning_um");
-  expect_refused(robust(R"({"range": [1, 20]})"), "scatter.robust.range", "must hold 0");
+  expect_refused(robust(R"({"range": [1, 20]})"), "scatter.robust.range", "must contain 0");
   expect_refused(robust(R"({"percentile": 100})"), "scatter.robust.percentile", "100");
   if (!can_minimise()) return;
   expect_refused(robust(R"({"corrections": ["gear1.tip_relief_um"]})"),

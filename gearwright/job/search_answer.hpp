@@ -18,7 +18,7 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
 /// The whole result as text, one design per line, because the array may be long.
 std::string search_json_text(const Search& search, const SearchRun& run);
 
-/// The same for a run without a result yet, or a stopped one.
+/// The result of a run that has not finished, or was stopped.
 Json unfinished_json(const SearchRun& run);
 
 /// Counts, the best designs, and changes that would help if there are none.
@@ -29,9 +29,9 @@ std::string search_listing(const Search& search, const SearchRun& run,
 /// modules, …"
 std::string margin_line(const SearchLimits& limits);
 
-/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; empty: not rated.
+/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; may be empty.
 std::string rating_line(const SearchProblem& problem);
-/// Describes the drawings of designs, with their default limits; empty: designs are not drawn.
+/// Describes the drawings of designs, with their default limits; empty if designs are not drawn.
 std::string drawing_line(const SearchProblem& problem);
 
 /// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.

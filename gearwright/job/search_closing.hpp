@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Nothing is feasible: computes changes that would help.
+/// Computes changes that would help. To be called if nothing is feasible.
 bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
 
 /// Computes the regions of the listed designs.

@@ -21,7 +21,7 @@ inline constexpr const char* kSpecNote = "spec";  ///< in its footer: the spec a
 /// Returns the designs, chunk by chunk, in the order of the trials; false if there are no more.
 using FindSource = std::function<bool(ChunkFinds& finds)>;
 
-/// Writes them all and returns their names; `top`: designs in the CSV, absent: a thousand.
+/// Writes them all and returns their names. The CSV has `top` designs, by default a thousand.
 ///
 /// Throws    IoError
 std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const Search& search,

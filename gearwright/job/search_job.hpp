@@ -22,8 +22,8 @@ namespace gearwright {
 struct SearchProgress {
   enum class Stage {
     trials,   ///< the search itself
-    changes,  ///< nothing is feasible: searches changes that help; `done` counts evaluations of
-              ///< trials
+    changes,  ///< the search for changes that help if nothing is feasible; `done` counts
+              ///< evaluations of trials
     regions   ///< regions of the listed designs; `done` of `of`
   };
   Stage stage = Stage::trials;
@@ -35,21 +35,21 @@ struct SearchProgress {
 };
 
 struct SearchOptions {
-  std::filesystem::path out;  ///< folder of the files; empty: none
+  std::filesystem::path out;  ///< folder of the files; empty if there are none
   bool resume = false;
   int shard = 1, shards = 1;  ///< this process computes the chunks shard − 1, + shards, …
   bool many = false;          ///< others may have opened the folder before (shards, ranks)
   bool together = false;      ///< for ranks: always a campaign, opened by the first rank
   bool yes_large = false;
-  std::optional<std::size_t> top;      ///< designs to keep; absent: kDefaultDesigns
-  std::optional<std::int64_t> chunk;   ///< trials of a chunk; absent: by the size of the search
-  std::optional<std::size_t> regions;  ///< listed designs whose regions are requested; absent: all
-  int threads = 0;                     ///< 0: as many as the machine has
+  std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
+  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default by the search's size
+  std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
+  int threads = 0;                     ///< with 0, as many as the machine has
   std::string writer = "search";       ///< name in the journal
-  /// Draws the number of a chunk from a queue that others use too; empty: a queue of this process.
+  /// Draws the number of a chunk from a shared queue; if empty, from a queue of this process.
   /// Called by one thread at a time.
   std::function<std::int64_t()> next_chunk;
-  /// Receives whether the folder could be opened, and returns whether to continue. Ranks that join
+  /// The argument is true if the folder could be opened. Returns true to continue. Ranks that join
   /// call it before they open the folder.
   std::function<bool(bool opened)> folder_is_open;
   /// Waits until all processes are done, and returns true if this one makes the files.
@@ -62,9 +62,9 @@ struct SearchOptions {
 
 /// Default number of designs in a result, which is all of them except in huge searches.
 inline constexpr std::size_t kDefaultDesigns = 100'000;
-/// More trials than this only with yes_large.
+/// A search with more trials than this requires yes_large.
 inline constexpr double kLargeSearch = 2e10;
-/// More points of a grid of shifts than this only with yes_large.
+/// A grid of shifts with more points than this requires yes_large.
 inline constexpr double kManyPoints = 1e8;
 
 struct SearchRun {

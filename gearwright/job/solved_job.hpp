@@ -11,7 +11,7 @@ namespace gearwright {
 /// Warnings name the keys of the file.
 struct SolvedJob : Arranged {
   JobSpec spec;  ///< as read; computed values are in `completed`
-  /// For double-helical gears, whose `gears` and `pair` are those of the half at z > 0.
+  /// The halves of double-helical gears, whose `gears` and `pair` are those of the half at z > 0.
   std::array<std::optional<Halves>, 2> halves{};
 };
 
@@ -26,7 +26,7 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 Result<SolvedJob> solve_pair(const JobSpec& spec);
 
 /// "search", "identify" or "fit" if solve rejects the spec because its unknown numbers need that
-/// verb; empty for other errors. The error may be spelled already.
+/// verb; empty for other errors. The error may already contain keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

@@ -51,9 +51,9 @@ struct Verb {
   Result<Answer> (*run)(const JobSpec& spec, Progress* progress);
 };
 
-/// In the order for users.
+/// All verbs, in the order for users.
 std::span<const Verb> verbs();
-/// Null if there is no such verb.
+/// The verb of this name; null if there is none.
 const Verb* find_verb(std::string_view name);
 /// "gear, pair, …"
 std::string verb_names();
@@ -73,7 +73,7 @@ struct BatchLine {
 /// a batch are not affected. An input that is missing for `use` is an error, too.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& spec, SpecUse use = SpecUse::geometry);
-/// The same for a verb, as in answer_json.
+/// The line for a spec, computed by a verb, as in answer_json.
 BatchLine batch_line(std::string_view verb, const std::string& spec);
 
 }  // namespace gearwright

@@ -27,8 +27,8 @@ struct CaseOutcome {
 
 /// Runs the cases of one file.
 ///
-/// Errors    a case file of another form, or without a case, because a check of nothing is no
-///           success
+/// Errors    a case file of another form, or without a case, because an empty check must not
+///           pass
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);
 
 }  // namespace gearwright

@@ -14,7 +14,7 @@ namespace gearwright {
 
 enum class SheetFormat { pdf, svg, dxf };
 
-/// By the extension of a file's name, in any case; none for other extensions.
+/// The format for the extension of a file, in upper or lower case; none for other extensions.
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {
@@ -23,13 +23,13 @@ struct WorkshopSheets {
   double deviation_mm;  ///< greatest, of the outlines
 };
 
-/// A sheet for each of these gears, 1 or 2. `tolerance_mm`: of the outlines, in the gears' mm.
+/// A sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
 ///
 /// Errors    as make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 
-/// The same as one file.
+/// The sheets as one file.
 ///
 /// Domain    at least one gear (contract)
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,

@@ -22,7 +22,7 @@ struct ContactProblem {
   Eigen::VectorXd radius;        ///< R  mm
   double length = 1.0;           ///< Δ  mm, of the contact line in a slice
   double moment = 0.0;           ///< M2  N mm
-  double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0: no local term
+  double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0 without a local term
   double half_width = 1.0;       ///< a0  mm
   double reduced_modulus = 1.0;  ///< E*  N/mm²
 };

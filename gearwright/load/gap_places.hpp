@@ -28,7 +28,7 @@ struct PairPlaces {
   std::vector<std::optional<GapPlace>> at;
 };
 
-/// One height of one tooth pair at the rotation to which the fields are set.
+/// Searches the place with the least gap for each tooth pair and slice.
 class GapSearch {
  public:
   explicit GapSearch(const ContactPair& pair);

@@ -16,8 +16,8 @@ constexpr int kMostWaves = 20;
 
 using Solved = std::vector<const LoadedPosition*>;
 
-// Load per approach over the positions, N/(mm µm) of a line load, N/µm of a force; the mean is that
-// of the mean approach.
+// Load per approach over the positions, N/(mm µm) of a line load, N/µm of a force; the mean value
+// is the load over the mean approach.
 template <class Yield>
 LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yield) {
   double sum = 0.0;

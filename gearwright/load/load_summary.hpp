@@ -12,9 +12,9 @@ namespace gearwright {
 /// The values of ISO 6336 for the same pair under a torque.
 struct LoadStandard {
   double stiffness = 0.0;  ///< c_γα  N/(mm µm)
-  /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none: a gear has no critical section.
+  /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none if a gear has no critical section.
   std::optional<std::array<double, 2>> root_stress{};
-  double low_load = 1.0;  ///< c_γα under 100 N/mm over this one; more than 1 below that load
+  double low_load = 1.0;  ///< ratio of c_γα at 100 N/mm to this one; more than 1 below that load
 };
 
 struct SummaryBasis {

@@ -60,7 +60,7 @@ struct LoadedPosition {
   double max_pressure = kNone;      ///< MPa
   double max_width_ratio = kNone;   ///< greatest half width of contact over its radius
   TouchKind kind =
-      TouchKind::none;      ///< line, interior, or the edge with most load; none: no result
+      TouchKind::none;      ///< line, interior, or the edge with most load; none without a result
   bool unfinished = false;  ///< true if teeth touch but the forces do not converge
   bool edge_carries = false;
   std::array<double, 2> root_stress{kNone, kNone};  ///< MPa, greatest principal at each root
@@ -78,7 +78,7 @@ struct LoadedTorque {
   /// pitch.
   std::vector<Angle> harmonics{};
   struct Stiffness {
-    /// N/(mm µm), N/µm; mean: at the mean approach
+    /// N/(mm µm), N/µm; `mean` is the value at the mean approach
     double mean = LoadedPosition::kNone, min = LoadedPosition::kNone, max = LoadedPosition::kNone;
   };
   Stiffness stiffness, without_twist, tangent;
@@ -109,8 +109,7 @@ struct LoadedContact {
   std::array<FaceSlices, 2> slices;    ///< mm, on each gear; the same on both for line contact
   std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
   /// Positions of each gear along the fillet in tension, starting at the root: mm in the section,
-  /// with the
-  /// tooth's centre line as x axis and the loaded flank at y > 0.
+  /// with the tooth's centre line as x axis and the loaded flank at y > 0.
   std::array<std::vector<std::complex<double>>, 2> root_points;
   long unfinished = 0;  ///< positions, of all torques
   bool slices_too_fine = false;

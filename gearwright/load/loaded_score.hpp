@@ -20,7 +20,7 @@ struct LoadedScore {
 /// slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
-/// That of none.
+/// The score if there is no result.
 LoadedScore no_score();
 /// The worse of both for each number; NaN is kept.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);

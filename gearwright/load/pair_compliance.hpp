@@ -33,14 +33,14 @@ struct LoadRequest {
   // Of lines only:
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
-  bool root_stress = true;        ///< false: root stress is omitted from tables and positions
+  bool root_stress = true;        ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
 };
 
 /// A number of slices of the common face that is fine enough and never too fine. It is 32, or as
 /// many as make a slice a quarter of a module wide (0.4 modules for helical teeth), but at least 4.
 /// Narrower slices may make the matrix of [T12.14] indefinite: for spur teeth from 0.17 modules on,
-/// and of 24 random helical pairs for none at 0.36 and a quarter at 0.32. Internal pairs have a
+/// and of 24 random helical pairs, none at 0.36 and a quarter at 0.32. Internal pairs have a
 /// wider contact. Their slices are four half widths of contact under 125 N/mm per mm of module at
 /// the pinion's tip, which six pairs from 14:30 to 40:52 bore up to 400 MPa at the roots. For point
 /// contact, the wider face is divided.
@@ -52,8 +52,8 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 /// solution at 0.16 and 0.2. For point contact, the compliance of a place would be negative.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
-/// The tables of both gears: what the outlines, faces and materials give. Torques, errors and
-/// modifications do not change them.
+/// The tables of both gears, which follow from the outlines, faces and materials. Torques, errors
+/// and modifications do not change them.
 struct PairCompliance {
   std::array<std::shared_ptr<const ToothTable>, 2> table;
   std::array<ElasticBody, 2> bodies;
@@ -77,8 +77,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
                                                            int which, const LoadRequest& request);
 
 /// True if gear `which` of two pairs has the same table: the same tooth, faces, body, slices and
-/// accuracy,
-/// to the last bit.
+/// accuracy, to the last bit.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
 

@@ -18,7 +18,7 @@ enum class Minimiser {
 /// A search ends after this number of evaluations, or if f changes by less than either gain.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< the box
-  std::vector<double> step{};      ///< > 0: first steps
+  std::vector<double> step{};      ///< first steps, > 0
   int evaluations = 1;
   double relative_gain = 0.0;
   double gain = 0.0;

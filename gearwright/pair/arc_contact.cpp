@@ -17,7 +17,7 @@ double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
 
-// Height of an arc's point over the pitch plane, away from the convex gear.
+// Height of a point of the arc above the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
 // Axial position of the point cut at the angle φ of its gear, minus r φ tan λ. [T7.13]
@@ -66,8 +66,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
     const double across = w / std::tan(theta) * sin_lambda;
     return (w - change) * (c0 + w + in.center_distance) + across * across;
   };
-  // If the first-order angle leaves only the square, it is the result. The exact angle is slightly
-  // greater.
+  // If only the square remains at the first-order angle, that angle is the result. The exact angle
+  // is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
   // The bracket grows fourfold from a step that is short for the least change of distance.
   constexpr double kFirstStep = 1e-9;  // rad

@@ -43,14 +43,15 @@ struct ArcContact {
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
-  Angle rotation_offset;      ///< of the concave gear: its lead; < 0: play
+  Angle rotation_offset;      ///< lead of the concave gear; < 0 if there is play
   double radius_convex;       ///< of the point from each axis, mm
   double radius_concave;      ///<
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
   Mat2 curvature_concave;     ///<
-  std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; ≤ 0: interference
+  std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
   Angle angle;                ///< of the direction of k1 to the projection of the axis
-  double transverse_radius_convex;   ///< of the transverse profiles, mm; > 0: centre on the convex
+  double
+      transverse_radius_convex;  ///< of the transverse profiles, mm; > 0 if centred on the convex
   double transverse_radius_concave;  ///< gear's side
   double line_contact_difference;    ///< required difference of the second and the first radius for
                                      ///< line contact
@@ -64,7 +65,7 @@ struct ArcContact {
 Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double pitch_radius,
                    double turn);
 
-/// The normal angle of the contact at this centre distance; none: the arcs have no common normal
+/// The normal angle of the contact at this centre distance; none if the arcs have no common normal
 /// there.
 ///
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]

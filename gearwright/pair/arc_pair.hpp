@@ -52,7 +52,7 @@ constexpr Angle kNearHelix = Angle::degrees(0.5);           ///< of β_1 + β_2
 constexpr double kSameAsWritten = 1e-9;                     ///< smaller differences count as equal
 constexpr Angle kSamePressureAngle = Angle::degrees(0.05);  ///< ψ_c as written and as it is
 
-/// Mounts two gears. `distance` absent: the reference centre distance.
+/// Mounts two gears. If `distance` is absent, the reference centre distance is used.
 ///
 /// Errors    `gearN.rack` when one of them is an involute gear or no convex arc meets a concave
 /// one;

@@ -38,7 +38,7 @@ struct BacklashColumns {
   std::array<const double*, kIn> in{};
 };
 
-/// Normal backlash j_n at a centre distance, mm; < 0: the teeth overlap.
+/// Normal backlash j_n at a centre distance, mm; < 0 if the teeth overlap.
 ///
 /// Formula   j_n cos α_wn = m_n cos α_n (z1 + z2)(inv α_wt − inv α_0); [T2.24], [T2.16]
 /// Domain    whole z1 ≥ 1 and z2 below 1e6, a > |r_b1 + r_b2|

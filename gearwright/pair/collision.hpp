@@ -29,7 +29,7 @@ const char* to_string(CollisionCause cause);
 /// Two parts of the pair's outlines that collide.
 struct Collision {
   CollisionCause cause;
-  int gear;      ///< the gear whose root, or projecting tip, collides; 0: both
+  int gear;      ///< the gear whose root, or projecting tip, collides; 0 for both
   double depth;  ///< mm along the common normal: depth of an overlap in the middle of the play; for
                  ///< contact beyond the flank, how much earlier it is than that of the flanks
   std::optional<OutlineTouch> touch;  ///< place of contact; none if a named circle, and not the

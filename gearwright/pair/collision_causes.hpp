@@ -1,4 +1,4 @@
-// The causes of a collision as documents list them: each with its word in answers and a sentence.
+// The causes of a collision as documents list them, each with its word in results and a sentence.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@ namespace gearwright {
 
 struct CauseMeaning {
   CollisionCause cause;
-  const char* text;      ///< its word in answers
+  const char* text;      ///< its word in results
   const char* sentence;  ///< of docs/spec.md
 };
 

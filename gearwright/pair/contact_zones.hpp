@@ -7,7 +7,7 @@ namespace gearwright {
 
 struct ContactZone {
   double begin, end;  ///< mm of ρ_1
-  int pairs;          ///< number of pairs in contact; 0: a gap behind the end of the path, with a
+  int pairs;          ///< number of pairs in contact; 0 in a gap after the end of the path, at a
                       ///< ratio below 1
 };
 

@@ -40,7 +40,7 @@ struct TipPoint {
   OutlinePlace place;
 };
 
-/// The tip of A about the root of B, over the places (ψ, v) of A's cylinder: ψ from the direction
+/// The tip of A at the root of B, over the places (ψ, v) of A's cylinder: ψ from the direction
 /// of axis B, v across the strip that lies within the form cylinder of B.
 class TipMotion {
  public:
@@ -186,7 +186,7 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.arm = i == 0 ? gap.arm : gap.arm / ratio;
       if (least && least->gap <= t.gap) continue;
       const double turn_b = gap.side * gap.value;
-      // Gear 1 has turned for the tip of gear 2, so both are turned back until only gear 2 has
+      // For the tip of gear 2, gear 1 was turned, so both are turned back until only gear 2 has
       // turned.
       const double turn_1 =
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;

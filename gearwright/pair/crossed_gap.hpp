@@ -2,8 +2,8 @@
 // relation to the play of the flanks. Internal to pair/.
 //
 // Teeth are screws here, and all sections differ. The edge of a tip corner sweeps the tip cylinder
-// at every rotation. At a place of that cylinder that lies within the mating gear's form cylinder,
-// the rotation at which the edge is there is known, and with it the gap:
+// at every rotation. For a place of that cylinder within the mating gear's form cylinder, the
+// rotation at which the edge passes it follows in closed form, and from it the gap:
 //
 //   ψ, z   place on the cylinder of the moving gear A     ω_A = ψ − θ_c − 2π z/p_zA
 //   g = |ψ_B − 2π z_B/p_zB − κ ω_A| − θ_B(ρ_B),  κ = −z_A/z_B, reduced to one pitch of B    [T4.33]
@@ -21,7 +21,7 @@ namespace gearwright::detail {
 /// Formula   [T4.33], least over the places of the cylinder, by a grid and quadratic steps
 /// Domain    crossed axes, both gears with a tooth, tips above the mating roots (contract: crossed)
 /// Accuracy  every gap is that of two points of the surfaces; a minimum is found to rounding, but
-///           of two minima within a ninth of the places one may be missed. A rounded tip is
+///           one of two minima within a ninth of the places may be missed. A rounded tip is
 ///           evaluated at 17 places along its profile
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
 

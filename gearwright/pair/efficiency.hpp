@@ -15,7 +15,7 @@
 namespace gearwright {
 
 struct Efficiency {
-  std::optional<double> gear1_drives;  ///< none: self-locking, gear 1 cannot drive
+  std::optional<double> gear1_drives;  ///< none if self-locking: gear 1 cannot drive
   std::optional<double> gear2_drives;
 };
 

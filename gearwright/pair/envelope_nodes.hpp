@@ -1,5 +1,5 @@
 // Monotone pieces of the envelope of a rolling arc: the places between which its radius about the
-// other gear's axis grows or falls. Internal to pair/, for the families of outline_gap. [T2.31]
+// other gear's axis increases or decreases. Internal to pair/, for outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
 //   |D|    radius of the touching point about the axis of the gear B
@@ -46,7 +46,7 @@ double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, 
 
 /// The envelope at a parameter; slopes along u need no scale.
 struct EnvelopePlace {
-  double inside, inside_slope;  ///< r_w − |s|, mm; < 0: none
+  double inside, inside_slope;  ///< r_w − |s|, mm; < 0 if there is no envelope
   double radius, radius_slope;  ///< |D|, mm; where there is no envelope, that of r_w = |s|
 };
 

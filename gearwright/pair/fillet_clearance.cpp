@@ -1,4 +1,4 @@
-// The path of a tip corner through the mating gear's root, and how close it comes to the fillet.
+// The path of a tip corner through the mating gear's root, and its least distance from the fillet.
 //
 //   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
 //   η          half the backlash as a rotation of the mating gear: the flanks of this side touch

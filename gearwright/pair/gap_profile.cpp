@@ -97,8 +97,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     }
     const double next = u + way / pace;
     const double kept = next > lo && next < hi ? next : 0.5 * (lo + hi);
-    // Where the arc runs along a circle about the axis, no distance leads from a radius to a
-    // neighbouring one with full accuracy, and between the last two digits none is a number.
+    // Where the arc runs along a circle about the axis, the distance to a neighbouring radius is
+    // inaccurate, and for radii that differ in the last digit it may be NaN.
     if (i == kMost || kept == u) return {u, moved(p, at_u.curvature, 0.0, rho)};
     const Vec2 there = arc->curve->point(arc->begin + kept * (arc->end - arc->begin));
     const double run = (there - at_u.point).norm() / std::abs(kept - u);

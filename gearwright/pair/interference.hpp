@@ -19,8 +19,8 @@ void find_fillet_clearance(ParallelPair& pair);
 ///
 /// Domain    both gears with a tooth. On crossed axes, tips are compared with roots [T4.33]
 void find_collisions(MountedGears& pair, double half_play, double normal_play);
-/// The same for an involute pair. Leaves in `interference` the findings that explain an overlap,
-/// and must be called last.
+/// find_collisions() for an involute pair. Leaves in `interference` the findings that explain an
+/// overlap, and must be called last.
 void find_overlap(InvolutePair& pair);
 
 }  // namespace gearwright::detail

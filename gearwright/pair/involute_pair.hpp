@@ -1,5 +1,5 @@
-// Two involute gears in their places: what pairs on any axes have, and the two kinds of them, on
-// parallel and on crossed axes. Symbols: pair/mesh.hpp.
+// Two involute gears in their places: the members common to pairs on any axes, and the two kinds of
+// pair, on parallel and on crossed axes. Symbols: pair/mesh.hpp.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct Interference {
                      ///< unnamed (beyond an undercut nothing collides, which is the warning
                      ///< `contact_lost_to_undercut`)
   int gear;          ///< the gear whose root or tip is affected
-  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; < 0: depth of the
+  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if < 0, depth of the
                                        ///< interference
   std::string message;                 ///< one sentence
 };
@@ -40,7 +40,7 @@ struct CrossedPlaces {
   bool limit;  ///< true if hi is a limit at which a helix angle reaches 90° and there is no gear
 };
 
-/// What involute pairs have on any axes.
+/// The members that involute pairs on any axes have.
 struct InvolutePair : MountedGears {
   InvolutePair() = default;  ///< empty, and no aggregate: mount() makes it
   MeshInput<double> input;
@@ -52,7 +52,7 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
   SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
+  double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the racks at this distance
   std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact is
                                          ///< continuous
   std::vector<Interference>
@@ -60,7 +60,7 @@ struct InvolutePair : MountedGears {
                      ///< computed
 
   bool flanks_meet() const;           ///< the path has a length, and both gears have a flank on it
-  double path_length() const;         ///< g_α, crossed AE  mm; 0: no contact
+  double path_length() const;         ///< g_α, crossed AE  mm; 0 without contact
   double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
   double contact_ratio_true() const;  ///< the same with the clipped path
   double normal_backlash() const { return mesh.backlash.normal; }  ///< j_n  mm
@@ -74,7 +74,7 @@ struct InvolutePair : MountedGears {
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
-/// Margins of an internal pair to three kinds of interference; none: no such limit.
+/// Margins of an internal pair to three kinds of interference; none if there is no such limit.
 struct InternalMargins {
   std::optional<double> involute;  ///< ρ_1A − ρ_F1  mm
   std::optional<Angle> trochoid;
@@ -86,7 +86,7 @@ struct ParallelPair : InvolutePair {
   std::array<std::optional<double>, 2> fillet_clearance;  ///< mm: mating tip corner to root fillet
   std::optional<InternalMargins> margins;                 ///< of internal pairs
 
-  /// ε_α, tip form circle to tip form circle; 0: no contact.
+  /// ε_α, tip form circle to tip form circle; 0 without contact.
   double transverse_contact_ratio() const { return flanks_meet() ? mesh.path_ratio : 0.0; }
 };
 
@@ -124,8 +124,8 @@ Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& pla
                                   std::optional<double> friction = {});
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm; < 0: the corner cuts into the fillet by this depth. The flanks of that side
-/// are in contact.
+/// `which` (1, 2), mm; if < 0, the corner cuts into the fillet by this depth. The flanks of that
+/// side are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
 /// Domain    none for the fillet of an internal gear

@@ -31,7 +31,7 @@ struct MeshInput {
   std::array<std::optional<T>, 2> root_form_radius{};  ///< d_Ff/2; none if there is no known limit
   std::array<T, 2> face_width{};                       ///< b
   T center_distance{};                                 ///< a
-  std::optional<T> shaft_angle;                        ///< Σ of crossed axes; none: parallel axes
+  std::optional<T> shaft_angle;                        ///< Σ of crossed axes; none if parallel
 };
 
 template <class T>
@@ -53,13 +53,13 @@ struct Mesh {
   T line_cosine;            ///< c_1 on crossed axes, whose line of action leaves the transverse
                             ///< section; 1 on parallel axes
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
-                                             ///< negative: beyond the base tangent
+                                             ///< negative beyond the base tangent
   T path_length;  ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
   T step;         ///< increase of ρ_1 per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
   T path_ratio;   ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
   T overlap_ratio;                   ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
-                                     ///< axes, to the faces; begin ≥ end: no contact
+                                     ///< axes, to the faces; no contact if begin ≥ end
   T true_ratio;                      ///< of the clipped path, ≥ 0; without overlap
   Backlash<T> backlash;
 

@@ -3,7 +3,7 @@
 // of a tooth are found, whether or not they have a name.
 //
 //   φ      rotation of the pair            a    centre distance, mm
-//   g      gap: the turn of gear 2 that closes it, rad; < 0: the outlines overlap by that much
+//   g      gap: the turn of gear 2 that closes it, rad; < 0 if the outlines overlap by that much
 //   h      arm of the common normal about axis 2, mm: g h is the gap along the normal
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.29]…[T2.33]
 #pragma once

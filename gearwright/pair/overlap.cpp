@@ -77,7 +77,7 @@ std::string part(const OutlineTouch& touch, int gear) {
                      gear);
 }
 
-// The gear that has that arc there; 0 for neither.
+// The gear that touches with an arc of this name; 0 if neither gear does.
 int gear_with(const OutlineTouch& touch, ArcName arc) {
   for (int i : {0, 1}) {
     if (touch.places[static_cast<std::size_t>(i)].arc == arc) return i + 1;

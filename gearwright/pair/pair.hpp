@@ -69,7 +69,7 @@ class Pair {
 ///           with arcs
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
 
-/// The same as the kind that the pair is known to be.   Domain: it is of that kind (contract)
+/// Mounts two gears whose pair is of this kind.   Domain: the pair is of that kind (contract)
 template <class Kind>
 Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   const Result<Pair> pair = mount(std::move(gear_1), std::move(gear_2), spec);

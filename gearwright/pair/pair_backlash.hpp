@@ -16,7 +16,7 @@ struct PairBacklash {
   std::optional<std::array<Angle, 2>> free;  ///< the part without collisions
 };
 
-/// None for arcs without a point of contact.
+/// The backlash of a pair; none for arcs without a point of contact.
 std::optional<PairBacklash> backlash_of(const Pair& pair);
 
 }  // namespace gearwright

@@ -32,18 +32,18 @@ std::optional<Error> check_partners(const CylindricalSpec& gear_1, const Cylindr
 
 /// The requested position of a pair.
 struct PairSpec {
-  std::optional<double> center_distance = {};  ///< a  mm; none: free of backlash, or with
+  std::optional<double> center_distance = {};  ///< a  mm; by default free of backlash, or with
                                                ///< circular-arc teeth the reference one
-  std::optional<Angle> shaft_angle = {};       ///< Σ  of crossed axes; none: parallel axes, or
-                                               ///< without a distance as complete_place has it
-  std::optional<double> friction = {};         ///< μ, for the efficiency
-  std::optional<double> speed_rpm = {};        ///< n_1  1/min, of gear 1
+  std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; by default parallel axes, or
+                                          ///< without a distance as complete_place has it
+  std::optional<double> friction = {};    ///< μ, for the efficiency
+  std::optional<double> speed_rpm = {};   ///< n_1  1/min, of gear 1
 };
 
 /// The position of a pair.
 struct PairPlace {
   double center_distance = 0.0;           ///< a  mm
-  std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; none: parallel axes
+  std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; none for parallel axes
 };
 
 /// Completes a place from what is given: an absent Σ is 0 if the helices permit it, otherwise that

@@ -20,8 +20,8 @@ namespace gearwright {
 
 /// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
 struct RackBar {
-  std::optional<int> teeth{};          ///< n; none: as long as required
-  std::optional<double> face_width{};  ///< b    mm; none: that of the pinion
+  std::optional<int> teeth{};          ///< n; by default as many as required
+  std::optional<double> face_width{};  ///< b    mm; by default that of the pinion
   std::optional<double> height{};      ///< mm, from its back to the datum line
   double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
 };

@@ -32,8 +32,8 @@ struct ShiftProblem {
   double normal_module = 0.0;             ///< m_n  mm
   Angle normal_pressure_angle{};          ///< α_n
   std::array<Angle, 2> helix_angle{};     ///< β    signed; parallel axes use the first
-  std::optional<Angle> shaft_angle;       ///< Σ    of crossed axes; none: parallel
-  std::optional<double> x1, x2;           ///< absent: wanted
+  std::optional<Angle> shaft_angle;       ///< Σ    of crossed axes; none for parallel axes
+  std::optional<double> x1, x2;           ///< computed if absent
   std::optional<double> center_distance;  ///< a    mm
   Mounting mounting = Mounting::tight;
   double lambda = 0.625;  ///< λ of [T2.18a] when both shifts are wanted (external)
@@ -50,7 +50,7 @@ T reference_center_distance(int z1, int z2, const T& normal_module, const T& cos
   return normal_module * T(std::abs(z1 + z2)) / (T(2) * cos_beta);
 }
 
-/// inv α_wt of the backlash-free mesh of nominal teeth; negative: there is none. [T2.16]
+/// inv α_wt of the backlash-free mesh of nominal teeth; negative if there is none. [T2.16]
 template <class T>
 T nominal_working_involute(int z1, int z2, const T& alpha_n, const T& alpha_t, const T& sum_x) {
   using std::tan;

@@ -24,7 +24,7 @@ struct PinionMounting {
   double shaft_diameter = 0.0;  ///< d_sh mm
   PinionArrangement arrangement = PinionArrangement::a;
   bool stiffening = true;  ///< true if the pinion is integral with its shaft or shrunk onto it
-  std::optional<double> manufacture;  ///< f_ma  µm; none: root of the summed squares of both helix
+  std::optional<double> manufacture;  ///< f_ma  µm; by default the root sum square of both helix
                                       ///< slope tolerances
 };
 
@@ -54,7 +54,8 @@ struct TransverseLoad {
   Factor K_Halpha, K_Falpha;
 };
 
-/// `deviation` is the greater of f_pb and f_fα less y_α, µm; `load` F_t K_A K_γ K_v K_Hβ/b, N/mm.
+/// `deviation` is the greater of f_pb and f_fα less y_α, µm; `load` is F_t K_A K_γ K_v K_Hβ/b,
+/// N/mm.
 ///
 /// Formula   [T11.15]; ISO 6336-1, 8.3, both branches of ε_γ and both limits
 TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, double deviation,

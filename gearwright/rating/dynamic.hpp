@@ -39,7 +39,7 @@ struct DynamicInput {
   double reduced_mass = 0.0;         ///< m_red kg/mm
   double pitch_error = 0.0;          ///< f_pb − y_p  µm
   double profile_error = 0.0;        ///< f_fα − y_f  µm
-  std::optional<double> tip_relief;  ///< C_a   µm; none: grade 6 and coarser, B_k = 1
+  std::optional<double> tip_relief;  ///< C_a   µm; none for grade 6 and coarser, with B_k = 1
   double epsilon_gamma = 0.0;
   int teeth = 0;  ///< z_1
 };

@@ -26,7 +26,7 @@ inline std::string_view name(RatingEdition edition) {
 struct Factor {
   double value = 1.0;
   const char* formula = "";  ///< "ISO 6336-3, clause 8"
-  const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty: the formula has one form
+  const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty if the formula has one form
 };
 
 /// A factor that the standard requires and that is missing.

@@ -1,5 +1,4 @@
-// The missing inputs of a rating as a list, to which interfaces add their own: the load, the
-// materials.
+// The missing inputs of a rating as a list, to which interfaces add missing loads and materials.
 #pragma once
 
 #include <vector>

@@ -24,7 +24,7 @@ struct PlasticInput {
   std::optional<std::array<double, 2>> flank_temperature, root_temperature;  ///< °C
   std::optional<double> ambient_temperature;                                 ///< ϑ_0  °C
   std::optional<double> friction;                                            ///< μ
-  double housing_resistance = 0.0;            ///< R_λG  K m²/W; 0: open
+  double housing_resistance = 0.0;            ///< R_λG  K m²/W; 0 for an open housing
   std::optional<double> housing_area;         ///< A_G   m²
   double duty = 1.0;                          ///< ED
   std::optional<double> flank_heat_transfer;  ///< k_ϑ of the flank

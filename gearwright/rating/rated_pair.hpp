@@ -15,13 +15,13 @@
 
 namespace gearwright {
 
-/// The tool's numbers that the root depends on, in normal modules.
+/// The dimensions of the tool that determine the root, in normal modules.
 struct RootTool {
   double addendum = 1.0;      ///< h_aP*   of the gear
   double dedendum = 1.25;     ///< h_fP*
   double fillet = 0.38;       ///< ρ_fP*
   double protuberance = 0.0;  ///< s_pr*   its residual undercut at the root
-  int cutter_teeth = 0;       ///< z_0     of a pinion cutter; 0: a rack
+  int cutter_teeth = 0;       ///< z_0     of a pinion cutter; 0 for a rack
   double cutter_shift = 0.0;  ///< x_0
 };
 
@@ -36,7 +36,7 @@ struct RatedGear {
   double generating_shift = 0.0;    ///< x_E
   double virtual_teeth = 0.0;       ///< z_n, signed
   double face_width = 0.0;          ///< b    mm
-  double bore = 0.0;                ///< d_i  mm, for an internal gear its outside diameter; 0: none
+  double bore = 0.0;                ///< d_i  mm, the outside diameter if internal; 0 if none
   RootTool tool;
 
   bool internal() const { return teeth < 0; }
@@ -84,7 +84,7 @@ double virtual_teeth(int teeth, double beta, double beta_b);
 ///           `gear1.rack` of circular arcs
 Result<RatedPair> rated_pair(const Pair& pair);
 
-/// The same with the given bores of gear 1 and gear 2, mm (0: a solid disc).
+/// The same with the given bores of gear 1 and gear 2, mm (0 for a solid disc).
 Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore);
 
 }  // namespace gearwright

@@ -218,15 +218,17 @@ void Rater::check_limits() {
     if (bad) r.limits.push_back({code, text, gear});
   };
   say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), WarningCode::rating_contact_ratio,
-      "ISO 6336 applies to transverse contact ratios between 1 and 2.5; this one is outside.");
+      "ISO 6336 applies to transverse contact ratios between 1 and 2.5, and the ratio of this pair "
+      "is outside.");
   say(pair.beta > 30 * kRadPerDeg, WarningCode::rating_helix_angle,
-      "ISO 6336 is confirmed up to a helix angle of 30°; this one is steeper.");
+      "ISO 6336 is confirmed up to a helix angle of 30°, and that of this pair is greater.");
   say(pair.alpha_n < 15 * kRadPerDeg || pair.alpha_n > 25 * kRadPerDeg,
       WarningCode::rating_pressure_angle,
-      "ISO 6336 is confirmed for normal pressure angles of 15° to 25°; this one is outside.");
+      "ISO 6336 is confirmed for normal pressure angles of 15° to 25°, and that of this pair is "
+      "outside.");
   say(!r.stiffness.in_range, WarningCode::rating_stiffness,
-      "The formula of the tooth stiffness c' applies to x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2; these "
-      "shifts are outside.");
+      "The formula of the tooth stiffness c' applies to x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2, and the "
+      "shifts of this pair are outside.");
   say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor,
       WarningCode::rating_resonance,
       "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 requires a "

@@ -4,13 +4,11 @@
 //   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
 //   if (r) use(r->S_F[0].value, r->S_F[0].formula);
 //
-// Lists of two are gear 1 and gear 2 of the spec, whichever of them is the pinion. A factor that is
-// not given counts as 1, and its branch states this. Scuffing and micropitting
-// (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same
-//                                                           numbers by VDI 2736 at the temperatures
-//                                                           of the teeth, without the factors that
-//                                                           this guideline does not contain.
-//                                                           theory: docs/theory/11-rating.md
+// Lists of two are gear 1 and gear 2 of the spec, whichever is the pinion. A factor that is not
+// given counts as 1, and its branch states this. Scuffing and micropitting (ISO/TS 6336-20, -21,
+// -22) are not covered. For plastics, rating/plastic.hpp computes the same numbers by VDI 2736 at
+// the temperatures of the teeth, without the factors that this guideline does not contain.
+//                                              theory: docs/theory/11-rating.md
 #pragma once
 
 #include <array>
@@ -34,7 +32,7 @@ struct RatingInput {
   double application_factor = 1.0;            ///< K_A
   double mesh_load_factor = 1.0;              ///< K_γ  of power that is shared between meshes
   std::optional<double> life_h;               ///< L_h  h
-  bool reversed = false;                      ///< true: bending in both directions (idler)
+  bool reversed = false;                      ///< true for bending in both directions (idler)
   std::optional<double> viscosity;            ///< ν_40 mm²/s
   std::optional<std::array<int, 2>> quality;  ///< Q of ISO 1328-1
   std::optional<std::array<double, 2>> flank_roughness, root_roughness;  ///< Rz  µm

@@ -4,9 +4,9 @@
 //   σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F
 //
 // The critical section lies where a line at 30° to the tooth's centre line (60° for an internal
-// gear) is tangent to the fillet; the load acts at the outer point of single pair contact (d_en,
-// α_Fen), h_F
-// above the section's chord s_Fn, whose fillet has the radius ρ_F.   theory: docs/theory/11-rating.md
+// gear) is tangent to the fillet, which has the radius ρ_F there. The load acts at the outer point
+// of single pair contact (d_en, α_Fen), h_F above the section's chord s_Fn.
+//                                              theory: docs/theory/11-rating.md
 #pragma once
 
 #include <optional>

@@ -22,7 +22,7 @@ struct PatternUnder {
 
 struct ContactReport : ContactScene {
   ContactResult other;            ///< the non-working flanks, at the same positions
-  std::optional<Angle> min_play;  ///< of gear 2; < 0: the gears jam
+  std::optional<Angle> min_play;  ///< of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the touching position nearest to the middle
   FlankRaster middle_gap;                  ///< on gear 1, there

@@ -53,9 +53,9 @@ SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, 
 
 std::string section_figure(const InvolutePair& pair);
 
-/// Over the pressure angle of the common rack: centre distance, shaft angle and contact ratio without
-/// backlash, with the least centre distance, its approximations and the place where the pair is
-/// mounted. One curve per panel, all over the same α_wn.
+/// Centre distance, shaft angle and contact ratio without backlash over the pressure angle α_wn of
+/// the common rack, one curve per panel. Marks show the least centre distance, its approximations
+/// and the place where the pair is mounted.
 std::string range_figure(const CrossedPair& pair);
 
 /// The face widths that the lines of action need: f and f′ over α_wn, with the actual face widths.

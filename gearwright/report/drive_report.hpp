@@ -13,14 +13,14 @@
 namespace gearwright {
 
 struct DriveReportInput {
-  std::string title;  ///< empty: one is made from the tooth numbers
+  std::string title;  ///< if empty, one is made from the tooth numbers
   const Drive* drive = nullptr;
-  const DrivePlaces* places = nullptr;  ///< null: the axes cannot be placed, and there is no scheme
-  const DriveLayout* layout = nullptr;  ///< null: it cannot be assembled
+  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed (no scheme)
+  const DriveLayout* layout = nullptr;  ///< null if it cannot be assembled
   std::string why_no_layout;            ///< a sentence
   Verdict verdict;
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; empty: left out
+  std::string spec_text;  ///< the spec, verbatim; left out if empty
   std::string version;    ///< of the program
 };
 

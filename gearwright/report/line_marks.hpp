@@ -21,7 +21,7 @@ struct PathMark {
   const char* style = "";  ///< of its dot
 };
 
-/// By growing ρ_1.
+/// Sorts the marks by growing ρ_1.
 void sort_marks(std::vector<PathMark>& marks);
 
 /// A to E, in this order, those from A to `last`: with ε_α > 2 the end of a period lies beyond the

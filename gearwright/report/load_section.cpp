@@ -59,13 +59,11 @@ std::string facts(const LoadScene& report) {
 
 std::string te_part(const LoadScene& report) {
   const std::string harris = html_of(harris_figure(report));
-  return "<h3>Transmission error under load</h3>\n<p>Teeth yield, and gear 2 hangs back by what "
-         "they yield. Where two pairs share the load they yield less than where one bears it "
-         "alone, "
-         "so that gear 2 swings at the tooth frequency even when the flanks are perfect. Tip "
-         "relief "
-         "fills that swing at one torque: below it the relief itself is heard, above it the "
-         "teeth.</p>\n" +
+  return "<h3>Transmission error under load</h3>\n<p>Gear 2 lags by the deflection of the teeth. "
+         "The deflection is less where two tooth pairs share the load than where one pair carries "
+         "it alone, so gear 2 oscillates at the tooth frequency even if the flanks are perfect. A "
+         "tip relief compensates this oscillation at one torque. At lower torques the relief "
+         "itself causes noise, at higher torques the deflection does.</p>\n" +
          side_by_side(html_of(loaded_te_figure(report)) + harris) +
          (harris.empty()
               ? "<p>With several torques a Harris map shows at which of them the pair is "
@@ -129,9 +127,9 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
   GW_EXPECTS((report.pair || at_points(report)) && !torques.empty());
   return fmt::format(
       "<section class=\"loaded\">\n<h2>Under load</h2>\n<p>The same "
-      "pair with teeth that yield: every tooth bends, its root gives way in the body, and the "
-      "flanks flatten where they touch. At each of {} positions of a pitch the load is shared so "
-      "that nothing overlaps and nothing pulls.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
+      "pair with elastic teeth: every tooth bends, its root deforms the body, and the flanks "
+      "flatten where they touch. At each of {} positions of a pitch the load is shared so that no "
+      "flanks overlap and no force is tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
       "</section>\n",
       torques.front().positions.size(), finding(report), facts(report), te_part(report),
       share_part(report), at_points(report) ? ellipse_part(report) : pressure_part(report),

@@ -22,8 +22,8 @@ std::string about_ring(const Gear& gear_2) {
   if (!gear_2.internal()) return {};
   if (has_outline(gear_2))
     return fmt::format(" The internal gear is drawn with a rim of {:g} modules.", kRim);
-  return " <strong>The internal gear has no outline</strong>, for its cutter is not given: tip and "
-         "root circles stand for it.";
+  return " <strong>The internal gear has no outline</strong>, because its cutter is not given. Its "
+         "tip and root circles are drawn instead.";
 }
 
 }  // namespace

@@ -22,15 +22,15 @@ std::string_view search_style();
 /// script the pictures are static and complete.
 std::string_view page_script();
 
-/// From the doctype to </head>, style included; title and version are plain text. `more_style` is
-/// added to the page's.
+/// The page from the doctype to </head>, style included; title and version are plain text.
+/// `more_style` is added to the style of the page.
 std::string page_head(std::string_view title, std::string_view version,
                       std::string_view more_style = "");
 
-/// How to zoom; shown by the page's script where it runs.
+/// The hint for zooming, which the page's script shows where it runs.
 std::string picture_hint();
 
-/// The spec, verbatim, folded; empty without one.
+/// A folded section with the verbatim text of the spec; empty if there is no spec.
 std::string spec_section(const std::string& spec);
 
 /// The sections of a page with a list of their headings before them, each a link; short pages have

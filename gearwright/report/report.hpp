@@ -30,10 +30,10 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;                   ///< empty: a title is made from the tooth numbers
+  std::string title;                   ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;                ///< the title block; may be empty
   std::vector<const Gear*> gears;      ///< one or two, with a pair its gears
-  std::optional<Pair> pair;            ///< none: the gears are not mounted
+  std::optional<Pair> pair;            ///< none if the gears are not mounted
   std::vector<ValueRecord> pair_ends;  ///< of tolerances: least backlash, most; may be empty
   std::vector<ValueRecord> measures;   ///< of the gears; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty
@@ -41,11 +41,11 @@ struct ReportInput {
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
   const LoadScene* load = nullptr;             ///< null if the spec requests no load
   const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
-  const ScatterView* scatter = nullptr;        ///< null: the spec has no [scatter]
+  const ScatterView* scatter = nullptr;        ///< null if the spec has no [scatter]
   const RatingView* rating = nullptr;          ///< null if the spec requests no rating
   Verdict verdict;                             ///< over gears, pair and contact
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; empty: omitted
+  std::string spec_text;  ///< the spec, verbatim; omitted if empty
   std::string version;    ///< of the program
 };
 
@@ -53,7 +53,7 @@ struct ReportInput {
 ///
 ///   Laws      (1) same input, same bytes
 ///             (2) no request leaves the page: style, script and pictures are in it
-///             (3) title, spec, findings and file names are text, whatever they contain
+///             (3) title, spec, findings and file names are text, with any content
 /// Units     shown lengths mm to 0.1 µm, angles degrees to 0.00001°; missing values are “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in report/gear_shape.hpp)
 /// Domain    one or two gears, none null; with a pair two (contract)

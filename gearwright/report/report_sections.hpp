@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// The findings, worst first; `whole` names what a finding without a gear is about.
+/// The findings, worst first; `whole` names the subject of a finding without a gear.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
 /// A pair of involute gears: pictures, numbers, interference.

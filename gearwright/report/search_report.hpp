@@ -13,8 +13,8 @@
 namespace gearwright {
 
 struct SearchReport {
-  std::string title;      ///< empty: a title is made from the range of ratios
-  std::string spec_text;  ///< the spec, verbatim; empty: omitted
+  std::string title;      ///< if empty, a title is made from the range of ratios
+  std::string spec_text;  ///< the spec, verbatim; omitted if empty
   const Search& search;
   const SearchAnswer& answer;
   std::vector<std::string> reasons;  ///< plain text: reasons if nothing fits, changes that would
@@ -35,7 +35,7 @@ std::string search_sections(const SearchReport& report);
 ///
 ///   Laws      (1) same input, same bytes
 ///             (2) no request leaves the page
-///             (3) title, spec and reasons are text, whatever they contain
+///             (3) title, spec and reasons are text, with any content
 ///             (4) without script the table and all pictures are there
 /// Units     mm, degrees; shifts and regions in normal modules; missing values are “–”
 std::string search_report(const SearchReport& report);

@@ -43,7 +43,7 @@ constexpr Entry kEntries[] = {
     {"tip_thickness_mm", ""},
     {"tip_clearance_mm", "from its tip to the root of the mating gear"},
     {"sliding_max",
-     "at the ends of the path of contact; –: a flank reaches its base tangent point"},
+     "at the ends of the path of contact; – if a flank reaches its base tangent point"},
     {"face_width_mm", "of both gears"},
     {"S_H", ""},
     {"S_F", ""},

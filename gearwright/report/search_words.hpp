@@ -22,7 +22,7 @@ struct ObjectiveWords {
 };
 ObjectiveWords words_of(Objective objective);
 
-/// Its value for a design, ranked or not; none: |ζ| at a base tangent point.
+/// Its value for a design, ranked or not; none for |ζ| at a base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 

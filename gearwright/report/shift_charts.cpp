@@ -122,7 +122,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   f.caption = fmt::format(
       " of gear 1’s rack{}. Below the line “undercut” the cutter hollows the root; above the tip "
       "lines the tooth is thinner at its tip than 0, 0.2 and 0.4 modules. They meet at the fewest "
-      "teeth that can be made at all{}{}.{}",
+      "teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " Ringed: the best design." : "");
   return figure_html(f);

@@ -1,7 +1,8 @@
 // One member of the family: its contact over a pitch in a few numbers.
 //
-//   ΔE_sn   change of the tooth thickness      s   its reduction of the backlash, as an angle of
-//                                    gear 2 theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
+//   ΔE_sn   change of the tooth thickness
+//   s       its reduction of the backlash, as an angle of gear 2
+//                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
 // The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
 // continuous curve.
@@ -26,7 +27,7 @@ enum class ScatterQuantity {
   along_face,     ///< mean place of the contact along the face, −1 to 1
   along_profile,  ///< the same along the profile; circular-arc teeth
   edge_share,     ///< of the positions, at which an edge touches
-  least_play,     ///< rad, of gear 2; < 0: the gears jam
+  least_play,     ///< rad, of gear 2; < 0 if the gears jam
   long_period,    ///< rad, peak to peak over all tooth pairs; if pitches differ
 };
 constexpr std::size_t kScatterQuantities = 10;

@@ -19,7 +19,7 @@ constexpr double kFirstRadius = 0.25;  // relative to the bounds: initial trust 
 constexpr double kLastRadius = 1e-3;
 constexpr int kMostSteps = 20;
 constexpr double kGain = 1e-4 * kRadPerArcsec;  // a search ends when the gain is smaller
-constexpr double kParts = 100;                  // of a step: resolution of the values
+constexpr double kParts = 100;                  // the values are rounded to a step/100
 
 // The mean of the worst share 1 − p, with the sample at the border counted in part.   [T14.17]
 double mean_of_worst(std::vector<double> f, double p) {

@@ -5,7 +5,7 @@
 //                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18]
 //
 // The samples are the same for every v, so that differences between corrections are not due to
-// chance. The answer is assessed with samples of another seed.
+// chance. The result is assessed with samples of another seed.
 #pragma once
 
 #include <vector>
@@ -32,7 +32,7 @@ struct RobustCorrections {
   }
 };
 
-/// Domain    as scatter_of(); at least one correction, which the setup can take, bounds as they say;
+/// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
 ///           0 < percent < 100; can_minimise() (contract)
 /// Errors    as scatter_of(); `percentile`, if contact is lost in every sample
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact

@@ -19,7 +19,7 @@ class SamplePoints {
 
   /// x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
-  /// The same for the second half of a point set of twice the dimension.
+  /// x of sample n from the second half of a point set of twice the dimension.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }

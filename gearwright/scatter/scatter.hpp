@@ -40,7 +40,7 @@ struct ScatterTask {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;  ///< with 0, as many as the machine has
   Progress* progress = nullptr;
 };
 
@@ -70,7 +70,7 @@ struct Probability {
   ConfidenceInterval interval;
 };
 
-/// By group.
+/// The indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
 };
@@ -89,11 +89,12 @@ struct Loosening {
   struct Change {
     std::optional<double>
         factor;     ///< by which it may be multiplied until the percentile has grown by
-                    ///< kLooser; none: by kMostFactor, or as far as there are teeth
+                    ///< kLooser; none if any factor up to kMostFactor
+                    ///< for which the teeth exist is permitted
     double halved;  ///< rad, the percentile with half of this tolerance
   };
   std::vector<Change> by_tolerance;
-  /// The tolerance whose halving lowers the percentile most; none: none lowers it.
+  /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
   std::optional<std::size_t> tighten_first;
 };
 constexpr double kLooser = 0.05, kMostFactor = 8.0;
@@ -101,7 +102,7 @@ constexpr double kLooser = 0.05, kMostFactor = 8.0;
 struct Scatter {
   Scatter() = default;                 ///< empty, and not an aggregate; scatter_of() makes it
   std::vector<ScatterSample> samples;  ///< replicate by replicate
-  /// By ScatterQuantity; none if there is no such number.
+  /// One for each ScatterQuantity; none if there is no such number.
   std::array<std::optional<Spread>, kScatterQuantities> spread{};
   /// None if the quantity varies by rounding only, or if a sample has no contact.
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};

@@ -39,24 +39,25 @@ struct VaryingModification {
   RemovalField::Parameter parameter;
 };
 
-/// The bore of axis 1 against that of axis 2, in a plane at one end of the bearing span: its place in
-/// a circle.
+/// The place of the bore of axis 1 relative to that of axis 2 within a circle, in a plane at one
+/// end of the bearing span.
 struct VaryingBore {
   double span;    ///< L  mm
   double offset;  ///< c  mm, of the gear from the middle of the span, towards +z
   bool far_end;   ///< at z = +L/2, else −L/2
 };
 
-/// The pitches of a gear: an eccentricity and a random walk around it, with a range of at most a
-/// share of F_pT and no step over f_ptT. x: that share, the phase of the eccentricity in degrees,
-/// and the share of the eccentricity. It changes the long period alone.   [T14.20]
+/// The pitches of a gear: an eccentricity and a random walk around it. Their range is at most a
+/// share of F_pT, and no step exceeds f_ptT. The coordinates x are that share, the phase of the
+/// eccentricity in degrees, and the share of the eccentricity. Pitches change only the long
+/// period.   [T14.20]
 struct VaryingPitch {
   int gear;
   double total, single;  ///< F_pT, f_ptT  mm, along the reference circle
 };
 
-/// A wave of the form of both flanks, of the whole height f_f. x: the number of waves, the phase in
-/// degrees.   [T14.21]
+/// A wave of the form of both flanks, of the whole height f_f. The coordinates x are the number of
+/// waves and the phase in degrees.   [T14.21]
 struct VaryingWave {
   int gear;
   bool along_face;           ///< over the face, else over the usable profile
@@ -67,8 +68,8 @@ struct VaryingWave {
 struct ScatterTolerance {
   std::string name;   ///< name for the user, "errors.crossing_deg"
   double unit = 1.0;  ///< one unit of the user in rad or mm; the distribution uses the user's unit
-  /// For a bore each coordinate is distributed over −R to R; for a pitch the share; for a wave 0 to
-  /// 1.
+  /// The distribution of each coordinate over −R to R for a bore, and of the share for a pitch; 0
+  /// to 1 for a wave.
   Distribution distribution;
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
                VaryingWave>
@@ -77,7 +78,7 @@ struct ScatterTolerance {
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
-  /// Its coordinates from as many numbers in (0, 1), in the user's units.
+  /// The coordinates of x, computed from as many numbers in (0, 1), in the user's units.
   std::array<double, 3> at(std::span<const double> u) const;
   /// Least and greatest value of a coordinate.
   std::array<double, 2> side(int coordinate) const;
@@ -89,7 +90,7 @@ struct Deviation {
   PairModifications modifications;    ///< likewise
   bool modified = false;              ///< true if they differ from those of the drawing
   std::array<double, 2> thickness{};  ///< ΔE_sn  mm
-  /// ε of each tooth of a gear, rad, > 0: ahead in the driving direction; empty: equal pitches.
+  /// ε of each tooth of a gear, rad, > 0 ahead in the driving direction; empty for equal pitches.
   std::array<std::vector<double>, 2> pitch;
 
   bool uneven_pitch() const { return !pitch[0].empty() || !pitch[1].empty(); }

@@ -37,8 +37,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // The badness of a member: its peak to peak, or its negative play; minus infinity if there is
-  // none.
+  // The quantity to maximise: the peak to peak of a member, or its negative play; minus infinity if
+  // there is none.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak

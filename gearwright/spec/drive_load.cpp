@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// The table that says what goes into the drive; null: it is no table.
+// The table with the load of the drive; null if it is not a table.
 const Json* input_table(const Json& tree) {
   const auto table = [](const Json& owner, const char* key) -> const Json* {
     const auto it = owner.find(key);

@@ -60,7 +60,7 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   return j;
 }
 
-// The table of a gear that a stage gives in full, with all its keys; null: there is none.
+// The table of a gear that a stage gives in full, with all its keys; null if there is none.
 Json whole_gear(const Json& tree, const std::string& name) {
   if (!tree.contains("stage")) return nullptr;
   for (std::size_t k = 0; k < tree["stage"].size(); ++k) {
@@ -74,8 +74,8 @@ Json whole_gear(const Json& tree, const std::string& name) {
   return nullptr;
 }
 
-// The material of a gear of a set, or of a stage with one material for both gears; null: that of
-// [rating].
+// The material of a gear of a set, or of a stage with one material for both gears; null for
+// that of [rating].
 Json material_of_gear(const Json& tree, const std::string& name) {
   const auto in_set = [](const Json& set, const std::string& member) -> Json {
     if (!set.contains("material")) return nullptr;

@@ -20,7 +20,8 @@ int json_depth(std::string_view text);
 /// Throws  nlohmann::json::parse_error
 Json parse_json(std::string_view text);
 
-/// On one line, or with `indent` spaces per level. Bytes that are not characters become U+FFFD.
+/// The text of a tree on one line, or with `indent` spaces per level. Bytes that are not characters
+/// become U+FFFD.
 std::string json_text(const Json& tree, int indent = -1);
 
 }  // namespace gearwright

@@ -24,7 +24,7 @@ enum class SpecUse {
 };
 
 /// Everything that a spec lacks, each with an example, with the keys of a file: a second gear, a
-/// torque, and for a rating its load, the gears' materials and what its factors need. A wrong
+/// torque, and for a rating its load, the gears' materials and the inputs of its factors. A wrong
 /// material is included. Nothing is listed for a search and for an unknown gear, which have other
 /// verbs.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
@@ -32,7 +32,7 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 /// The same as one error; none if nothing is missing.
 std::optional<Error> missing_error(SpecUse use, const JobSpec& spec);
 
-/// For a rating alone. `tables` are those of the materials of both gears.
+/// The missing inputs of a rating alone. `tables` are those of the materials of both gears.
 std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables);

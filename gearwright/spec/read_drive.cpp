@@ -221,7 +221,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
     for (const char* key :
          {"teeth", "normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
           "face_width_mm", "profile_shift", "thickness_allowance_mm", "material"})
-      t.refuse(key, "stands in the tables of the gears, which have all of their own keys");
+      t.refuse(key, "belongs in the tables of the gears, which have all their own keys");
     read_whole_gears(t, *gears, stage.pair, folder);
   } else {
     read_teeth(t, stage.pair);

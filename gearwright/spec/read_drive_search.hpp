@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Whether the table is a search for drives.
+/// True if the table is a search for drives.
 bool is_drive_search(const Json& search);
 
 DriveSearchProblem read_drive_search(const Json& search);

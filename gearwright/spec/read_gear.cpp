@@ -97,7 +97,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
     const double alpha_deg = Angle::radians(alpha_n).deg();
     const double limit = 90.0 - std::abs(in.base_helix_angle.deg());
     gear.fail("normal_pressure_angle_deg",
-              fmt::format("{}° has no rack with the base helix angle {}°; it must be less than {}°",
+              fmt::format("no rack with {}° has the base helix angle {}°; it must be less than {}°",
                           format_number(alpha_deg, limit), format_number(in.base_helix_angle.deg()),
                           format_number(limit, alpha_deg)));
   }

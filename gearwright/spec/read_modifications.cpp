@@ -35,7 +35,7 @@ std::string key_of(const TableReader& t, std::size_t flank, const std::string& k
 }
 
 // Rejects a key that applies to no flank and would otherwise be ignored silently. `amount`: the key
-// of the relief to which it belongs; empty: none.
+// of the relief to which it belongs; empty if there is none.
 void check_used(TableReader& t, const std::string& key, const std::string& amount = "") {
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;

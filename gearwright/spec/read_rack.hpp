@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// [gearN] rack; absent: ISO53-A. `module`, mm, chooses among the racks of GB/T 12759.
+/// [gearN] rack; by default ISO53-A. `module`, mm, chooses among the racks of GB/T 12759.
 Rack read_rack(TableReader& gear, std::optional<double> module);
 
 /// The same if only straight flanks are allowed.

@@ -210,7 +210,7 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
       const auto rack = item.is_string() ? iso53_rack(item.get<std::string>()) : std::nullopt;
       if (std::count(list->begin(), list->end(), item) > 1)
         t.fail("racks", "names " + shown(item) + " twice");
-      if (!rack) t.fail("racks", shown(item) + " is none of \"ISO53-A\" … \"ISO53-D\"");
+      if (!rack) t.fail("racks", shown(item) + " is not one of \"ISO53-A\" … \"ISO53-D\"");
       wanted.push_back({rack, rack});
     }
   }

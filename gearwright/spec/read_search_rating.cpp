@@ -28,7 +28,7 @@ std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable&
   return materials;
 }
 
-// The key of [search] that needs a rating, as far as an incomplete table shows it.
+// The key of [search] that needs a rating; empty if none is found. The table may be incomplete.
 std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;

@@ -32,7 +32,7 @@ struct JobSpec : SpecTables {
   /// was not read.
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
-  std::shared_ptr<const DriveInput> drive;  ///< null: the spec has no drive
+  std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
   std::optional<RackBar> rack;    ///< gear 2 is a rack, and `gears` contains only the pinion
   DoubleHelicals double_helical;  ///< of gears, whose face width is then the total one
   std::optional<SearchProblem> search;
@@ -41,8 +41,8 @@ struct JobSpec : SpecTables {
   std::vector<std::string> inherited;  ///< keys of gear 2 that are gear 1's: material, quality
 };
 
-/// Reads a spec from text. File names are relative to `folder`; empty: the working directory. All
-/// missing inputs, in general and for `use`, are one error.
+/// Reads a spec from text. File names are relative to `folder`, or to the working directory if
+/// `folder` is empty. All missing inputs, in general and for `use`, are one error.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the

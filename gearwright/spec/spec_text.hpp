@@ -18,7 +18,7 @@ struct SpecText {
   std::string name;  ///< as given by the user; "standard input" for "-"
   std::string text;
   SpecFormat format = SpecFormat::toml;
-  std::filesystem::path folder{};  ///< base of relative file names in it; empty: the working
+  std::filesystem::path folder{};  ///< base of relative file names in it; if empty, the working
                                    ///< directory
 };
 

@@ -42,9 +42,9 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// For a key with a list: finite numbers, as many as permitted, whose range is not checked.
+  /// The list of a key: finite numbers, as many as permitted, whose range is not checked.
   std::optional<std::vector<double>> raw_numbers(const std::string& key);
-  /// The same within their range, in the required order, whole if required.
+  /// The same list, with the numbers within their range, in the required order, whole if required.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of whatever type, or null

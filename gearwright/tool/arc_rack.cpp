@@ -132,7 +132,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
     return refused(
         "rack.addendum", rack.addendum, {top},
         meeting > 0.0 && meeting < 1.0
-            ? "pointed: both flank arcs meet {} modules above the datum line; the addendum "
+            ? "the two flank arcs meet in a point {} modules above the datum line; the addendum "
               "must not be greater"
             : "the flank's arc ends {} modules above the datum line; the addendum must not "
               "be greater");

@@ -38,7 +38,7 @@ double full_radius(const ArcRack& rack);
 /// until both sides meet, for P until its normal is at 1° to the datum line. [T7.1], [T7.2], [T7.4]
 ///
 /// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
-///           `rack.addendum` with what fits; `rack.pressure_angle` when the arc has no such
+///           `rack.addendum` with a value that fits; `rack.pressure_angle` when the arc has no such
 ///           point
 Result<RackOfArcs> arcs_of(const ArcRack& rack);
 

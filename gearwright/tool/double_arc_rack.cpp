@@ -162,7 +162,7 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
   if (!(r.addendum <= top)) {
     return refused(
         "rack.addendum", r.addendum, {top},
-        "pointed: both flank arcs meet {} modules above the datum line; the addendum must "
+        "the two flank arcs meet in a point {} modules above the datum line; the addendum must "
         "not be greater");
   }
 

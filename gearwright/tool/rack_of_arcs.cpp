@@ -69,9 +69,10 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 end = point_at(chain.back(), chain.back().end);
     const Vec2 gap = end - begin;
     if (!(gap.norm() <= kSameRackPoint)) {
-      return bad_arc(i, fmt::format("begins at ({}, {}), {} modules from where the arc before ends",
-                                    format_number(begin.x()), format_number(begin.y()),
-                                    format_number(gap.norm())));
+      return bad_arc(i,
+                     fmt::format("begins at ({}, {}), {} modules from the end of the previous arc",
+                                 format_number(begin.x()), format_number(begin.y()),
+                                 format_number(gap.norm())));
     }
     arc.center_height += gap.x();
     arc.center_offset += gap.y();

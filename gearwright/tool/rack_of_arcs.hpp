@@ -51,7 +51,7 @@ std::optional<double> half_thickness_on_datum(const RackOfArcs& rack);
 /// them cuts too and is an arc of radius 0. [T7.3]
 ///
 /// Units     mm
-/// Errors    `rack.arcs`, `rack.addendum`, `rack.dedendum`: what breaks a law of an edge
+/// Errors    `rack.arcs`, `rack.addendum`, `rack.dedendum` that violates a law of an edge
 Result<CutterEdge> make_edge(const RackOfArcs& rack, double normal_module,
                              double thickness_allowance);
 

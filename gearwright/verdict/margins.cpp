@@ -66,7 +66,7 @@ std::vector<Finding> margin_findings(const Pair& pair) {
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
     if (p == nullptr) continue;
-    // There is no flank past an undercut, and `undercut` and `contact_lost` report it.
+    // There is no flank beyond an undercut, and `undercut` and `contact_lost` report it.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
     if (const ParallelPair* parallel = pair.parallel())
       judge(findings, kFillet, which, parallel->fillet_clearance[i], m);

@@ -19,8 +19,8 @@ enum class Whose { own, mate, first, second, pair };
 struct Means {
   Adjustable what;
   Whose whose;
-  int direction;  ///< +1: more shift, a longer tooth, thicker, more teeth, wider, further apart;
-                  ///< −1: less
+  int direction;  ///< +1 for more shift, a longer or thicker tooth, more teeth, more width or a
+                  ///< greater distance; −1 for less
 };
 
 struct Cure {

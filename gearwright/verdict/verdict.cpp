@@ -29,7 +29,8 @@ double recommended_backlash(double center_distance, double normal_module) {
 
 namespace {
 
-// The clauses of these findings of one level, each once, worst first, from the place `first` on.
+// The reasons of the findings of one level, beginning with finding number `first`. They keep the
+// order of the findings, and each reason occurs only once.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
                                  std::size_t first = 0) {
   std::vector<std::string> list;

@@ -60,7 +60,7 @@ enum class Adjustable {
 /// A change of a spec.
 struct SpecChange {
   Adjustable what;
-  int gear;  ///< 1, 2; 0: of the pair, or of both gears
+  int gear;  ///< 1, 2; 0 for the pair or both gears
   double value;
   std::string path{};  ///< for a drive: the key in its spec, else empty
 };
@@ -72,7 +72,7 @@ struct Finding {
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< a sentence each; the remedy may be empty
   std::vector<FindingValue> values{};  ///< the first: the number that is too small
-  std::string at{};                    ///< tolerance ends at which it occurs; empty: as drawn
+  std::string at{};                    ///< tolerance ends at which it occurs; empty as drawn
   std::optional<SpecChange> change{};  ///< the changes of the remedy, tried
 
   /// The message, with the tolerance ends at which it occurs, and the remedy.
@@ -105,20 +105,20 @@ struct JudgedRating {
 /// The data to be judged; all of it must outlive the call.
 struct Judged {
   std::vector<const Gear*> gears;                  ///< one or two, with a pair its gears
-  const Pair* pair = nullptr;                      ///< null: not mounted
+  const Pair* pair = nullptr;                      ///< null if not mounted
   const std::vector<Warning>* warnings = nullptr;  ///< of all that was computed
-  const ContactResult* contact = nullptr;          ///< of the working flanks; null: not computed
+  const ContactResult* contact = nullptr;          ///< of the working flanks; null if not computed
   bool errors = false;                             ///< it is under errors
   bool shifts_follow = false;                      ///< a given centre distance sets an absent shift
   bool distance_sets_shifts = false;     ///< no centre distance; one would set an absent shift
   bool tolerances = false;               ///< findings are judged at their ends too
-  std::optional<JudgedRating> rating{};  ///< none: not computed
+  std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 
 /// The results of a changed spec.
 struct ChangedState {
   std::vector<Finding> findings;
-  double contact_ratio = 0.0;  ///< 0: no pair
+  double contact_ratio = 0.0;  ///< 0 without a pair
   double backlash = 0.0;       ///< j_n  mm
 };
 /// The extent of the computation of a changed spec: gears and pair as drawn, also at the ends of
@@ -137,7 +137,7 @@ bool worse(const Finding& a, const Finding& b);
 
 /// The verdict over these findings of what is judged.
 ///
-/// `attempt`  empty: remedies without numbers only
+/// `attempt`  if empty, there are only remedies without numbers
 Verdict verdict_of(const Judged& judged, std::vector<Finding> findings,
                    const TryChange& attempt = {});
 inline Verdict verdict_of(const Judged& judged) { return verdict_of(judged, findings_of(judged)); }
