@@ -103,13 +103,13 @@ class Inherited(Asked):
         self.assertEqual(mixed["rating"], as_list["rating"])
 
     def test_material_by_its_name_alone(self):
-        short, steel = 'material = "C45"\n', STEEL.format(1, "C45")
+        short, steel = 'material = "16MnCr5"\n', STEEL.format(1, "16MnCr5")
         named = self.answer("rate", TWO.format(short, "") + RATING)
         table = self.answer("rate", TWO.format("", "") + steel + RATING)
         self.assertEqual(named["rating"], table["rating"])
         in_rating = self.answer("rate", TWO.format("", "") + RATING + short)
         self.assertEqual(in_rating["rating"], table["rating"])
-        self.refused("rate", TWO.format('material = "C54"\n', "") + RATING, "gear1.material.name", "C54", "C45")
+        self.refused("rate", TWO.format('material = "16MnCr6"\n', "") + RATING, "gear1.material.name", "16MnCr6", "16MnCr5")
         self.refused("rate", TWO.format("material = 45\n", "") + RATING, "gear1.material", "must be a table")
         drawn = self.answer("gear", '[drawing]\nmaterial = "C45"\n' + TWO.format(short, ""))
         self.assertEqual(drawn["drawing"]["material"], "C45")
