@@ -180,8 +180,9 @@ void say_torque(Quantities<T>& q) {
       .per_gear();
   q.number(
        "least_root_stress_MPa", "least root stress there", "",
-       "least principal stress over all positions at the place of the greatest stress; the fillet "
-       "is compressed there while neighbouring teeth carry load",
+       "least principal stress over all positions at the place of the greatest stress, which is "
+       "the lower end of the stress range there; the fillet is compressed while neighbouring teeth "
+       "carry load",
        [](const T& t) { return t.torque->least_at_max; })
       .per_gear();
   q.number("nominal_root_stress_MPa", "nominal root stress by ISO 6336-3", "σ_F0",

@@ -93,7 +93,7 @@ struct SearchRating {
 
 /// The tolerances of the drawing of every design.
 struct SearchAllowances {
-  std::string series;                             ///< of DIN 3967, "cd25"; may be empty
+  std::string series;                             ///< DIN 3967, "cd25"; by backlash if empty
   std::optional<std::array<double, 2>> backlash;  ///< j_n  mm, least and greatest
   std::optional<std::string> distance_tolerance;  ///< of ISO 286, "JS7"
 
@@ -151,7 +151,7 @@ struct SearchProblem {
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
   std::optional<SearchRating> rating;                           ///< none if designs are not rated
   SearchAllowances allowances;                                  ///< empty for nominal teeth
-  DrawDesign draw;  ///< rejects designs whose drawing has findings above green; may be empty
+  DrawDesign draw;  ///< rejects designs whose drawing has findings above green; none if empty
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }

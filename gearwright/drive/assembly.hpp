@@ -34,7 +34,7 @@ long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 ///
 /// Errors    `drive.spacing` that does not assemble, with similar tooth numbers that do;
 ///           `drive.positions` at which teeth do not meet, with the next place.
-///           If there are fewer places than copies, some copies get the same place.
+///           Fewer places than copies are no error: some copies get the same place.
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 
 }  // namespace gearwright

@@ -29,7 +29,8 @@ std::string search_listing(const Search& search, const SearchRun& run,
 /// modules, …"
 std::string margin_line(const SearchLimits& limits);
 
-/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; may be empty.
+/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; empty if designs
+/// are not rated.
 std::string rating_line(const SearchProblem& problem);
 /// Describes the drawings of designs, with their default limits; empty if designs are not drawn.
 std::string drawing_line(const SearchProblem& problem);
