@@ -20,6 +20,14 @@ constexpr double kRoundedFillet = 1e-4;
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
 double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
 
+// The radius of the profile, or the greatest that fits into the space of these teeth. [T2.45]
+double fillet_that_fits(const Gear& pinion, const RackGeometry& r) {
+  const double space = (r.normal_pitch - r.thickness) / 2 - r.dedendum * std::tan(alpha_n(pinion));
+  const double full = space * std::cos(alpha_n(pinion)) / (1 - std::sin(alpha_n(pinion)));
+  const double given = pinion.spec.straight_rack().root_fillet_radius * r.normal_module;
+  return std::clamp(given, 0.0, std::max(0.0, full));
+}
+
 RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
   const double m = pinion.spec.normal_module;
   const StraightRack& profile = pinion.spec.straight_rack();
@@ -27,21 +35,20 @@ RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
   r.bar = bar;
   r.normal_module = m;
   r.helix_angle = Angle::radians(-pinion.spec.helix_angle.rad());
+  r.normal_pressure_angle = pinion.spec.normal_pressure_angle;
   r.face_width = bar.face_width.value_or(pinion.spec.face_width);
   r.normal_pitch = std::numbers::pi * m;
   r.transverse_pitch = std::numbers::pi * pinion.transverse_module;
   r.addendum = profile.addendum * m;
   r.dedendum = profile.dedendum * m;
   r.thickness = r.normal_pitch / 2 + bar.thickness_allowance;
+  r.fillet_radius = fillet_that_fits(pinion, r);
   return r;
 }
 
 // The depth below the datum line at which the rack's straight flank ends above its fillet. [T2.39]
 double form_depth(const Gear& pinion, const RackGeometry& rack) {
-  const StraightRack& profile = pinion.spec.straight_rack();
-  const double fillet =
-      std::min(profile.root_fillet_radius, full_radius(profile, pinion.spec.normal_pressure_angle));
-  return rack.dedendum - fillet * rack.normal_module * (1 - std::sin(alpha_n(pinion)));
+  return rack.dedendum - rack.fillet_radius * (1 - std::sin(alpha_n(pinion)));
 }
 
 // Approach and recess on the usable flanks. The pinion's flank begins at its form circle or base
@@ -108,6 +115,19 @@ std::optional<double> RackGeometry::length() const {
 
 std::optional<double> RackPair::mounting_distance() const {
   return rack.bar.height ? std::optional(center_distance + *rack.bar.height) : std::nullopt;
+}
+
+Pose<Housing, Gear1> RackPair::pose_1() const {
+  return Pose<Housing, Gear1>(Eigen::Isometry3d::Identity());
+}
+
+Pose<Housing, Gear2> RackPair::pose_2() const {
+  // The rack faces axis 1, half a turn about z. The middle of an odd number of teeth is a tooth.
+  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
+  x.linear().diagonal() << -1.0, -1.0, 1.0;
+  const bool odd = rack.bar.teeth.value_or(1) % 2 == 1;
+  x.translation() = Vec3(center_distance, odd ? rack.transverse_pitch / 2 : 0.0, 0.0);
+  return Pose<Housing, Gear2>(x);
 }
 
 double RackPair::transverse_contact_ratio() const {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/kinematics/pose.hpp"
 
 namespace gearwright {
 
@@ -29,14 +30,16 @@ struct RackBar {
 /// The geometry of a rack that mates with its pinion.
 struct RackGeometry {
   RackBar bar;
-  double normal_module;                  ///< m_n  mm
-  Angle helix_angle;                     ///< β    of the hand opposite to the pinion's
-  double face_width;                     ///< b    mm
-  double normal_pitch;                   ///< p_n  mm
-  double transverse_pitch;               ///< p_t  mm, along the travel
-  double addendum;                       ///< h_a  mm, above the datum line
-  double dedendum;                       ///< h_f  mm, below it
-  double thickness;                      ///< s_n  mm, normal, at the datum line
+  double normal_module;         ///< m_n  mm
+  Angle helix_angle;            ///< β    of the hand opposite to the pinion's
+  Angle normal_pressure_angle;  ///< α_n
+  double face_width;            ///< b    mm
+  double normal_pitch;          ///< p_n  mm
+  double transverse_pitch;      ///< p_t  mm, along the travel
+  double addendum;              ///< h_a  mm, above the datum line
+  double dedendum;              ///< h_f  mm, below it
+  double thickness;             ///< s_n  mm, normal, at the datum line
+  double fillet_radius;         ///< ρ_f  mm, in the normal section; at most the full radius
   std::optional<double> length() const;  ///< n p_t  mm, with half a space at both ends
 };
 
@@ -60,11 +63,15 @@ struct RackPair {
   std::vector<Warning> warnings;
 
   std::optional<double> mounting_distance() const;  ///< H + height  mm
-  double transverse_contact_ratio() const;          ///< ε_α, 0 without contact
-  double true_contact_ratio() const;                ///< the same on the usable flanks
-  double normal_backlash() const;                   ///< j_n  mm
-  double base_backlash() const;                     ///< j_bn mm
-  double circumferential_backlash() const;          ///< j_t  mm, along the rack
+  /// Frames of pinion and rack (pair/rack_outline.hpp) in the housing at rotation 0: tooth 0 of the
+  /// pinion points into a space of the rack, the one nearest to the middle of its length.
+  Pose<Housing, Gear1> pose_1() const;
+  Pose<Housing, Gear2> pose_2() const;
+  double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
+  double true_contact_ratio() const;        ///< the same on the usable flanks
+  double normal_backlash() const;           ///< j_n  mm
+  double base_backlash() const;             ///< j_bn mm
+  double circumferential_backlash() const;  ///< j_t  mm, along the rack
   /// ζ of pinion and rack with the contact at g; none for the pinion at and beyond its base tangent
   /// point.
   std::array<std::optional<double>, 2> specific_sliding(double g) const;

@@ -1,0 +1,31 @@
+// The teeth of a rack in its transverse section, as an outline of the same kind as that of a gear.
+//
+//   x     height above the datum line, mm       y   along the travel, mm
+//   s_n   thickness at the datum line, ρ_f the radius of the root fillet, in the normal section, mm
+//   n     y cos β, the normal section's y, mm   theory: docs/theory/02-involute-and-pair.md, [T2.45]
+//
+// Frame of a rack: the origin is on the datum line in the middle of length and face, x points out of
+// the back towards the teeth, z along the face. Tooth k of n is centred at y = (k − (n − 1)/2) p_t
+// in the section z = 0, and z tan β further at the height z.
+//
+//   Laws  (1) the first point is the middle of the space, y = p_t/2, and the last the middle of the
+//             tooth, y = 0
+//         (2) the normal section, (x, y cos β), is that of the spur rack with the same m_n
+//         (3) the flank is straight, and the pinion's flank is the envelope of it
+#pragma once
+
+#include "gearwright/generation/outline.hpp"
+#include "gearwright/pair/rack_pair.hpp"
+
+namespace gearwright {
+
+/// Half a tooth, root to tip, about the x axis. `teeth` is that of the rack, or 1 if it is endless.
+///
+/// Formula   [T2.45]: land at −h_f, circle of radius ρ_f (in the transverse section an ellipse),
+///           line n = s_n/2 − x tan α_n, land at h_a
+/// Units     mm
+/// Accuracy  closed form
+/// Errors    `gear2.thickness_allowance` if it makes the tooth pointed or closes the space
+Result<Outline> rack_outline(const RackGeometry& rack);
+
+}  // namespace gearwright
