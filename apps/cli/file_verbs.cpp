@@ -156,7 +156,7 @@ int run_verb(const Options& o) {
     out += "_out";
   }
   if (spec->drive) return run_drive(o, door, *spec, out, options);
-  auto solved = solve(*spec, Scope::everything);
+  auto solved = solve_any(*spec, Scope::everything);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto made = watched("run", [&](Progress* h) {
@@ -189,9 +189,9 @@ int export_verb(const Options& o) {
   if (spec->drive) return export_drive(o, door, *spec, wanted);
   // A drawing names the mating gear.
   const bool alone = o.gear && o.drawing.empty();
-  const auto job = solve(*spec, alone ? Scope::gears : Scope::everything);
+  const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());
-  const int count = static_cast<int>(job->gears.size());
+  const int count = job->parts();
   if (o.gear && *o.gear > count) {
     return door.fail(absent_input("gear2", " from the spec; --gear 2 needs it"));
   }
@@ -199,7 +199,7 @@ int export_verb(const Options& o) {
   std::vector<int> drawn;
   for (int which = 1; which <= count; ++which) {
     if (o.gear && *o.gear != which) continue;
-    drawn.push_back(which);
+    if (!(job->rack && which == 2)) drawn.push_back(which);
     auto body = make_body(*job, which, !o.gear);
     if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
@@ -211,6 +211,11 @@ int export_verb(const Options& o) {
     auto file = make_file(kind, bodies, *path, options);
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
+  }
+  if (format && drawn.empty()) {
+    return door.fail({"gear2.form", "rack",
+                      "has no workshop drawing; --dxf and --svg draw the section of the rack, and "
+                      "--gear 1 the drawing of the pinion"});
   }
   if (format) {
     const SheetSize size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;

@@ -136,10 +136,12 @@ int nominal_points(const Options& o) {
 
 int outline_verb(const Options& o) {
   Door door(o);
-  const auto job = door.solve(Scope::gears);
+  const auto spec = door.read();
+  if (!spec) return door.fail(spec.error());
+  const auto job = solve_any(*spec, Scope::gears);
   if (!job) return door.fail(job.error());
   const int which = o.gear.value_or(1);
-  if (which > static_cast<int>(job->gears.size())) {
+  if (which > job->parts()) {
     return door.fail(absent_input("gear2", " from the spec; --gear 2 needs it"));
   }
   const auto body = make_body(*job, which, false);

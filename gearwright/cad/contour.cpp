@@ -141,10 +141,13 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   GW_EXPECTS(!piece.land);
   GW_EXPECTS(root_to_tip.size() >= 2);
   const SinCos turn = sincos_turn(piece.tooth, contour.teeth);
+  const auto put = [&](const Vec2& p) -> Vec2 {
+    if (!contour.rack) return tidy_turned(p, turn);
+    return p + Vec2(0.0, contour.rack->middle_of(piece.tooth, contour.teeth));
+  };
   std::vector<Vec2> points;
   points.reserve(root_to_tip.size());
-  for (const Vec2& p : root_to_tip)
-    points.push_back(tidy_turned(piece.mirrored ? mirrored(p) : p, turn));
+  for (const Vec2& p : root_to_tip) points.push_back(put(piece.mirrored ? mirrored(p) : p));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
   // Slivers and the middles of tooth and space move ends, at most by their tolerance.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);

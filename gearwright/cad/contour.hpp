@@ -17,9 +17,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
@@ -29,7 +31,8 @@ struct ContourPiece {
   int tooth;        ///< k; of a root land, the tooth before it
   bool mirrored;    ///< lower half of the tooth, run from root to tip; otherwise upper half, tip to
                     ///< root
-  bool land;        ///< a circle about the axis, both halves of it, run by `sweep`
+  bool land;        ///< a circle about the axis, both halves of it, run by `sweep`; of a rack a
+                    ///< straight line, with `sweep` 0
   Vec2 begin;       ///< mm
   Vec2 end;         ///< mm
   double sweep;     ///< rad, > 0 for a land; otherwise 0
@@ -40,6 +43,8 @@ struct Contour {
   std::vector<ContourPiece> pieces;
   double inner_radius;  ///< smallest radius of the examined points of the outline, mm
   double outer_radius;  ///< greatest radius of the outline, mm
+  /// Of a rack: tooth k is tooth 0 of the half outline, shifted by its `middle_of(k, teeth)`.
+  std::optional<RackBlock> rack{};
 };
 
 /// Chains the teeth. Arcs shorter than 1e-6 mm give no piece, and the next piece begins at their
@@ -49,6 +54,11 @@ struct Contour {
 /// Domain    teeth ≠ 0, at least one arc, arcs joined bit for bit, the first point on the ray π/|z|
 ///           and the last one on the x axis within 1e-6 mm (contract)
 Result<Contour> closed_contour(const Outline& outline);
+
+/// The teeth, ends and back of a rack, counter-clockwise. Lands, ends and back are straight lines.
+///
+/// Domain    teeth ≥ 1, a back below the roots, the laws of pair/rack_outline.hpp (contract)
+Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
 /// Points of the half outline's arc, from root to tip, in the position and direction of the piece:
 /// mirrored or reversed and turned, with the first and last point replaced by the ends of the

@@ -7,6 +7,7 @@
 namespace gearwright {
 
 Result<BodyContour> body_contour(const ToothedBody& body) {
+  if (body.rack) return BodyContour{rack_contour(body.outline, *body.rack), std::nullopt};
   auto teeth = closed_contour(body.outline);
   if (!teeth) return teeth.error();
   auto bore = bore_contour(body, teeth->inner_radius, teeth->outer_radius);

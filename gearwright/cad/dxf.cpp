@@ -38,6 +38,10 @@ Result<Facts> draw_splines(const Outline& outline, const Contour& contour, doubl
   const auto fits = fit_arcs(outline, contour, tolerance, fit_between_ends);
   if (!fits) return fits.error();
   for (const ContourPiece& piece : contour.pieces) {
+    if (piece.land && piece.sweep == 0.0) {
+      entities.line(kProfile, piece.begin, piece.end);
+      continue;
+    }
     if (piece.land) {
       entities.circular_spline(kProfile, piece.begin, piece.end, piece.sweep);
       continue;

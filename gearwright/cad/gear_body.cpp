@@ -1,6 +1,18 @@
 #include "gearwright/cad/gear_body.hpp"
 
+#include <cmath>
+#include <utility>
+
+#include "gearwright/pair/rack_outline.hpp"
+
 namespace gearwright {
+
+namespace {
+
+// Least material between the roots of a rack and its back, mm.
+constexpr double kRackBack_mm = 1e-3;
+
+}  // namespace
 
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore) {
@@ -17,6 +29,28 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
   body.twist = gear.twist();
   body.face_width = gear.spec.face_width;
   body.bore = bore;
+  return body;
+}
+
+Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name) {
+  if (!rack.bar.teeth)
+    return absent_input("gear2.teeth", "; a rack as a part has a length, its number of pitches");
+  const double least = rack.dedendum + kRackBack_mm;
+  if (!rack.bar.height)
+    return absent_input("gear2.height",
+                        "; a rack as a part has a back, at this distance from its datum line");
+  if (*rack.bar.height < least) {
+    return refused("gear2.height", *rack.bar.height, {least},
+                   "the back lies above the roots of the teeth; it must be at least {} mm");
+  }
+  auto outline = rack_outline(rack);
+  if (!outline) return outline.error();
+  ToothedBody body;
+  body.name = name;
+  body.outline = std::move(outline).take();
+  body.face_width = rack.face_width;
+  body.rack = RackBlock{rack.transverse_pitch, *rack.bar.height, std::tan(rack.helix_angle.rad()),
+                        rack.fillet_radius};
   return body;
 }
 

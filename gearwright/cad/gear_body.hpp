@@ -1,4 +1,4 @@
-// A gear in the form that the writers of files need.
+// A gear or a rack in the form that the writers of files need.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -16,5 +17,11 @@ namespace gearwright {
 ///           tooth cannot exist (severed, through the axis)
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore = {});
+
+/// The rack in its own frame (pair/rack_outline.hpp); its place is `rack_pair.pose_2().isometry()`.
+///
+/// Errors    `gear2.teeth`, `gear2.height` of a rack without them, or of a back above the roots, with the
+///           least that leaves material; those of rack_outline()
+Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 
 }  // namespace gearwright

@@ -15,6 +15,7 @@
 #include "gearwright/cad/bore_loop.hpp"
 #include "gearwright/cad/flat_cap.hpp"
 #include "gearwright/cad/mesh_builder.hpp"
+#include "gearwright/cad/rack_mesh.hpp"
 #include "gearwright/cad/section_points.hpp"
 
 namespace gearwright {
@@ -147,6 +148,7 @@ Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance) 
 }  // namespace
 
 Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& options) {
+  if (body.rack) return tessellate_rack(body, options);
   GW_EXPECTS(options.chord_tolerance_mm > 0.0);
   const double facet_turn = options.facet_turn_max.rad();
   GW_EXPECTS(facet_turn > 0.0 && facet_turn <= kPi / 4.0);

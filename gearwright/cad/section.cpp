@@ -103,6 +103,18 @@ double bore_area(const Bore& bore) {
 }
 
 double metal_area(const ToothedBody& body) {
+  if (body.rack) {
+    // ∫ x dy over the half outline is the area above the datum line. Below it lies a rectangle. The
+    // teeth that slope out of the bar at one end enter it at the other, so every section has this
+    // area.
+    static const Rule rule = make_rule();
+    double half = 0.0;
+    for (const Arc& arc : body.outline.arcs) {
+      const Vec2 a = arc.begin_point, b = arc.end_point;
+      half += 0.5 * (a.x() * a.y() - b.x() * b.y()) - arc_area(rule, arc);
+    }
+    return body.outline.teeth * (2.0 * half + body.rack->pitch * body.rack->height);
+  }
   const bool ring = body.outline.teeth < 0;
   GW_EXPECTS(!ring || body.bore.has_value());
   const double outline = section_area(body.outline);

@@ -11,6 +11,7 @@
 #include "gearwright/cad/brep.hpp"
 #include "gearwright/cad/part21.hpp"
 #include "gearwright/cad/products.hpp"
+#include "gearwright/cad/rack_brep.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/walls.hpp"
 
@@ -54,6 +55,12 @@ void add_half_tooth(std::vector<StepFace>& faces, const BodyWalls& walls, std::s
   }
 }
 
+void add_counts(StepReport& report, const ToothedBody& body, const Brep& brep) {
+  report.volume_mm3 += metal_area(body) * body.face_width;
+  report.face_count += brep.face_count;
+  report.edge_count += brep.edge_count;
+}
+
 Error too_many(std::size_t faces, int slices) {
   return {
       "faces", fmt::format("{}", faces),
@@ -81,6 +88,16 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
           {body.name, body.pose, parts[*body.same_as].solid, body.colour, body.same_as});
       continue;
     }
+    if (body.rack) {
+      if (const std::size_t n = rack_face_count(body); n > kMaxStepFaces)
+        return within(body.name, too_many(n, 1));
+      const Brep brep = add_rack_brep(file, body);
+      for (const Arc& arc : body.outline.arcs)
+        report.faces.push_back({arc.name, i, 0, 0, 0, 0, 0.0});
+      add_counts(report, body, brep);
+      parts.push_back({body.name, body.pose, brep.solid, body.colour});
+      continue;
+    }
     const auto walls = make_walls(body);
     if (!walls) return within(body.name, walls.error());
     const WallLoop& teeth = walls->teeth;
@@ -88,9 +105,7 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
     if (faces > kMaxStepFaces) return within(body.name, too_many(faces, teeth.slices));
     const Brep brep = add_brep(file, body, *walls);
     add_half_tooth(report.faces, *walls, i);
-    report.volume_mm3 += metal_area(body) * body.face_width;
-    report.face_count += brep.face_count;
-    report.edge_count += brep.edge_count;
+    add_counts(report, body, brep);
     parts.push_back({body.name, body.pose, brep.solid, body.colour});
   }
   for (const StepFace& face : report.faces)

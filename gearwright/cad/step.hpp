@@ -35,7 +35,7 @@ struct StepOptions {
 struct StepFace {
   ArcName name;
   std::size_t body;  ///< index into the bodies
-  int degree_u;      ///< along the outline; 0 if the face is a true cylinder
+  int degree_u;      ///< along the outline; 0 if the face is a true cylinder or plane
   int poles_u;
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;

@@ -91,6 +91,15 @@ std::vector<Case> cases() {
       {"RingCutByPinion", testing::cut_ring(), 395},
       {"CircularArcs", testing::arc_pinion(), 74},
       {"DoubleCircularArcs", testing::double_arcs(), 138},
+      // Five teeth of six walls and one more root land; back, ends and sides.
+      {"Rack", testing::rack_bar(5, 0.0), 36},
+      // At each end the teeth reach 3.64 mm further, past the middle of a tooth: three walls.
+      {"RackRightHand", testing::rack_bar(5, 20.0), 42},
+      {"RackLeftHand", testing::rack_bar(5, -20.0), 42},
+      // The full radius leaves no root land; the ends begin in fillets.
+      {"RackFullRadius", testing::rack_bar(3, 0.0, 0.4), 20},
+      // Its lines cross three whole teeth, and end in the fillets of two more.
+      {"RackOfOneTooth", testing::rack_bar(1, 44.0), 26},
   };
 }
 

@@ -45,6 +45,7 @@ class Path {
     const Vec2 c = pose_ * at_c;
     add("C{} {} {} {} {} {}", a.x(), -a.y(), b.x(), -b.y(), c.x(), -c.y());
   }
+  Vec2 on_screen(const Vec2& at) const { return mirrored(pose_ * at); }
   void close() { text_ += "Z\n"; }
   const std::string& text() const { return text_; }
 
@@ -67,6 +68,7 @@ struct DrawnBody {
   int segments = 0;
   double deviation = 0.0;
   double radius = 0.0;
+  std::optional<Eigen::AlignedBox2d> box{};  // of a rack, with y reversed; none: a circle
 };
 
 Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool in_place) {
@@ -79,6 +81,11 @@ Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool 
   Path path(in_place ? &body.pose : nullptr);
   path.move(contour->teeth.pieces.front().begin);
   for (const ContourPiece& piece : contour->teeth.pieces) {
+    if (piece.land && piece.sweep == 0.0) {
+      path.line(piece.end);
+      ++segments;
+      continue;
+    }
     if (piece.land) {
       path.arc(piece.begin.norm(), piece.sweep, piece.end);
       ++segments;
@@ -104,7 +111,13 @@ Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool 
     segments += static_cast<int>(b->points.size());
   }
 
-  return DrawnBody{path.text(), segments, fits->deviation_mm, contour->reach()};
+  DrawnBody drawn{path.text(), segments, fits->deviation_mm, contour->reach()};
+  if (body.rack) {
+    drawn.box.emplace();
+    for (const ContourPiece& piece : contour->teeth.pieces)
+      drawn.box->extend(path.on_screen(piece.begin));
+  }
+  return drawn;
 }
 
 }  // namespace
@@ -125,8 +138,12 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
     const Vec2 center = in_place ? Vec2(body.pose.translation().x(), -body.pose.translation().y())
                                  : Vec2(Vec2::Zero());
     margin = std::max(margin, kMarginShare * drawn->radius);
-    box.extend(center - Vec2::Constant(drawn->radius));
-    box.extend(center + Vec2::Constant(drawn->radius));
+    if (drawn->box) {
+      box.extend(*drawn->box);
+    } else {
+      box.extend(center - Vec2::Constant(drawn->radius));
+      box.extend(center + Vec2::Constant(drawn->radius));
+    }
     paths += fmt::format(
         "<path fill=\"#dfe3e8\" fill-rule=\"evenodd\" stroke=\"#1b2733\" stroke-width=\"{:.4f}\" "
         "stroke-linejoin=\"round\" d=\"\n{}\"/>\n",

@@ -5,6 +5,9 @@
 //   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, the outline is its section z = 0
 //
 // The section at height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
+//
+// A rack is a bar, whose teeth are straight: the section at height z is that of z = 0 with the teeth
+// shifted by z tan β along y, between two ends that are perpendicular to y (`RackBlock`).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,6 +22,18 @@
 
 namespace gearwright {
 
+/// What makes the teeth of an outline a rack, in the frame of pair/rack_outline.hpp: x is the height
+/// above the datum line, and n pitches lie between the ends, with the origin in the middle.
+struct RackBlock {
+  double pitch;          ///< p_t    mm, along y
+  double height;         ///< mm, from the back to the datum line
+  double slope;          ///< tan β  of the teeth, > 0 right hand
+  double fillet_radius;  ///< ρ_f    mm, in the normal section
+
+  /// y of the middle of tooth k of n at z = 0, mm.
+  double middle_of(int k, int n) const { return (k - (n - 1) / 2.0) * pitch; }
+};
+
 struct ToothedBody {
   std::string name;         ///< "gear1", the name in a CAD tree
   Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
@@ -28,6 +43,7 @@ struct ToothedBody {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
   std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
   std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
+  std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
 };
 
 /// Colours that distinguish gears in contact wherever their file is opened.

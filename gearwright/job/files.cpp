@@ -13,6 +13,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/dxf.hpp"
+#include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/svg_outline.hpp"
@@ -101,6 +102,25 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
+// Results that need two gears. A rack and its pinion have geometry, a report and files.
+std::optional<Error> beyond_a_rack(const JobSpec& spec) {
+  if (!spec.rack) return std::nullopt;
+  const std::pair<const char*, bool> parts[] = {{"contact", spec.contact.given},
+                                                {"errors", spec.errors.given},
+                                                {"load", spec.load.given},
+                                                {"rating", spec.rating.given},
+                                                {"compensate", spec.compensate.given},
+                                                {"scatter", spec.scatter.given}};
+  for (const auto& [table, given] : parts) {
+    if (!given) continue;
+    return Error{table, "",
+                 "needs two gears, and gear 2 is a rack; without this table, run writes the report "
+                 "and the files of the rack and its pinion. A gear 2 with teeth = 1000 in place of "
+                 "the rack differs from it by the order of 1/teeth"};
+  }
+  return std::nullopt;
+}
+
 // None if the spec has no [compensate], and if nothing touches, with a warning of the contact
 // analysis or its own.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
@@ -177,8 +197,15 @@ Error of_body(Error error, const std::string& name) {
 }
 
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
-  const Gear& gear = job.gear(which);
   const std::string name = gear_name(which);
+  if (which == 2 && job.rack) {
+    auto rack = rack_body(job.rack->rack, name);
+    if (!rack) return rack.error();
+    ToothedBody body = std::move(rack).take();
+    if (in_place) body.pose = job.rack->pose_2().isometry();
+    return body;
+  }
+  const Gear& gear = job.gear(which);
   if (!gear.tooth) {
     return absent_input(name + ".cut_by",
                         "; a pinion cutter generates the outline of an internal gear; give its "
@@ -232,18 +259,18 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
     return std::nullopt;
   };
   std::vector<int> drawn;
-  for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
+  for (int which = 1; which <= job.parts(); ++which) {
     const auto body = make_body(job, which, false);
     if (!body) {
       job.warnings.push_back(
           {WarningCode::no_outline, spelled(body.error(), job.spec.given).message(), which});
       continue;
     }
-    drawn.push_back(which);
+    if (!body->rack) drawn.push_back(which);
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
       if (auto error = make(kind, {*body}, gear_name(which))) return *std::move(error);
-    if (job.pair) mounted.push_back(make_body(job, which, true).value());
+    if (job.pair || job.rack) mounted.push_back(make_body(job, which, true).value());
   }
   if (mounted.size() == 2)
     for (FileKind kind : {FileKind::step, FileKind::glb})
@@ -261,6 +288,7 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
 
 Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                  const FileOptions& options) {
+  if (auto error = beyond_a_rack(job.spec)) return *error;
   if (auto error = missing_error(SpecUse::run, job.spec)) return *error;
   const auto contact = contact_part(job, options.progress);
   if (!contact) return contact.error();
@@ -285,6 +313,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
+  if (job.rack) report.rack = &*job.rack;
   if (job.pair && job.ends)
     for (const Arranged* end : {&job.ends->upper, &job.ends->lower})
       report.pair_ends.push_back(pair_quantities().of(*end->pair));

@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/result_json.hpp"
 
@@ -82,6 +83,13 @@ std::vector<std::string> gear_columns(std::size_t count) {
 }
 
 std::string pair_listing(const SolvedJob& job) {
+  if (job.rack) {
+    return "\nRack\n" +
+           quantity_listing(rack_quantities().table(), {rack_quantities().of(job.rack->rack)}, {}) +
+           "\nRack and pinion\n" +
+           quantity_listing(rack_pair_quantities().table(), {rack_pair_quantities().of(*job.rack)},
+                            {});
+  }
   return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
 }
 

@@ -7,6 +7,7 @@
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -39,6 +40,10 @@ Json job_record(const SolvedJob& job) {
     Json gear = to_json(gear_record(job, i));
     if (job.halves[i]) gear.update(to_json(double_helical_quantities().of(*job.halves[i])));
     j["gears"].push_back(std::move(gear));
+  }
+  if (job.rack) {
+    j["gears"].push_back(to_json(rack_quantities().of(job.rack->rack)));
+    j["pair"] = to_json(rack_pair_quantities().of(*job.rack));
   }
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   if (job.ends) {

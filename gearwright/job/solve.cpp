@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
@@ -58,8 +60,9 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
   }
   if (spec.rack && scope != Scope::gears) {
     return Error{"gear2.form", "rack",
-                 "makes a rack and pinion, which the verbs gear and pair compute; this verb is for "
-                 "two gears"};
+                 "makes a rack and pinion, which the verbs gear, pair, outline, export and run "
+                 "compute; this verb is for two gears. A gear 2 with teeth = 1000 in place of the "
+                 "rack differs from it by the order of 1/teeth"};
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
@@ -81,6 +84,18 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
   return job;
 }
 
+std::optional<Error> two_helices(const JobSpec& spec, Scope scope) {
+  for (const int which : {1, 2}) {
+    if (scope == Scope::gears || !spec.double_helical[static_cast<std::size_t>(which - 1)])
+      continue;
+    return Error{gear_field(which, "double_helical"), "",
+                 "is computed by the verbs gear, pair and measure; this verb is for gears of one "
+                 "helix. For one half give its face width, without `double_helical`, and half of "
+                 "the torque"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {
@@ -96,15 +111,21 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
-  for (const int which : {1, 2}) {
-    if (scope == Scope::gears || !spec.double_helical[static_cast<std::size_t>(which - 1)])
-      continue;
-    return Error{gear_field(which, "double_helical"), "",
-                 "is computed by the verbs gear, pair and measure; this verb is for gears of one "
-                 "helix. For one half give its face width, without `double_helical`, and half of "
-                 "the torque"};
-  }
+  if (auto error = two_helices(spec, scope)) return *error;
   return solve_halves(spec, scope);
+}
+
+Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
+  if (!spec.rack) return solve(spec, scope);
+  if (auto error = two_helices(spec, scope)) return *error;
+  auto solved = solve_halves(spec, Scope::gears);
+  if (!solved) return solved;
+  SolvedJob job = std::move(solved).take();
+  auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm);
+  if (!pair) return spelled(pair.error(), spec.given);
+  job.warnings.insert(job.warnings.end(), pair->warnings.begin(), pair->warnings.end());
+  job.rack = std::move(pair).take();
+  return job;
 }
 
 Result<SolvedJob> solve_pair(const JobSpec& spec) { return solve_halves(spec, Scope::pair); }

@@ -13,6 +13,11 @@ struct SolvedJob : Arranged {
   JobSpec spec;  ///< as read; computed values are in `completed`
   /// The halves of double-helical gears, whose `gears` and `pair` are those of the half at z > 0.
   std::array<std::optional<Halves>, 2> halves{};
+  /// The pinion with its rack, if gear 2 is one; then `gears` contains only the pinion.
+  std::optional<RackPair> rack{};
+
+  /// The number of gears, a rack included.
+  int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
 /// Errors    keys with their table, "gear2.profile_shift"; as arrange(); "gearN.double_helical" if
@@ -24,6 +29,11 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 /// Errors    as solve() of a pair, halve() and halves_of(); `pair.shaft_angle` of double-helical gears
 ///           on crossed axes
 Result<SolvedJob> solve_pair(const JobSpec& spec);
+
+/// As solve(), and of a pinion with its rack too.
+///
+/// Errors    as solve() and mount_rack()
+Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
 /// "search", "identify" or "fit" if solve rejects the spec because its unknown numbers need that
 /// verb; empty for other errors. The error may already contain keys of the file.

@@ -8,6 +8,7 @@
 
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/figure/markup.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kOfPair{"gear_ratio", "center_distance_mm",
                                                   "contact_ratio"};
+constexpr std::array<std::string_view, 4> kOfRack{"travel_mm_per_turn", "center_distance_mm",
+                                                  "contact_ratio", "normal_mm"};
 constexpr std::array<std::string_view, 1> kBacklash{"normal_mm"};
 constexpr std::array<std::string_view, 2> kOfRating{"S_F", "S_H"};
 constexpr std::array<std::string_view, 2> kOfLoad{"max_pressure_MPa", "peak_to_peak_arcsec"};
@@ -58,6 +61,9 @@ std::string key_figures(const ReportInput& input) {
     text += key_boxes(pair_quantities().table(), nominal, kOfPair);
     text += key_boxes(pair_quantities().table(), ends, kBacklash);
   }
+  if (input.rack)
+    text += key_boxes(rack_pair_quantities().table(), {rack_pair_quantities().of(*input.rack)},
+                      kOfRack);
   if (input.rating)
     text +=
         key_boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)}, kOfRating);

@@ -16,6 +16,7 @@
 #include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
+#include "gearwright/report/rack_section.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/turning.hpp"
@@ -28,6 +29,7 @@ const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
 std::string default_title(const ReportInput& input) {
   const int z1 = input.gears[0]->spec.teeth;
+  if (input.rack) return fmt::format("Rack and pinion with {} teeth", z1);
   if (input.gears.size() == 1) {
     return fmt::format("{} with {} teeth", z1 < 0 ? "Internal gear" : "Gear", std::abs(z1));
   }
@@ -49,6 +51,8 @@ std::string kind_of(const ParallelPair& pair) {
 }
 
 std::string kind_of(const ReportInput& input) {
+  if (input.rack)
+    return fmt::format("{} rack and pinion", helical(*input.gears[0]) ? "Helical" : "Spur");
   if (input.pair) return input.pair->visit([](const auto& pair) { return kind_of(pair); });
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
   return fmt::format("{} {}{}", helical(*input.gears[0]) ? "Helical" : "Spur",
@@ -93,7 +97,8 @@ std::string gear_section(const ReportInput& input) {
   }
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
-    return "<section>\n<h2>Gear</h2>\n" + in_columns(table, pictures) + "</section>\n";
+    return fmt::format("<section>\n<h2>{}</h2>\n", input.rack ? "Pinion" : "Gear") +
+           in_columns(table, pictures) + "</section>\n";
   }
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + table + "</section>\n";
 }
@@ -191,6 +196,7 @@ std::string file_section(const std::vector<ReportFile>& files) {
 std::string report_html(const ReportInput& input) {
   GW_EXPECTS(input.gears.size() == 1 || input.gears.size() == 2);
   for (const Gear* gear : input.gears) GW_EXPECTS(gear != nullptr);
+  GW_EXPECTS(!input.rack || input.gears.size() == 1);
   GW_EXPECTS(!input.pair || input.gears.size() == 2);
   const std::string title = input.title.empty() ? default_title(input) : input.title;
   std::string page = page_head(title, input.version);
@@ -200,7 +206,11 @@ std::string report_html(const ReportInput& input) {
       "{}</p>\n{}{}{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
-      key_figures(input), finding_list(input.verdict, input.pair ? "Pair" : ""), picture_hint());
+      key_figures(input),
+      finding_list(input.verdict, input.pair   ? "Pair"
+                                  : input.rack ? "Rack and pinion"
+                                               : ""),
+      picture_hint());
   // The decisive parts come first; data sheets of the gears follow.
   std::string sections;
   if (input.pair) {
@@ -208,6 +218,7 @@ std::string report_html(const ReportInput& input) {
         Overloaded{[](const ArcPair& pair) { return arc_pair_section(pair, kShapes); },
                    [](const auto& pair) { return pair_section(pair, kShapes); }});
   }
+  if (input.rack) sections += rack_section(*input.rack, kShapes[0]);
   if (input.contact) sections += contact_section(*input.contact);
   if (input.load) sections += load_section(*input.load, kShapes);
   if (input.compensate) sections += compensate_section(*input.compensate);

@@ -16,6 +16,7 @@
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -34,6 +35,7 @@ struct ReportInput {
   DrawingInput drawing;                ///< the title block; may be empty
   std::vector<const Gear*> gears;      ///< one or two, with a pair its gears
   std::optional<Pair> pair;            ///< none if the gears are not mounted
+  const RackPair* rack = nullptr;      ///< of the pinion, which is the only gear; null if none
   std::vector<ValueRecord> pair_ends;  ///< of tolerances: least backlash, most; may be empty
   std::vector<ValueRecord> measures;   ///< of the gears; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty

@@ -1,7 +1,11 @@
-"""A rack as gear 2: the verbs gear and pair, and what the others say."""
+"""A rack as gear 2: its numbers, its section, its solids, its report, and what other verbs say."""
 
 import json
+import math
+import re
+import tempfile
 import unittest
+from pathlib import Path
 
 from cli import Run
 
@@ -35,18 +39,68 @@ class ARack(unittest.TestCase):
 
     def test_what_a_rack_cannot_be_is_said(self):
         for verb, extra, *words in (
-                ("contact", "", "gear2.form", "the verbs gear and pair"),
+                ("contact", "", "gear2.form", "the verbs gear, pair, outline, export and run", "teeth = 1000"),
+                ("load", "", "gear2.form", "for two gears"),
+                ("rate", "", "gear2.form", "for two gears"),
+                ("scatter", "", "gear2.form", "for two gears"),
+                ("outline --gear 2", "", "gear2.teeth", "number of pitches"),
+                ("outline --gear 2", "teeth = 9\n", "gear2.height_mm", "back"),
+                ("outline --gear 2", "teeth = 9\nheight_mm = 2\n", "gear2.height_mm", "at least 2.501"),
+                ("outline --gear 2", "teeth = 9\nheight_mm = 9\nthickness_allowance_mm = 2\n",
+                 "gear2.thickness_allowance_mm", "closes at its root"),
+                ("export --gear 2 --drawing rack.pdf", "teeth = 9\nheight_mm = 9\n", "gear2.form", "--dxf"),
+                ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
                 ("pair", "[pair]\nbacklash_mm = 0.1\n", "pair.backlash_mm", "thickness allowances"),
                 ("pair", "profile_shift = 0.2\n", "gear2.profile_shift", "unknown key"),
                 ("pair", "teeth = 0\n", "gear2.teeth", "1")):
             with self.subTest(verb=verb, extra=extra):
-                r = Run(verb, RACK + extra)
+                verb, *options = verb.split()
+                r = Run(verb, RACK + extra, *options)
                 self.assertEqual(r.status, 1)
                 for w in words:
                     self.assertIn(w, r.err)
         r = Run("pair", RACK.replace("teeth = 20", "teeth = -60"))
         self.assertEqual(r.status, 1)
         self.assertIn("gear1.teeth = -60: a rack meshes with an external gear only", r.err)
+
+    def test_the_section_is_that_of_the_basic_rack(self):
+        r = Run("outline", RACK + "teeth = 9\nheight_mm = 12\n", "--gear", "2", "--json")
+        self.assertEqual(r.status, 0, r.err)
+        arcs = {a["name"]: a["points"] for a in json.loads(r.out)["arcs"]}
+        self.assertEqual(list(arcs), ["root_land", "root_fillet", "flank", "tip_land"])
+        self.assertEqual(arcs["root_land"][0], [-2.5, math.pi])
+        self.assertEqual(arcs["tip_land"][-1], [2.0, 0.0])
+        for x, y in arcs["flank"]:
+            self.assertAlmostEqual(y, math.pi / 2 - x * math.tan(math.radians(20)), 13)
+
+    def test_files_of_the_rack_and_of_the_assembly(self):
+        for helix in ("", "helix_angle_deg = 20\n"):
+            spec = RACK.replace("[gear2]", helix + "[gear2]") + "teeth = 10\nheight_mm = 12\n"
+            with self.subTest(helix=helix), tempfile.TemporaryDirectory() as folder:
+                out = Path(folder) / "out"
+                r = Run("run", spec, "--out", out)
+                self.assertEqual(r.status, 0, r.err)
+                written = {p.name for p in out.iterdir()}
+                kinds = ("step", "stl", "3mf", "dxf", "svg")
+                self.assertLessEqual({f"gear{i}.{k}" for i in (1, 2) for k in kinds}, written)
+                self.assertLessEqual({"pair.step", "pair.glb", "report.html", "result.json", "drawing.pdf"}, written)
+                page = (out / "report.html").read_text()
+                for words in ("rack and pinion</p>", "The mesh at the pitch point", "Travel per turn"):
+                    self.assertTrue(words in page, words)
+                # The drawing of the rack alone is as large as the bar, 10 pitches by 14 mm and a margin.
+                length = 10 * 2 * math.pi / math.cos(math.radians(20 if helix else 0))
+                w, h = map(float, re.search(r'width="([\d.]+)mm" height="([\d.]+)mm"', (out / "gear2.svg").read_text()).groups())
+                self.assertAlmostEqual(h - w, length - 14, 5)
+                # The triangles of the solid are inside the bar.
+                triangles = (out / "gear2.stl").read_bytes()
+                self.assertEqual(len(triangles), 84 + 50 * int.from_bytes(triangles[80:84], "little"))
+
+    def test_a_rack_without_a_height_is_reported(self):
+        with tempfile.TemporaryDirectory() as folder:
+            r = Run("run", RACK, "--out", Path(folder) / "out")
+            self.assertEqual(r.status, 0, r.err)
+            self.assertIn("gear2.teeth: is missing", r.out)
+            self.assertTrue("The mesh at the pitch point" in (Path(folder) / "out/report.html").read_text())
 
     def test_a_rack_that_jams_is_red(self):
         r = Run("pair", RACK + "[pair]\ncenter_distance_mm = 19.9\n", "--strict")

@@ -7,6 +7,7 @@
 //   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the internal gear's root fillet
 //   arc_pinion      convex circular-arc teeth, β 20°
 //   double_arcs     convex and concave arcs with a step between them, β −20°
+//   rack_bar        rack of module 2 and width 20 mm, the back 12 mm below the datum line
 //
 // All free of backlash with their cutters at the distances given beside them.
 #pragma once
@@ -15,6 +16,7 @@
 #include <string>
 #include <utility>
 
+#include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
@@ -83,6 +85,18 @@ inline ToothedBody arc_pinion() {
 
 inline ToothedBody double_arcs() {
   return body_of("double arcs", make_gear(arc_spec(DoubleArcRack{}, 15, -20)), Bore{12.0});
+}
+
+inline ToothedBody rack_bar(int teeth, double beta_deg, double allowance = 0.0) {
+  auto pinion = make_gear(
+      testing::plain_spec({.teeth = 20, .module = 2, .beta_deg = -beta_deg, .face_width = 20}));
+  GW_EXPECTS(pinion);
+  const auto pair = mount_rack(std::move(pinion).take(),
+                               {.teeth = teeth, .height = 12.0, .thickness_allowance = allowance});
+  GW_EXPECTS(pair);
+  auto body = rack_body(pair->rack, "rack");
+  GW_EXPECTS(body);
+  return std::move(body).take();
 }
 
 }  // namespace gearwright::testing

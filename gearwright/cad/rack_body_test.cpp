@@ -1,0 +1,148 @@
+// Racks as bodies: contour, area, mesh. Their STEP solids are cases of cad/step_solid_test.cpp.
+//
+// (1) The contour is a chain that closes; straight pieces and chords of the fillets enclose the area.
+// (2) The mesh is closed, every edge twice; its volume is area times width but for the chords of the
+//     fillets; each vertex lies on the teeth, and all of the bar is inside its box.
+// (3) A drawing shows the bar, teeth towards +x, and moves with its pose.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gearwright/cad/contour.hpp"
+#include "gearwright/cad/dxf.hpp"
+#include "gearwright/cad/mesh.hpp"
+#include "gearwright/cad/section.hpp"
+#include "gearwright/cad/svg_outline.hpp"
+#include "gearwright/cad/testing/generated_bodies.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::rack_bar;
+
+std::vector<ToothedBody> racks() {
+  return {rack_bar(5, 0.0),  rack_bar(5, 20.0),      rack_bar(4, -20.0),
+          rack_bar(1, 45.0), rack_bar(3, 10.0, 0.4), rack_bar(2, -0.001)};
+}
+
+// Height of the teeth of rack_bar() at s by the numbers of ISO 53-A, module 2, without the outline.
+double height_of(double s, int teeth, double beta_deg, double allowance) {
+  const double beta = beta_deg * std::numbers::pi / 180, tangent = std::tan(std::numbers::pi / 9);
+  const double pitch = 2 * std::numbers::pi;
+  const double along = s * std::cos(beta) + (teeth - 1) * pitch / 2;
+  const double n = std::abs(std::remainder(along, pitch));
+  const double flank = ((pitch / 2 + allowance) / 2 - n) / tangent;
+  // The fillet's circle touches the land and the flank. A sharp corner lies at −2.5.
+  const double sine = std::sin(std::numbers::pi / 9), cosine = std::cos(std::numbers::pi / 9);
+  const double space = (pitch / 2 - allowance) / 2 - 2.5 * tangent;
+  const double rho = std::min(0.76, space * cosine / (1 - sine));
+  const double center = pitch / 2 - space + rho * (1 - sine) / cosine;
+  if (n >= center) return -2.5;
+  if (n > center - rho * cosine)
+    return -2.5 + rho - std::sqrt(rho * rho - (n - center) * (n - center));
+  return std::min(2.0, flank);
+}
+
+TEST(RackBody, contour_is_closed_and_encloses_the_area) {  // (1)
+  for (const ToothedBody& body : racks()) {
+    const Contour contour = rack_contour(body.outline, *body.rack);
+    double area = 0.0;
+    for (std::size_t i = 0; i < contour.pieces.size(); ++i) {
+      const ContourPiece& piece = contour.pieces[i];
+      EXPECT_EQ(piece.end, contour.pieces[(i + 1) % contour.pieces.size()].begin);
+      std::vector<Vec2> points{piece.begin, piece.end};
+      if (!piece.land) points = placed(contour, piece, sample(body.outline.arcs[piece.arc], 400));
+      for (std::size_t j = 0; j + 1 < points.size(); ++j)
+        area += 0.5 * (points[j].x() * points[j + 1].y() - points[j].y() * points[j + 1].x());
+    }
+    // A chord of a fillet adds ρ² Δ³/12 in the normal section, Δ = (π/2 − α)/399 each.
+    const double turn = 7 * std::numbers::pi / 18, rho = body.rack->fillet_radius;
+    const double chords = 2 * body.outline.teeth * std::hypot(1.0, body.rack->slope) * rho * rho *
+                          std::pow(turn, 3) / (12 * 399.0 * 399.0);
+    EXPECT_NEAR(area - metal_area(body), chords, 1e-3 * chords);
+    // Without fillets, the space has the depth 2.5 mm. They fill less than 0.2 mm² at each corner.
+    const double sharp = body.outline.teeth * body.rack->pitch * 12.0;
+    EXPECT_NEAR(metal_area(body) / sharp, 1.0, 0.1);
+  }
+}
+
+TEST(RackBody, mesh_is_closed_and_on_the_teeth) {  // (2)
+  const std::vector<std::array<double, 3>> numbers{{5, 0, 0},  {5, 20, 0},   {4, -20, 0},
+                                                   {1, 45, 0}, {3, 10, 0.4}, {2, -0.001, 0}};
+  const auto bodies = racks();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const ToothedBody& body = bodies[i];
+    const auto mesh = tessellate(body, {.chord_tolerance_mm = 0.002});
+    ASSERT_TRUE(mesh);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const Triangle& t : mesh->triangles)
+      for (std::size_t k = 0; k < 3; ++k) ++uses[{t[k], t[(k + 1) % 3]}];
+    for (const auto& [edge, times] : uses) {
+      EXPECT_EQ(times, 1);
+      EXPECT_TRUE(uses.contains({edge.second, edge.first})) << i;
+    }
+    EXPECT_EQ(mesh->vertices.size() + mesh->triangles.size(), uses.size() / 2 + 2) << i;
+    const double exact = metal_area(body) * 20.0;
+    // Chords of the fillets add material: their length is below 1.1 mm on each side of a tooth.
+    const double most = 0.002 * 2.2 * body.outline.teeth * 20.0 * std::hypot(1.0, body.rack->slope);
+    EXPECT_GE(mesh_volume(*mesh), exact * (1 - 1e-12)) << i;
+    EXPECT_LE(mesh_volume(*mesh), exact + most) << i;
+    const double end = body.outline.teeth * body.rack->pitch / 2;
+    for (const Vec3& p : mesh->vertices) {
+      EXPECT_LE(std::abs(p.y()), end);
+      EXPECT_LE(std::abs(p.z()), 10.0);
+      if (p.x() == -12.0) continue;
+      const double s = p.y() - p.z() * body.rack->slope;
+      // Vertices inside a fillet's facet lie on its chord, at most the tolerance above the circle.
+      const double x = height_of(s, static_cast<int>(numbers[i][0]), numbers[i][1], numbers[i][2]);
+      EXPECT_NEAR(p.x(), x + 0.001, 0.0011 + 0.001) << i << " " << s;
+    }
+    for (std::size_t k = 0; k < mesh->triangles.size(); ++k) {
+      const Triangle &t = mesh->triangles[k], &shaded = mesh->shaded_triangles[k];
+      const Vec3 a = mesh->vertices[t[0]], b = mesh->vertices[t[1]], c = mesh->vertices[t[2]];
+      const Vec3 out = (b - a).cross(c - a).normalized();
+      for (std::size_t j = 0; j < 3; ++j) {
+        EXPECT_EQ(mesh->shaded_vertices[shaded[j]], t[j]);
+        // Facets of a fillet turn by at most 0.26 rad.
+        EXPECT_GT(mesh->normals[shaded[j]].dot(out), std::cos(0.26)) << i;
+      }
+    }
+  }
+}
+
+TEST(RackBody, drawings_contain_the_bar) {  // (3)
+  for (const ToothedBody& body : racks()) {
+    const auto svg = svg_drawing(body);
+    ASSERT_TRUE(svg);
+    EXPECT_LE(svg->deviation_mm, kSvgTolerance_mm);
+    for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
+      const auto dxf = dxf_drawing(body, {style, {}});
+      ASSERT_TRUE(dxf);
+      EXPECT_LE(dxf->deviation_mm, dxf->tolerance_mm);
+    }
+  }
+}
+
+TEST(RackBody, what_is_missing_is_named) {
+  const auto pair = mount_rack(
+      make_gear(testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20})).value(),
+      {.height = 2.0});
+  ASSERT_TRUE(pair);
+  RackGeometry rack = pair->rack;
+  EXPECT_EQ(rack_body(rack, "rack").error().field, "gear2.teeth");
+  rack.bar.teeth = 4;
+  EXPECT_EQ(rack_body(rack, "rack").error().field, "gear2.height");
+  EXPECT_NE(rack_body(rack, "rack").error().rule.find("2.501"), std::string::npos);
+  rack.bar.height.reset();
+  EXPECT_EQ(rack_body(rack, "rack").error().field, "gear2.height");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,79 @@
+// The picture of a rack and its pinion: the drawn section touches the pinion at C and nowhere enters
+// it, and the backlash opens on the other side.
+#include "gearwright/figure/rack_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
+
+namespace gearwright {
+namespace {
+
+RackPair drawn_pair(double x, double beta, double further) {
+  Gear pinion = testing::taken(make_gear({.teeth = 18,
+                                          .normal_module = 2,
+                                          .helix_angle = Angle::degrees(beta),
+                                          .profile_shift = x,
+                                          .face_width = 20}));
+  const double h = pinion.reference_diameter / 2 + 2 * x + further;
+  return testing::taken(mount_rack(std::move(pinion), {.teeth = 9, .height = 10}, h));
+}
+
+bool in_section(const Vec2& p, const std::vector<Vec2>& polygon) {
+  bool in = false;
+  for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[i + 1];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      in = !in;
+  }
+  return in;
+}
+
+TEST(RackMeshFigure, flanks_touch_at_the_pitch_point) {
+  for (const auto& [x, beta, further] :
+       {std::tuple{0.0, 0.0, 0.0}, std::tuple{0.2, 0.0, 0.1}, std::tuple{0.1, 20.0, 0.05}}) {
+    const RackPair p = drawn_pair(x, beta, further);
+    const std::vector<Vec2> section = testing::taken(rack_section(p, 50));
+    EXPECT_EQ(section.front(), section.back());
+    const double turn = rack_pinion_rotation(p), step = 2 * M_PI / 18;
+    double nearest = 1.0;
+    for (int k = -2; k <= 2; ++k)
+      for (const Arc& arc : p.pinion.tooth->outline.arcs)
+        for (const int side : {+1, -1})
+          for (int i = 0; i <= 400; ++i) {
+            const Vec2 w = arc.point(i / 400.0);
+            const double a = turn + k * step, c = std::cos(a), s = std::sin(a);
+            const Vec2 q(c * w.x() - side * s * w.y(), s * w.x() + side * c * w.y());
+            nearest = std::min(nearest, (q - Vec2(p.pinion.reference_diameter / 2, 0)).norm());
+            // Chords of the fillets are 2e-4 mm off at most; 1e-3 mm inside would be an overlap.
+            const Vec2 to_axis = 1e-3 * q.normalized();
+            EXPECT_FALSE(in_section(q - to_axis, section)) << x << " " << k;
+          }
+    EXPECT_LT(nearest, 0.01);  // points are at most 0.01 mm apart
+    // At C the section has a point on the flank: just below C is the rack, just above it is not.
+    const Vec2 C(p.pinion.reference_diameter / 2, 0);
+    EXPECT_TRUE(in_section(C - Vec2(0, 1e-6), section));
+    EXPECT_FALSE(in_section(C + Vec2(0, 1e-6), section));
+  }
+}
+
+TEST(RackMeshFigure, is_drawn) {
+  const RackPair p = drawn_pair(0.1, 15, 0.05);
+  const Figure f = testing::taken(rack_mesh_figure(p, "gear1", 1.2));
+  const std::string html = figure_html(f, 640);
+  for (const char* words : {"href=\"#gear1\"", "action-dot", "body g2"})
+    EXPECT_NE(html.find(words), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,14 @@
+// The part of the report about a rack and its pinion: the mesh in section, and the numbers of both.
+#pragma once
+
+#include <string>
+
+#include "gearwright/pair/rack_pair.hpp"
+
+namespace gearwright {
+
+/// The section of the page. `shape` is the name of the pinion's definition (gear_shape.hpp). If the
+/// rack has no outline, a paragraph gives the reason in place of the picture.
+std::string rack_section(const RackPair& pair, const std::string& shape);
+
+}  // namespace gearwright
