@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gearwright/arrange/given_material.hpp"
+#include "gearwright/compliance/shaft.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -73,6 +74,7 @@ struct GearInput {
   ToleranceInput tolerance;
   std::optional<Bore> bore;
   MaterialInput material;
+  std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
   /// A gear by all its numbers, including its profile shift; reset the shift to have it computed.

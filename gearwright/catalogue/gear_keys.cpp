@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/measured_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/shaft_keys.hpp"
 
 namespace gearwright {
 
@@ -170,6 +171,8 @@ const KeyTable& gear_keys() {
                  "a circular arc in place of the tip that the rack cuts"),
        Key::part("modifications", modification_keys, {}, "flank modifications"),
        Key::part("material", material_keys, &GearInput::material, "material of the teeth"),
+       Key::part("shaft", shaft_keys, &GearInput::shaft,
+                 "shaft and bearings, whose deflection determines K_Hβ of `rate`"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; for an internal gear its rim"),
        Key::part("double_helical", double_helical_keys, {},
@@ -193,7 +196,7 @@ const KeyTable& gear_keys() {
 const KeyTable& cutter_keys() {
   static const KeyTable table = [] {
     KeyTable t = without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material",
-                                       "form", "double_helical"});
+                                       "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; module and angles where they are not those of the gear or its "

@@ -90,6 +90,11 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
                     "cannot be combined with [rating.mounting], which determines it; leave one of "
                     "them out"};
   }
+  if (rating.input.mounting && rating.input.misalignment) {
+    return KeyFault{"misalignment_um",
+                    "belongs to the shafts of the gears; [rating.mounting] has its own key "
+                    "misalignment_um"};
+  }
   if (given("plastic") && !plastics)
     return KeyFault{"plastic", "belongs to standard = \"VDI 2736:2014\""};
   if (!rating.spectrum.empty() && plastics) {
@@ -179,7 +184,12 @@ const KeyTable& rating_keys() {
                    "Z_NT and Y_NT at 10¹⁰ cycles; more than 0.85 only with optimum manufacture and "
                    "lubrication"),
        factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
-              "from `[rating.mounting]`", "face load factor of the flank, given"),
+              "from `[rating.mounting]` or the shafts of the gears",
+              "face load factor of the flank, given"),
+       Key::not_negative("misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment},
+                         "√(f_Hβ1² + f_Hβ2²)",
+                         "mesh misalignment from manufacture, with `[gear1.shaft]` or "
+                         "`[gear2.shaft]`"),
        factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
               "face load factor of the root, given"),
        factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "by formula",

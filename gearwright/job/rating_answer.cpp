@@ -67,6 +67,8 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   if (table.web_thickness) {
     answer.input.body = rated_body(*rated, *table.web_thickness, *table.rim_thickness);
   }
+  if (auto& shafts = answer.input.shafts)
+    shafts->hand1 = job.gear(1).spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
   auto made = rate(answer.pair, answer.input);
   if (!made) return made.error();
   answer.rating = std::move(made).take();

@@ -49,9 +49,7 @@ double running_in_misalignment(const std::array<Material, 2>& materials, double 
 FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
                    const std::array<Material, 2>& materials, double mean_load, double c_gamma_beta,
                    const std::array<double, 2>& f_Hbeta, double velocity) {
-  FaceLoad out;
   const Arrangement& a = kArrangements[static_cast<std::size_t>(mounting.arrangement)];
-  out.offset_in_range = mounting.offset <= a.most * mounting.bearing_span;
   const double d1 = pair.gears[0].reference_diameter;
   const double b = pair.face_width;
   const double k = mounting.stiffening ? a.stiff : a.loose;
@@ -59,11 +57,22 @@ FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
                        std::pow(d1 / mounting.shaft_diameter, 4);
   const double f_sh = mean_load * 0.023 * (std::abs(1.0 + lever - 0.3) + 0.3) * (b / d1) * (b / d1);
   const double f_ma = mounting.manufacture.value_or(std::hypot(f_Hbeta[0], f_Hbeta[1]));
+  FaceLoad out =
+      face_load({f_sh, "ISO 6336-1, 7.5.3", mounting.stiffening ? "with stiffening" : "without"},
+                f_ma, materials, mean_load, c_gamma_beta, f_Hbeta, velocity);
+  out.offset_in_range = mounting.offset <= a.most * mounting.bearing_span;
+  return out;
+}
+
+FaceLoad face_load(const Factor& f_sh, double f_ma, const std::array<Material, 2>& materials,
+                   double mean_load, double c_gamma_beta, const std::array<double, 2>& f_Hbeta,
+                   double velocity) {
+  FaceLoad out;
   const double least = std::max(0.005 * mean_load, 0.5 * std::max(f_Hbeta[0], f_Hbeta[1]));
-  const double f_x = 1.33 * f_sh + f_ma;
+  const double f_x = 1.33 * f_sh.value + f_ma;
   const double f_betax = std::max(f_x, least);
   const double f_betay = f_betax - running_in_misalignment(materials, f_betax, velocity);
-  out.f_sh = Factor{f_sh, "ISO 6336-1, 7.5.3", mounting.stiffening ? "with stiffening" : "without"};
+  out.f_sh = f_sh;
   out.F_betax = Factor{f_betax, "ISO 6336-1, 7.5.2, (52)",
                        f_x >= least ? "1.33 f_sh + f_ma" : "the least, F_βx min"};
   out.F_betay = Factor{f_betay, "ISO 6336-1, 7.5.2", ""};

@@ -47,6 +47,13 @@ FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
                    const std::array<Material, 2>& materials, double mean_load, double c_gamma_beta,
                    const std::array<double, 2>& f_Hbeta, double velocity);
 
+/// K_Hβ without helix modification, from f_sh and f_ma, µm.
+///
+/// Formula   [T11.12], [T11.13]
+FaceLoad face_load(const Factor& f_sh, double f_ma, const std::array<Material, 2>& materials,
+                   double mean_load, double c_gamma_beta, const std::array<double, 2>& f_Hbeta,
+                   double velocity);
+
 /// Formula   [T11.14]; ISO 6336-1, 7.6: K_Hβ^(N_F), N_F of the lesser b/h, at least 3
 Factor face_load_root(const RatedPair& pair, double K_Hbeta);
 

@@ -12,7 +12,8 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
         "rating.quality",
         "; K_v and K_Hα depend on the accuracy grade of ISO 1328, 0 to 12; give it, `quality` = 6 "
         "for example, or give both factors"));
-  } else if (!in.quality && !in.face_load_factor && in.mounting && !in.mounting->manufacture) {
+  } else if (!in.quality && !in.face_load_factor &&
+             (in.mounting ? !in.mounting->manufacture : in.shafts && !in.misalignment)) {
     missing.push_back(
         absent_input("rating.quality",
                      "; the face load factor needs the helix slopes; give the accuracy grade of "
@@ -24,7 +25,7 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
                      "; the dynamic factor needs it; give the speed, `speed` = 1500 for example, "
                      "or the factor itself"));
   }
-  if (!in.face_load_factor && !in.mounting) {
+  if (!in.face_load_factor && !in.mounting && !in.shafts) {
     missing.push_back(absent_input("rating.face_load_factor",
                                    "; give it, `face_load_factor` = 1.2 for example, or the "
                                    "arrangement of the pinion, `mounting`"));

@@ -112,8 +112,16 @@ void Rater::distribution() {
   if (in.face_load_factor) {
     r.face.K_Hbeta = given(*in.face_load_factor);
   } else {
-    r.face = face_load(pair, *in.mounting, materials, mean, r.stiffness.c_gamma_beta.value,
-                       {tolerance[0].f_Hbeta, tolerance[1].f_Hbeta}, velocity);
+    const double c = r.stiffness.c_gamma_beta.value;
+    const std::array<double, 2> f_Hbeta{tolerance[0].f_Hbeta, tolerance[1].f_Hbeta};
+    if (in.mounting) {
+      r.face = face_load(pair, *in.mounting, materials, mean, c, f_Hbeta, velocity);
+    } else {
+      const double f_sh = shaft_misalignment(pair, *in.shafts, mean * pair.face_width);
+      const double f_ma = in.misalignment.value_or(std::hypot(f_Hbeta[0], f_Hbeta[1]));
+      r.face = face_load({f_sh, "ISO 6336-1, 7.5", "bending and torsion of the given shafts"}, f_ma,
+                         materials, mean, c, f_Hbeta, velocity);
+    }
   }
   const double K_Hbeta = r.face.K_Hbeta.value;
   r.K_Fbeta =

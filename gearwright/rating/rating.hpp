@@ -21,6 +21,7 @@
 #include "gearwright/rating/flank.hpp"
 #include "gearwright/rating/plastic.hpp"
 #include "gearwright/rating/root.hpp"
+#include "gearwright/rating/shaft_misalignment.hpp"
 #include "gearwright/rating/stiffness.hpp"
 
 namespace gearwright {
@@ -44,6 +45,8 @@ struct RatingInput {
   std::optional<double> transverse_load_factor;       ///< K_Hα
   std::optional<double> transverse_load_factor_root;  ///< K_Fα
   std::optional<PinionMounting> mounting;
+  std::optional<MeshShafts> shafts;    ///< for K_Hβ without it or a mounting
+  std::optional<double> misalignment;  ///< f_ma  µm, with `shafts`; none: as for a mounting
   std::optional<RatedBody> body;
   std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
   LifeChoice life;
@@ -81,7 +84,7 @@ std::optional<Error> missing_input(const RatingInput& input);
 
 /// Formula   [T11.1], [T11.22], [T11.40]
 /// Errors    `rating.speed` where K_v or the lives need it, `rating.quality`, `rating.face_load_factor`
-///           where neither it nor a mounting is given, `gearN.rack` where no tangent touches the root
+///           where neither it nor a mounting nor a shaft is given, `gearN.rack` where no tangent touches the root
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T    (2) lengths times k and torque times k³: the same stresses
 ///           (3) gear 1 and gear 2 exchanged, with torque and speed of the other: the same numbers
 ///           by VDI 2736 `rating.plastic…`, `gearN.material…` where it has no value at the temperature

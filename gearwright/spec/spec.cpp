@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rack_bar_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -119,6 +120,33 @@ void share_with_rating(const Json& tree, JobSpec& spec) {
     rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
 }
 
+// Passes the shafts of the gears to [rating].
+void share_shafts(const Json& tree, JobSpec& spec) {
+  MeshShafts shafts;
+  shafts.gear2_drives = spec.load.driver == 2;
+  for (const int which : {1, 2}) {
+    const auto i = static_cast<std::size_t>(which - 1);
+    const auto& gear = spec.gears[i];
+    if (!gear || !gear->shaft) continue;
+    const std::string key = gear_field(which, "shaft");
+    const auto refuse = [&](const char* why) { throw SpecError{{key, "", why}}; };
+    if (tree.contains("search"))
+      refuse(
+          "does not apply to a search, whose gears have no place on a shaft; give "
+          "rating.face_load_factor or [rating.mounting]");
+    if (gear->cylindrical.teeth < 0)
+      refuse(
+          "does not apply to an internal gear, whose rim is no shaft; the shaft of the pinion "
+          "alone determines the face load factor");
+    if (spec.rating.input.mounting)
+      refuse(
+          "cannot be combined with [rating.mounting], which describes the shaft of the pinion "
+          "too; leave one of them out");
+    shafts.of[i] = gear->shaft;
+  }
+  if (shafts.any()) spec.rating.input.shafts = shafts;
+}
+
 // A rack as gear 2. Its pair has only the keys of its position.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
@@ -207,6 +235,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   for (const Key& key : spec_keys().keys)
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   share_with_rating(tree, spec);
+  share_shafts(tree, spec);
   if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });
   if (spec.search) lacks.of([&] { read_search_drawing(*search, *spec.search); });
   t.finish();

@@ -52,6 +52,30 @@ class Rate(unittest.TestCase):
         self.assertEqual(run.status, 0, run.err)
         return run.json["rating"]
 
+    def test_shafts_determine_the_face_load_factor(self):
+        own = RATING.replace("face_load_factor = 1.15\n", "")
+        shaft = "[gear1.shaft]\nbearings_mm = [-300, 420]\ndiameter_mm = 250\n"
+        rigid = self.rated(spec(own + "misalignment_um = 20\n" + shaft.replace("250", "250000")))
+        self.assertAlmostEqual(rigid["F_betax_um"], 1.33 * rigid["f_sh_um"] + 20, places=6)
+        soft = self.rated(spec(own + "misalignment_um = 20\n" + shaft))
+        self.assertAlmostEqual(soft["F_betax_um"], 1.33 * soft["f_sh_um"] + 20, places=6)
+        self.assertGreater(soft["K_Hbeta"], rigid["K_Hbeta"])
+        self.assertEqual(self.rated(spec(RATING + shaft))["K_Hbeta"], 1.15)
+
+    def test_shafts_that_are_impossible(self):
+        own = RATING.replace("face_load_factor = 1.15\n", "")
+        good = "[gear1.shaft]\nbearings_mm = [-300, 420]\ndiameter_mm = 250\n"
+        mounting = "[rating.mounting]\nbearing_span_mm = 720\nshaft_diameter_mm = 250\n"
+        for text, key, word in [
+                (good.replace("-300", "420"), "gear1.shaft.bearings_mm", "must grow"),
+                (good + "steps_mm = [0]\n", "gear1.shaft.steps_mm", "several diameters"),
+                (good.replace("250", "[250, 200]"), "gear1.shaft.steps_mm", "one number less"),
+                (good.replace("250", "[250, 200, 150]") + "steps_mm = [50, 0]\n", "gear1.shaft.steps_mm", "must grow"),
+                (good.replace("250", "-250"), "gear1.shaft.diameter_mm", "> 0"),
+                (good + mounting, "gear1.shaft", "rating.mounting")]:
+            with self.subTest(key=key, word=word):
+                self.refused(spec(own + text), key, word)
+
     def refused(self, text, key, word):
         run = Run("rate", text, "--json")
         self.assertEqual(run.status, 1, run.out[:200])

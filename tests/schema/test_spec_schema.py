@@ -118,6 +118,7 @@ TABLES = {
     "measured_ball": (of_gear(measured={"over_balls_mm": [{"ball_diameter_mm": 5, "dimension_mm": 69}]}),
                       ("gear1", "measured", "over_balls_mm", 0)),
     "bore": (of_gear(bore={"diameter_mm": 10, "keyway_width_mm": 3, "keyway_depth_mm": 1}), ("gear1", "bore")),
+    "shaft": (of_gear(shaft={"bearings_mm": [-60, 45], "diameter_mm": [35, 42], "steps_mm": [-20]}), ("gear1", "shaft")),
     "modifications": (of_gear(modifications={}), ("gear1", "modifications")),
     "rack": (of_gear(rack={}), ("gear1", "rack")),
     "rack_circular_arc": (of_gear(rack=F), ("gear1", "rack")),
