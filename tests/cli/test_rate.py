@@ -71,7 +71,7 @@ class Rate(unittest.TestCase):
                 (good + "steps_mm = [0]\n", "gear1.shaft.steps_mm", "several diameters"),
                 (good.replace("250", "[250, 200]"), "gear1.shaft.steps_mm", "one number less"),
                 (good.replace("250", "[250, 200, 150]") + "steps_mm = [50, 0]\n", "gear1.shaft.steps_mm", "must grow"),
-                (good.replace("250", "-250"), "gear1.shaft.diameter_mm", "> 0"),
+                (good.replace("250", "-250"), "gear1.shaft.diameter_mm", "greater than 0"),
                 (good + mounting, "gear1.shaft", "rating.mounting")]:
             with self.subTest(key=key, word=word):
                 self.refused(spec(own + text), key, word)
