@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/violation.hpp"
 
@@ -107,7 +109,15 @@ TEST(Curve, says_of_which_kind_it_is) {
   EXPECT_EQ(curve_if<Involute>(circle), nullptr);
   EXPECT_EQ(curve_if<AxisCircle>(circle), &circle);
   EXPECT_EQ(curve_if<Curve>(spiral), &spiral);
-  EXPECT_EQ(curve_if<Curve>(circle), nullptr);
+  const auto name = Overloaded{[](const Involute*) { return "involute"; },
+                               [](const AxisCircle*) { return "circle"; },
+                               [](const Curve*) { return "other"; }};
+  const auto visited = [&](const Curve& c) {
+    return std::string(visit_curve<AxisCircle, Involute>(c, name));
+  };
+  EXPECT_EQ(visited(involute), "involute");
+  EXPECT_EQ(visited(circle), "circle");
+  EXPECT_EQ(visited(spiral), "other");
   GW_EXPECT_VIOLATION(static_cast<void>(curve_as<Involute>(circle)));
 }
 

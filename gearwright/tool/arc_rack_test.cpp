@@ -55,7 +55,7 @@ TEST(ArcRack, full_radius) {
   }
 }
 
-// "Pointed" names the height at which both flank arcs meet: that addendum is the greatest.
+// The message names the height at which both flank arcs meet: that addendum is the greatest.
 TEST(ArcRack, the_limits_named_are_the_limits) {
   ArcRack F = rack_of(Cutter::F);
   const double top = std::sqrt(F.arc_radius * F.arc_radius - F.center_a * F.center_a) - F.center_b;
@@ -63,7 +63,7 @@ TEST(ArcRack, the_limits_named_are_the_limits) {
   EXPECT_EQ(key_of(F), "made");
   F.addendum = top * (1 + 1e-12);
   EXPECT_EQ(key_of(F), "rack.addendum");
-  EXPECT_NE(arcs_of(F).error().message().find("pointed"), std::string::npos);
+  EXPECT_NE(arcs_of(F).error().message().find("meet in a point"), std::string::npos);
   ArcRack deep = rack_of(Cutter::F);
   deep.dedendum = deep.center_b + deep.root_fillet_radius - 1e-9;
   EXPECT_EQ(key_of(deep), "made");

@@ -134,7 +134,7 @@ arcs = [
                          ("center_a = 0.422436\n", "center_a"), ("center_b = 0.243893\n", "center_b")):
             self.refused(rack(old, ""), f"gear1.rack.{key}", "missing", verb="gear")
         self.refused(rack("arc_radius = 1.4", "arc_radius = -1"), "gear1.rack.arc_radius", "greater than 0", verb="gear")
-        self.refused(F + "addendum = 1.2\n", "gear1.rack.addendum", "pointed", "1.09", verb="gear")
+        self.refused(F + "addendum = 1.2\n", "gear1.rack.addendum", "meet in a point", "1.09", verb="gear")
         self.refused(F + "dedendum = 0.7\n", "gear1.rack.dedendum", "0.593", verb="gear")
         self.refused(F + "tip_fillet_radius = 0.1\n", "gear1.rack.tip_fillet_radius", "root_fillet_radius", verb="gear")
         self.refused(rack("pressure_angle_deg = 30", "pressure_angle_deg = 80"), "gear1.rack.pressure_angle_deg", verb="gear")
