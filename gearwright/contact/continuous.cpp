@@ -122,6 +122,8 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? 1.0 : -1.0;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
+    // The end was found in smaller steps, and one large step may lose the branch.
+    if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
       // The branch may be greatest where it begins or ends.

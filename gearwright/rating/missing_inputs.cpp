@@ -28,8 +28,7 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
   if (!in.face_load_factor && !in.mounting && !in.shafts) {
     missing.push_back(absent_input("rating.face_load_factor",
                                    "; give it, `face_load_factor` = 1.2 for example, or the "
-                                   "arrangement of the pinion, `mounting`; for a pair also "
-                                   "[gear1.shaft] and [gear2.shaft]"));
+                                   "arrangement of the pinion, `mounting`"));
   }
   return missing;
 }

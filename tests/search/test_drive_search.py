@@ -35,10 +35,10 @@ class DriveSearch(unittest.TestCase):
 
     def test_a_life_uses_the_speed_of_the_search(self):
         keys = SET | {"speed_rpm": 1500, "torque_Nm": 60, "face_width_mm": [10, 60], "safety_root_min": 1.4}
-        rating = "\n[rating]\nlife_h = 10000\nquality = 6\n[rating.material]\nname = \"16MnCr5\"\n"
+        rating = "\n[rating]\nlife_h = 10000\nquality = 6\nface_load_factor = 1.2\n[rating.material]\nname = \"16MnCr5\"\n"
         found = Run("search", None, "--json", "--top", "1", folder=folder(spec(keys, rating)))
         self.assertEqual(found.status, 0, found.err)
-        with_speed = Run("search", None, "--json", "--top", "1", folder=folder(spec(keys, rating + "speed_rpm = 1500\n")))
+        with_speed = Run("search", None, "--json", "--top", "1", folder=folder(spec(keys, rating.replace("[rating]", "[rating]\nspeed_rpm = 1500"))))
         self.assertEqual(found.json["search"]["designs"], with_speed.json["search"]["designs"])
 
     def test_a_greatest_size(self):
