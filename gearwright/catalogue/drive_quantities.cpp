@@ -25,23 +25,9 @@ Value degrees_of(const Rational& turns) { return Value(360 * turns.value()); }
 
 bool flows(const Drive& d) { return d.flow && !d.flow->self_locking(); }
 
-// The rating of a mesh as that of a pair.
 Value rating_of(const DriveMeshView& v) {
-  const auto& made = v.drive->ratings[v.mesh];
-  if (!made) return {};
-  const RatingInput& in = made->input;
-  const double ratio = std::abs(static_cast<double>(made->pair.gears[made->pair.place(2)].teeth) /
-                                made->pair.gears[made->pair.place(1)].teeth);
-  const double n = in.speed.value_or(0.0);
-  return Value(rating_quantities().of({in,
-                                       made->rating,
-                                       in.torque * n * 2 * std::numbers::pi / 60.0 / 1000.0,
-                                       {in.torque, in.torque * ratio},
-                                       {n, n / ratio},
-                                       std::nullopt,
-                                       std::nullopt,
-                                       std::nullopt,
-                                       std::nullopt}));
+  const auto record = mesh_rating(*v.drive, v.mesh);
+  return record ? Value(*record) : Value();
 }
 
 // The same for each, by its name.
@@ -399,6 +385,24 @@ const Quantities<PlanetSet>& phasing_quantities() {
 const Quantities<Drive>& drive_quantities() {
   static const Quantities<Drive> kAll("drive", say);
   return kAll;
+}
+
+std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh) {
+  const auto& made = drive.ratings[mesh];
+  if (!made) return std::nullopt;
+  const RatingInput& in = made->input;
+  const double ratio = std::abs(static_cast<double>(made->pair.gears[made->pair.place(2)].teeth) /
+                                made->pair.gears[made->pair.place(1)].teeth);
+  const double n = in.speed.value_or(0.0);
+  return rating_quantities().of({in,
+                                 made->rating,
+                                 in.torque * n * 2 * std::numbers::pi / 60.0 / 1000.0,
+                                 {in.torque, in.torque * ratio},
+                                 {n, n / ratio},
+                                 std::nullopt,
+                                 std::nullopt,
+                                 std::nullopt,
+                                 std::nullopt});
 }
 
 }  // namespace gearwright

@@ -1,6 +1,8 @@
 // The quantities of a whole drive: `drive` of a result.
 #pragma once
 
+#include <optional>
+
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/drive/drive.hpp"
 
@@ -19,6 +21,8 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
+/// The rating of a mesh as that of a pair; none of an idle mesh.
+std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 const Quantities<PlanetSet>& assembly_quantities();
 const Quantities<PlanetSet>& phasing_quantities();
 

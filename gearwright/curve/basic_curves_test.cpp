@@ -109,9 +109,9 @@ TEST(Curve, says_of_which_kind_it_is) {
   EXPECT_EQ(curve_if<Involute>(circle), nullptr);
   EXPECT_EQ(curve_if<AxisCircle>(circle), &circle);
   EXPECT_EQ(curve_if<Curve>(spiral), &spiral);
-  const auto name = Overloaded{[](const Involute*) { return "involute"; },
-                               [](const AxisCircle*) { return "circle"; },
-                               [](const Curve*) { return "other"; }};
+  const auto name =
+      Overloaded{[](const Involute*) { return "involute"; },
+                 [](const AxisCircle*) { return "circle"; }, [](const Curve*) { return "other"; }};
   const auto visited = [&](const Curve& c) {
     return std::string(visit_curve<AxisCircle, Involute>(c, name));
   };

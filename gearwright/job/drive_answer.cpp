@@ -113,6 +113,24 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
+std::string safety_listing(const Drive& drive) {
+  std::string out =
+      fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
+                  "T1 N m", "n1 1/min", "S_H1", "S_H2", "S_F1", "S_F2");
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    const auto& r = drive.ratings[m];
+    const auto safety = [&](const FactorPair& s, std::size_t i) {
+      return r ? fixed_decimals(s[i].value, 3) : std::string(kAbsent);
+    };
+    if (!r) continue;
+    out += fmt::format(
+        "  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", printable(drive.graph.meshes[m].name, 17),
+        fixed_decimals(r->input.torque, 3), number(r->input.speed, 2), safety(r->rating.S_H, 0),
+        safety(r->rating.S_H, 1), safety(r->rating.S_F, 0), safety(r->rating.S_F, 1));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string drive_listing(const Drive& drive) {
@@ -120,6 +138,7 @@ std::string drive_listing(const Drive& drive) {
       quantity_listing(drive_quantities().table(), {drive_quantities().of(drive)}, {});
   if (drive.motion.ratio && !drive.motion.ratio->whole())
     out += "  exact ratio " + fraction(*drive.motion.ratio) + "\n";
+  if (!drive.ratings.empty()) out += safety_listing(drive);
   out += body_listing(drive) + mesh_listing(drive) + shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set);
   return out;
@@ -142,35 +161,10 @@ Result<Answer> answer_drive(const JobSpec& spec) {
   return answer;
 }
 
-namespace {
-
-std::string safety_listing(const Drive& drive) {
-  std::string out =
-      fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
-                  "T1 N m", "n1 1/min", "S_H1", "S_H2", "S_F1", "S_F2");
-  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
-    const auto& r = drive.ratings[m];
-    const auto safety = [&](const FactorPair& s, std::size_t i) {
-      return r ? fixed_decimals(s[i].value, 3) : std::string(kAbsent);
-    };
-    if (!r) continue;
-    out += fmt::format(
-        "  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", printable(drive.graph.meshes[m].name, 17),
-        fixed_decimals(r->input.torque, 3), number(r->input.speed, 2), safety(r->rating.S_H, 0),
-        safety(r->rating.S_H, 1), safety(r->rating.S_F, 0), safety(r->rating.S_F, 1));
-  }
-  return out;
-}
-
-}  // namespace
-
 Result<Answer> answer_drive_rating(const JobSpec& spec) {
-  auto solved = solve_drive(spec);
+  auto solved = solve_rated_drive(spec);
   if (!solved) return solved.error();
-  DriveJob rated_job = std::move(solved).take();
-  if (auto error = rate_drive(spec, rated_job.drive)) return *error;
-  rated_job.verdict = judge(rated_job);
-  const auto job = std::make_shared<const DriveJob>(std::move(rated_job));
+  const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
   Answer answer;
   answer.record = titled_record(spec);
   answer.record["drive"] = to_json(drive_quantities().of(job->drive));

@@ -135,6 +135,15 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
   return std::nullopt;
 }
 
+Result<DriveJob> solve_rated_drive(const JobSpec& spec) {
+  auto solved = solve_drive(spec);
+  if (!solved) return solved.error();
+  DriveJob job = std::move(solved).take();
+  if (auto error = rate_drive(spec, job.drive)) return *error;
+  job.verdict = judge(job);
+  return job;
+}
+
 WantedSafety wanted_safety(const JobSpec& spec) {
   return {spec.rating.safety_flank_min.value_or(1.0), spec.rating.safety_root_min.value_or(1.0)};
 }

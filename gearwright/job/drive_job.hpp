@@ -31,6 +31,11 @@ Result<DriveJob> solve_drive(const JobSpec& spec);
 /// Errors    `rating.…` for a load that is missing and as material_of(); as rate_meshes()
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 
+/// The drive of a spec with its meshes rated and the verdict over both.
+///
+/// Errors    as solve_drive() and rate_drive()
+Result<DriveJob> solve_rated_drive(const JobSpec& spec);
+
 /// The least safeties of [rating], 1 where it has none.
 WantedSafety wanted_safety(const JobSpec& spec);
 

@@ -105,8 +105,8 @@ std::string drives_listing(const FoundDrives& f) {
   std::string text = fmt::format("{} sets of numbers of teeth, {} within all limits\n",
                                  f.result.tested, f.result.found.size());
   constexpr const char* kWords[] = {"the ratio", "places at which the planets assemble",
-                                    "the clearance of neighbouring planets",
-                                    "the class of phasing", "the greatest size"};
+                                    "the clearance of neighbouring planets", "the class of phasing",
+                                    "the greatest size"};
   for (std::size_t i = 0; i < std::size(kWords); ++i)
     if (f.result.rejected[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kWords[i], f.result.rejected[i]);

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/drive_pictures.hpp"
@@ -85,6 +86,20 @@ std::string power_part(const Drive& drive) {
   TableBuilder whole("The whole drive", {"Value"});
   whole.groups(groups);
   return text + whole.str() + "</section>\n";
+}
+
+// The rating of every mesh, with the factors of the standard.
+std::string strength_part(const Drive& drive) {
+  if (drive.ratings.empty()) return "";
+  std::string text = "<section>\n<h2>Strength</h2>\n";
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    const auto rating = mesh_rating(drive, m);
+    if (!rating) continue;
+    TableBuilder table(drive.graph.meshes[m].name, {"Gear 1", "Gear 2"});
+    table.groups(text_groups(rating_quantities().table(), {*rating}, kPage));
+    text += table.str();
+  }
+  return text + "</section>\n";
 }
 
 std::string planets_part(const Drive& drive) {
@@ -184,8 +199,9 @@ std::string drive_report_html(const DriveReportInput& input) {
       key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures),
       finding_list(input.verdict, ""), picture_hint());
   const std::string sections = drive_overview(input) + section_part(input) + power_part(drive) +
-                               planets_part(drive) + mesh_parts(drive) + gears_part(drive) +
-                               file_section(input.files) + spec_section(input.spec_text);
+                               strength_part(drive) + planets_part(drive) + mesh_parts(drive) +
+                               gears_part(drive) + file_section(input.files) +
+                               spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
   return page + fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", figure_script(),
                             page_script(), turn_script());
