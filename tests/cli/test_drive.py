@@ -93,6 +93,17 @@ class Files(unittest.TestCase):
         self.assertIn('id="scheme"', page)
         self.assertNotIn('id="section-1"', page)
 
+    def test_run_judges_the_safeties_as_rate_does(self):
+        weak = SET + ("torque_Nm = 400\nspeed_rpm = 100\nmaterial = \"42CrMo4\"\n"
+                      "[rating]\nquality = 6\nface_load_factor = 1.2\n")
+        rated = Run("rate", weak, "--json")
+        made = Run("run", weak, "--out", "o", "--json")
+        self.assertEqual(made.json["verdict"], rated.json["verdict"])
+        self.assertEqual(made.json["verdict"]["level"], "red")
+        for mesh in ("sun_planet", "planet_ring"):
+            self.assertEqual(made.json["drive"]["meshes"][mesh]["rating"], rated.json["drive"]["meshes"][mesh]["rating"])
+        self.assertIn(">Strength</h2>", (made.folder / "o/report.html").read_text())
+
     def test_a_red_drive_has_a_remedy_that_helps(self):
         red = SET + "profile_shift = { sun = 0.2, planet = 0.1 }\ntip_diameter_mm = { ring = 137.6 }\n"
         r = Run("drive", red, "--json")
