@@ -8,6 +8,7 @@
 #include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_rating.hpp"
@@ -75,6 +76,12 @@ Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
     return absent_input("rating.torque_Nm",
                         "; a rating needs a load: torque_Nm on the input of the drive, or in "
                         "[rating] torque_Nm, or power_kW with speed_rpm");
+  constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
+  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
+    return Error{"rating.torque_Nm", format_number(*rated),
+                 fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
+                             "out",
+                             format_number(*own))};
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
   if (spec.rating.input.speed) {

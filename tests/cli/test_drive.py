@@ -104,6 +104,14 @@ class Files(unittest.TestCase):
             self.assertEqual(made.json["drive"]["meshes"][mesh]["rating"], rated.json["drive"]["meshes"][mesh]["rating"])
         self.assertIn(">Strength</h2>", (made.folder / "o/report.html").read_text())
 
+    def test_two_torques_that_differ(self):
+        spec = SET + "torque_Nm = 30\nspeed_rpm = 100\nmaterial = \"42CrMo4\"\n[rating]\nquality = 6\nface_load_factor = 1.2\n"
+        refused = Run("rate", spec + "torque_Nm = 40\n", "--json")
+        self.assertEqual((refused.status, refused.json["error"]["key"]), (1, "rating.torque_Nm"), refused.err)
+        self.assertIn("30 N m", refused.json["error"]["message"])
+        same = Run("rate", spec + "torque_Nm = 30\n", "--json")
+        self.assertEqual(same.json["drive"], Run("rate", spec, "--json").json["drive"])
+
     def test_a_red_drive_has_a_remedy_that_helps(self):
         red = SET + "profile_shift = { sun = 0.2, planet = 0.1 }\ntip_diameter_mm = { ring = 137.6 }\n"
         r = Run("drive", red, "--json")
