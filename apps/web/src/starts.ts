@@ -33,7 +33,10 @@ function exampleOf([path, text]: [string, string]): Example {
   const whole = comment.join(" ");
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
-export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
+// The page shows no racks.
+export const kExamples: Example[] = Object.entries(examples)
+  .filter(([, text]) => !/^form = "rack"/m.test(text))
+  .map(exampleOf);
 /** The small picture of a card: the gears in section, whole, without letters. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
