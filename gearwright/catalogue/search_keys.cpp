@@ -81,7 +81,7 @@ std::vector<Key> trial_keys() {
           .with_list(kBand)
           .with_form(std::string("z2/z1, one number") + kBandForm),
       Key::number("pinion_teeth", "z1", Range::between(3, kMaxSearchTeeth), &P::pinion_teeth,
-                  kRequired, "the band of z1, [12, 40]; wheels have at most 20 000 teeth")
+                  "[12, 40]", "the band of z1; wheels have at most 20 000 teeth")
           .with_list(kBand)
           .with_form(std::string("z1, a whole number") + kBandForm)
           .with_also({"teeth", "z"}),
@@ -91,7 +91,7 @@ std::vector<Key> trial_keys() {
        .range = Range::between(1e-3, 1e3, " mm"),
        .list = kNumbers,
        .form = "\"ISO54-I\", \"ISO54-I+II\", \"ISO54-II\", a number or a list of numbers in mm",
-       .required = true,
+       .fallback = "`\"ISO54-I\"`",
        .meaning = "normal modules",
        .fields = {"modules"}},
       Key::positive("center_distance_mm", "a", &P::center_distance, "free",
@@ -196,7 +196,8 @@ std::vector<Key> design_keys() {
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
       Key::number("face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
-                  "none", "the same in reference diameters of the pinion")
+                  "[0.2, 1] if a safety is required and no other width is given, else none",
+                  "the same in reference diameters of the pinion")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),

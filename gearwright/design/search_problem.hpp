@@ -129,7 +129,7 @@ struct SearchProblem {
   std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative for internal pairs
   std::optional<std::array<double, 2>> center_distance;  ///< mm, closed; equal: exactly that
   std::vector<double> modules;                           ///< m_n  mm
-  std::array<int, 2> pinion_teeth{};                     ///< z1, closed
+  std::array<int, 2> pinion_teeth{12, 40};               ///< z1, closed
   std::vector<Angle> helix{Angle()};                     ///< β of gear 1
   std::optional<Angle> shaft_angle;                      ///< Σ of crossed axes; β2 = Σ − β1
   Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n

@@ -16,6 +16,9 @@ using std::numbers::pi;
 // The prior: x_E about 0, any helix angle up to 45°, modules over two decades.
 constexpr double kShiftScatter = 0.5;
 constexpr double kHelixRange = pi / 4;
+// Information of the helix angle's prior, 1/rad²: without readings √(2π)·σ is the whole range. Readings change with β²
+// only, so near 0 they determine a helix angle by less than its prior does.
+constexpr double kHelixInformation = 2 * pi / (kHelixRange * kHelixRange);
 constexpr double kLogModuleRange = 5.0;
 constexpr int kMostSteps = 12;
 
@@ -82,6 +85,7 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
         normal(j, k) = fitted ? std::inner_product(a.begin(), a.end(), b.begin(), 0.0) : j == k;
       }
     }
+    if (unknowns.helix) normal(1, 1) += kHelixInformation;
     if (!(normal.determinant() > 0.0)) return std::nullopt;
     const Eigen::Vector3d delta = normal.inverse() * gradient;
     if (!delta.allFinite()) return std::nullopt;

@@ -58,6 +58,24 @@ TEST(Identify, names_the_reading_that_disagrees) {
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);
 }
 
+// A centre distance and a tip determine no helix angle. A free helix angle then leaves its whole prior range, which
+// counts as no more than that: its evidence must not exceed that of a spur gear.
+TEST(Identify, undetermined_helix_angle_does_not_win) {
+  for (const int z : {17, 21, 34}) {
+    IdentifyProblem p;
+    p.teeth = z;
+    p.tip.value = 2.0 * (z + 2);
+    p.mating_teeth = 43;
+    p.distance.value = z + 43.0;
+    const auto found = testing::taken(identify(p));
+    const IdentifiedGear& first = found.candidates.front();
+    EXPECT_EQ(first.normal_module, 2.0) << z;
+    EXPECT_EQ(first.helix_angle.rad(), 0.0) << z;
+    for (const IdentifiedGear& gear : found.candidates)
+      EXPECT_LE(gear.helix_uncertainty.deg(), 45.0) << z;
+  }
+}
+
 TEST(Identify, says_what_would_decide) {
   auto p = broken_gear();
   p.lead.value.reset();

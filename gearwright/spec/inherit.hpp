@@ -1,6 +1,6 @@
-// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack,
-// material, quality and the angle of the helix, of the opposite hand; an internal gear has the same
-// hand. A material that is only a name becomes a table.
+// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face
+// width, material, quality and the angle of the helix, of the opposite hand; an internal gear has the
+// same hand. A material that is only a name becomes a table.
 //
 // Internal to spec/ and the programs.
 #pragma once
@@ -25,6 +25,10 @@ bool is_rack(const Json& gear);
 /// The spec with every material that is given by its name alone, material = "16MnCr5", as a table
 /// [material] with this name.
 Json with_named_materials(const Json& tree);
+
+/// The spec in which the readings of an unknown gear have the number of teeth of its mating gear
+/// and the centre distance of [pair], if both are given there and not in the readings.
+Json with_mating_gear(const Json& tree);
 
 /// Copies values for the gears of a mounted pair, which both have teeth. A gear that is cut by a
 /// gear or given by its base cylinder takes no shape. No helix is taken if the axes cross at a

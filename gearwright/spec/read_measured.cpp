@@ -34,11 +34,14 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
 
 }  // namespace
 
-bool is_unknown_gear(const Json& gear) {
-  if (!gear.is_object() || !gear.contains("measured")) return false;
+bool has_module(const Json& gear) {
   std::vector<std::string> known = gear_keys().ways("normal_module_mm");
   known.insert(known.end(), {"basic", "cut_by"});
-  return !has_any(gear, known);
+  return has_any(gear, known);
+}
+
+bool is_unknown_gear(const Json& gear) {
+  return gear.is_object() && gear.contains("measured") && !has_module(gear);
 }
 
 std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std::string& path) {

@@ -10,6 +10,9 @@
 
 namespace gearwright {
 
+/// True if the table of a gear gives a module, a base cylinder or a cutter.
+bool has_module(const Json& gear);
+
 /// True for a table of a gear with readings and without a module, which identify has to find.
 bool is_unknown_gear(const Json& gear);
 

@@ -28,7 +28,9 @@ namespace {
 constexpr std::size_t kMaxAngles = 100'000;  // limit for a range with a step
 
 std::vector<double> read_modules(TableReader& t) {
-  const Json& node = *t.any("modules_mm");
+  const Json* given = t.any("modules_mm");
+  if (!given) return iso54_modules(1);
+  const Json& node = *given;
   std::vector<double> modules;
   if (node.is_string()) {
     const auto name = node.get<std::string>();

@@ -1,5 +1,7 @@
 #include "gearwright/spec/read_search_drawing.hpp"
 
+#include <array>
+
 #include "gearwright/arrange/design_drawing.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
@@ -11,6 +13,10 @@ namespace {
 
 constexpr const char* kNoAllowances = "none";
 constexpr const char* kUsualSeries = "cd25";
+
+// Face widths in reference diameters of the pinion: the shaft of a wider pinion bends and
+// twists too much for its whole face to carry, and narrower gears are rare in reducers.
+constexpr std::array kUsualFace{0.2, 1.0};
 
 // A gear and a centre distance that every table covers: only the names are checked here.
 constexpr double kAnyDiameter = 100.0;
@@ -48,6 +54,9 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
 
 void read_search_drawing(const Json& search, SearchProblem& p) {
   const TableReader t(search_keys(), search, "search");
+  const bool wide = p.face_width || p.face_modules || p.face_diameters;
+  const bool safe = p.limits.safety_flank || p.limits.safety_root;
+  if (safe && !wide && !p.crossed() && !p.shift_step) p.face_diameters = kUsualFace;
   SearchAllowances& allowances = p.allowances;
   const bool no_allowances = allowances.series == kNoAllowances;
   if (no_allowances) allowances.series.clear();

@@ -181,7 +181,7 @@ std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::st
 }
 
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
-  Inherited made = inherit(with_named_materials(given));
+  Inherited made = inherit(with_mating_gear(with_named_materials(given)));
   if (is_drive(made.tree) || is_drive_search(made.tree.value("search", Json())))
     lend_speed(made.tree);
   const Json& tree = made.tree;
@@ -198,8 +198,10 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   // With [search], a gear's table without teeth contains only the data that the search does not
   // choose.
   const auto is_gear = [&](const Json* gear) {
+    const Json* other = gear == gear_1 ? gear_2 : gear_1;
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&
-           !(gear == gear_2 && is_rack(*gear));
+           !(gear == gear_2 && is_rack(*gear)) &&
+           !(other && is_unknown_gear(*other) && !has_module(*gear));
   };
   spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
   const bool unknown = spec.measured[0] || spec.measured[1];

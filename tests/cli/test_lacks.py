@@ -73,8 +73,7 @@ class Lacking(Asked):
         self.refused("rate", arcs, "gear1.rack", "ISO 6336", none=("missing",))
 
     def test_a_search_with_its_rating(self):
-        self.refused("search", "[search]\nsafety_flank_min = 1.2\n[rating]\n", "search.ratio", "search.pinion_teeth (",
-                     "search.modules_mm (", *KEYS)
+        self.refused("search", "[search]\nsafety_flank_min = 1.2\n[rating]\n", "search.ratio", *KEYS)
         self.refused("search", "[search]\nobjective = \"safety\"\n", "search.ratio", "rating (", *KEYS.values())
         self.refused("search", "[search]\n[rating]\n", "search.ratio", none=("rating",))
 
@@ -86,6 +85,14 @@ class Lacking(Asked):
 
 
 class Inherited(Asked):
+    def test_gear_2_takes_the_face_width_of_gear_1(self):
+        gears = "[gear1]\nteeth = 17\nnormal_module_mm = 2\nface_width_mm = 30\n[gear2]\nteeth = 43\n{}"
+        def widths(own, pair=""):
+            return [g["face_width_mm"] for g in self.answer("pair", gears.format(own) + pair)["gears"]]
+        self.assertEqual(widths(""), [30, 30])
+        self.assertEqual(widths("face_width_mm = 25\n"), [30, 25])
+        self.assertEqual(widths("helix_angle_deg = 40\n", "[pair]\nshaft_angle_deg = 40\n"), [30, 20])
+
     def test_material_and_quality_of_gear_1(self):
         both = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + STEEL.format(2, "16MnCr5") + RATING)
         one = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + RATING)

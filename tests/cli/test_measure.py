@@ -156,6 +156,17 @@ class Measuring(Asked):
         for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 between its thickness"):
             self.assertTrue(word in page, word)
 
+    def test_the_mating_gear_and_the_distance_of_the_pair_are_readings(self):
+        inside = ('[gear1]\nteeth = 21\n[gear1.measured]\ntip_diameter_mm = 45.9\n'
+                  'mating_teeth = 43\ncenter_distance_mm = 64\n')
+        beside = ('[gear1]\nteeth = 21\n[gear1.measured]\ntip_diameter_mm = 45.9\n'
+                  '[gear2]\nteeth = 43\n[pair]\ncenter_distance_mm = 64\n')
+        self.assertEqual(self.ok("identify", inside)["identify"], self.ok("identify", beside)["identify"])
+        alone = inside.replace("mating_teeth = 43\ncenter_distance_mm = 64\n", "")
+        self.assertNotEqual(self.ok("identify", alone)["identify"], self.ok("identify", beside)["identify"])
+        taken = Run("identify", beside, "--take", 1)  # a pair that can be computed
+        self.assertAlmostEqual(self.ok("pair", taken.out)["pair"]["center_distance_mm"], 64, delta=1e-12)
+
     def test_a_gear_from_its_readings(self):
         found = self.ok("identify", BROKEN)["identify"]
         first = found["candidates"][0]

@@ -14,7 +14,8 @@ import unittest
 
 from searching import Asked, Run, duckdb, folder, search, spec
 
-BANDS = {"ratio": [2, 3], "modules_mm": [2, 2.5], "pinion_teeth": [17, 26], "center_distance_mm": [80, 90]}
+BANDS = {"ratio": [2, 3], "modules_mm": [2, 2.5], "pinion_teeth": [17, 26], "center_distance_mm": [80, 90],
+         "face_width_modules": 10}
 STEEL = '[gear1.material]\nname = "18CrNiMo7-6"\n'
 LOAD = """[rating]
 power_kW = 20
@@ -29,7 +30,7 @@ face_load_factor = 1.2
 """
 SAFE = {"safety_flank_min": 1.0, "safety_root_min": 1.4}
 HELICAL = {"helix_angle_deg": [8, 16], "helix_step_deg": 8}
-RING = {"ratio": [-4, -3], "modules_mm": [2], "pinion_teeth": [17, 19], "center_distance_mm": [36, 42],
+RING = {"ratio": [-4, -3], "modules_mm": [2], "pinion_teeth": [17, 19], "center_distance_mm": [36, 42], "face_width_modules": 10,
         "safety_flank_min": 0.3, "safety_root_min": 0.3}
 
 
@@ -247,6 +248,31 @@ class Refused(Asked):
             "[[rating.spectrum]]\ntorque_Nm = 100\nspeed_rpm = 1480\nduration_h = 100\n")
         self.no(rated(STEEL + spectrum), "search.safety_flank_min", "spectrum")
         self.no(rated(STEEL + LOAD, face_width_mm=20, face_width_modules=10), "search.face_width_modules", "face_width_mm")
+
+
+class Wish(unittest.TestCase):
+    """The shortest search that a designer types: a ratio, a housing, a load and two safeties."""
+    WISH = {"ratio": [3.087, 3.213], "center_distance_mm": 125, "safety_flank_min": 1.3, "safety_root_min": 1.6,
+            "objective": "mass"}
+
+    def test_absent_keys_are_the_usual_ones(self):
+        usual = {"modules_mm": "ISO54-I", "pinion_teeth": [12, 40], "face_width_diameters": [0.2, 1]}
+        found = search(spec(self.WISH, STEEL + LOAD))
+        self.assertEqual(found, search(spec(self.WISH | usual, STEEL + LOAD)))
+        self.assertGreaterEqual(found["feasible_count"], 10)
+
+    def test_every_design_runs_and_is_no_wider_than_needed(self):
+        text = spec(self.WISH, STEEL + LOAD)
+        for rank, design in enumerate(search(text)["designs"][:6], 1):
+            take = Run("search", text, "--take", rank, folder=folder())
+            pair = Run("pair", take.out, "--json", folder=take.folder, name="pair.toml")
+            self.assertEqual(pair.json["verdict"]["level"], "green", take.out)
+            rate = Run("rate", take.out, "--json", folder=take.folder, name="pair.toml").json
+            self.assertGreaterEqual(min(rate["rating"]["S_H"]), 1.3)
+            self.assertGreaterEqual(min(rate["rating"]["S_F"]), 1.6)
+            gear = pair.json["gears"][0]
+            self.assertLessEqual(0.2, gear["face_width_mm"] / gear["reference_diameter_mm"])
+            self.assertLessEqual(gear["face_width_mm"] / gear["reference_diameter_mm"], 1)
 
 
 if __name__ == "__main__":
