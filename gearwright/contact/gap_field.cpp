@@ -45,6 +45,30 @@ void GapField::set_rotation(double phi1) {
   phi1_ = phi1;
   phase1_ = one_->center + rotation_sign_ * phi1;
   expected_ = ratio_ * phi1;
+  rotation_factor_ = {std::cos(phi1), rotation_sign_ * std::sin(phi1)};
+}
+
+Complex GapField::point_at_rest(double s, double z) const {
+  const PolarJet p = one_->profile.at(s);
+  double turn = 0.0;
+  if (one_->removal) turn = turn_of_removal(*one_, s, std::log(std::abs(p.factor)), z).v;
+  return turned(p.factor, p.phase + one_->center + z * one_->twist + turn);
+}
+
+GapField::Place2 GapField::on_gear_2(const Complex& w1, double z) const {
+  const Mat3& r = mount_.rotation;
+  return {w1.real() * from_x_ + w1.imag() * from_y_ + z * from_z_ + from_0_,
+          w1.real() * r(2, 0) + w1.imag() * r(2, 1) + z * r(2, 2) + mount_.shift.z()};
+}
+
+double GapField::value(const Place2& place, double& s2) const {
+  const double u = 0.5 * std::log(std::norm(place.w));
+  const RadialJet q = two_->profile.at_radius(u, s2);
+  const Complex back =
+      turned(std::conj(q.factor), -(q.phase + two_->center + expected_ + place.Z * two_->twist));
+  const Complex gap = times(place.w, back);
+  const double t = std::atan2(gap.imag(), gap.real());
+  return two_->removal ? t - turn_of_removal(*two_, s2, u, place.Z).v : t;
 }
 
 GapJet GapField::at(double s, double z, double& s2) const {

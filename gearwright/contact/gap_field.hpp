@@ -73,6 +73,18 @@ class GapField {
   double rotation() const { return phi1_; }
   /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
   GapJet at(double s, double z, double& s2) const;
+  /// The point at (s, z) of flank 1 in the transverse plane at rotation 0, mm, before mounting.
+  Complex point_at_rest(double s, double z) const;
+  /// The same point after the rotation φ1.
+  Complex rotated(const Complex& at_rest) const { return times(at_rest, rotation_factor_); }
+  /// A point of flank 1 in the frame of gear 2.
+  struct Place2 {
+    Complex w;  ///< mm
+    double Z;   ///< mm
+  };
+  Place2 on_gear_2(const Complex& w1, double z) const;
+  /// T alone at a point of flank 1, without its derivatives; `s2` as in at().
+  double value(const Place2& place, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle: 1/|∇φ2*|, mm. [T8.3]
   static double arm(const GapJet& j);
 
@@ -88,6 +100,7 @@ class GapField {
   double ratio_, rotation_sign_;
   Complex from_x_, from_y_, from_z_, from_0_;
   double phi1_ = 0.0, phase1_ = 0.0, expected_ = 0.0;
+  Complex rotation_factor_{1.0, 0.0};
 };
 
 }  // namespace gearwright

@@ -10,10 +10,15 @@ namespace {
 
 using End = FlankPatch::End;
 
-constexpr int kRows = 17;  // along the flank
 constexpr int kMostSteps = 60;
-constexpr double kSlope = 1e-15;      // rad per unit of s, for a maximum within rounding
-constexpr double kFarFromMesh = 0.6;  // rad: farther points of gear 1 do not meet a flank
+constexpr double kBorderRounding = 1e-15;  // of a place, relative to the length of the flank
+constexpr double kSlope = 1e-15;           // rad per unit of s, for a maximum within rounding
+constexpr double kSameGap = 1e-13;         // rad: two patches meet there
+constexpr double kFarFromMesh = 0.6;       // rad: farther points of gear 1 do not meet a flank
+
+double row_of(const FlankPatch& a, int i) {
+  return a.s_lo + (a.s_hi - a.s_lo) * i / (GapSearch::kRows - 1);
+}
 
 bool inside(const FlankPatch& b, const GapJet& j) {
   return j.u.v >= b.u_lo && j.u.v <= b.u_hi && j.Z.v >= b.z_lo && j.Z.v <= b.z_hi;
@@ -34,6 +39,14 @@ double curvature(const GapJet& j) {
   return mean + std::sqrt(std::max(0.0, mean * mean - product));
 }
 
+// True if the gap of `a` is less than that of `b`. At the start of a relief both patches have the same
+// gap there, up to rounding; the edge between them is sharper than either, so the greater curvature
+// counts.
+bool nearer(const GapPlace& a, const GapPlace& b) {
+  if (std::abs(a.te - b.te) > kSameGap) return a.te > b.te;
+  return a.curvature > b.curvature;
+}
+
 TouchKind edge_of_two(const FlankPatch& b, const GapJet& j) {
   const bool high = j.u.v > 0.5 * (b.u_lo + b.u_hi);
   const End end = high == b.profile.grows() ? b.s_hi_end : b.s_lo_end;
@@ -44,76 +57,125 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
+// How far a point lies inside the other flank, ≥ 0 inside, by its nearest border, and the slope by s.
+struct Margin {
+  double v, s;
+};
+Margin margin(const FlankPatch& b, const GapJet& j) {
+  const std::array borders{Margin{j.u.v - b.u_lo, j.u.s}, Margin{b.u_hi - j.u.v, -j.u.s},
+                           Margin{j.Z.v - b.z_lo, j.Z.s}, Margin{b.z_hi - j.Z.v, -j.Z.s}};
+  return *std::min_element(borders.begin(), borders.end(),
+                           [](const Margin& x, const Margin& y) { return x.v < y.v; });
+}
+
+// The border of the other flank between `good` inside and `bad` outside: the last point inside, to
+// rounding. Newton's steps are kept within the bracket.
+template <class At>
+double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
+  double s = bad;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Margin m = margin(b, at(s));
+    (m.v >= 0.0 ? good : bad) = s;
+    if (std::abs(bad - good) <= rounding) return good;
+    const double step = -m.v / m.s;
+    if (std::abs(step) <= rounding) {
+      if (m.v >= 0.0) return good;
+      break;
+    }
+    s += step;
+    if (!((s - good) * (bad - s) > 0.0)) s = 0.5 * (good + bad);
+  }
+  // The border was approached from outside, so a point inside is within rounding.
+  for (double back = rounding; std::abs(good - bad) > back; back *= 2) {
+    s = bad + std::copysign(back, good - bad);
+    if (inside(b, at(s))) return s;
+  }
+  return good;
+}
+
 }  // namespace
 
-GapSearch::GapSearch(const ContactPair& pair) : pair_(pair) {
+GapSearch::GapSearch(const ContactPair& pair, const std::vector<double>& heights)
+    : pair_(pair), heights_(heights) {
   double widest = 0.0;
   for (const FlankPatch& a : pair.patches(1)) {
     widest = std::max(widest, std::abs(a.twist) * std::max(std::abs(a.z_lo), std::abs(a.z_hi)));
-    for (const FlankPatch& b : pair.patches(2))
-      fields_.emplace_back(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+    std::array<double, kRows> forward;
+    for (int i = 0; i < kRows; ++i)
+      forward[i] = std::cos(kFarFromMesh) * std::abs(a.profile.at(row_of(a, i)).factor);
+    std::vector<Rows> rows;
+    for (const FlankPatch& b : pair.patches(2)) {
+      GapField field(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+      if (rows.empty()) {
+        for (const double z : heights) {
+          Rows& at = rows.emplace_back();
+          for (int i = 0; i < kRows; ++i) at[i] = field.point_at_rest(row_of(a, i), z);
+        }
+      }
+      patches_.push_back({field, std::exp(2 * b.u_lo), std::exp(2 * b.u_hi), forward, rows});
+    }
   }
   farthest_pair_ = static_cast<int>(std::ceil((pair.reach() + widest) / pair.pitch())) + 1;
 }
 
-std::optional<GapPlace> GapSearch::nearest(const GapField& field, double z) const {
+std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t height) const {
+  const GapField& field = patches.field;
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();
+  const double z = heights_[height];
   if (z < a.z_lo || z > a.z_hi) return std::nullopt;
   double s2 = 0.5 * (b.s_lo + b.s_hi);
   const auto at = [&](double s) { return field.at(s, z, s2); };
-  const auto row = [&](int i) { return a.s_lo + (a.s_hi - a.s_lo) * i / (kRows - 1); };
+  const auto row = [&](int i) { return row_of(a, i); };
+  const Complex mesh = std::polar(1.0, -pair_.mesh_azimuth());
   std::array<bool, kRows> in{};
   int best = -1;
   double highest = 0.0;
   for (int i = 0; i < kRows; ++i) {
-    const GapJet j = at(row(i));
-    const double from_mesh = std::arg(j.w1) - pair_.mesh_azimuth();
-    in[i] =
-        inside(b, j) && std::abs(std::remainder(from_mesh, 2 * std::numbers::pi)) < kFarFromMesh;
-    if (in[i] && (best < 0 || j.t.v > highest)) {
-      best = i;
-      highest = j.t.v;
-    }
+    const Complex w1 = field.rotated(patches.rows[height][i]);
+    if (!(times(w1, mesh).real() > patches.least_forward[i])) continue;
+    const GapField::Place2 place = field.on_gear_2(w1, z);
+    const double square = std::norm(place.w);
+    in[i] = square >= patches.least_square && square <= patches.most_square && place.Z >= b.z_lo &&
+            place.Z <= b.z_hi;
+    if (!in[i]) continue;
+    const double te = field.value(place, s2);
+    if (best >= 0 && !(te > highest)) continue;
+    best = i;
+    highest = te;
   }
   if (best < 0) return std::nullopt;
-  // The ends of the interior range on both sides of the best row.
-  const auto end = [&](int step) {
-    const int next = best + step;
-    if (next < 0 || next >= kRows) return row(best);
-    if (in[next]) return row(next);
-    double good = row(best);
-    double bad = row(next);
-    for (int i = 0; i < kMostSteps; ++i) {
-      const double mid = 0.5 * (good + bad);
-      if (mid == good || mid == bad) break;
-      (inside(b, at(mid)) ? good : bad) = mid;
-    }
-    return good;
-  };
-  const double lo = end(-1);
-  const double hi = end(1);
-  GapPlace place;
+  // The gap is least between the best row and the end of the interior range towards which it falls.
   double s = row(best);
-  GapJet j = at(lo);
-  if (j.t.s <= 0.0) {
-    s = lo;
-    place.kind = lo == a.s_lo ? edge_of_one(a.s_lo_end) : edge_of_two(b, j);
-  } else if (j = at(hi); j.t.s >= 0.0) {
-    s = hi;
-    place.kind = hi == a.s_hi ? edge_of_one(a.s_hi_end) : edge_of_two(b, j);
-  } else {
-    double below = lo;
-    double above = hi;
-    s = std::clamp(s, below, above);
-    for (int i = 0; i < kMostSteps; ++i) {
-      j = at(s);
-      if (std::abs(j.t.s) < kSlope) break;
-      (j.t.s > 0.0 ? below : above) = s;
-      double next = j.t.ss < 0.0 ? s - j.t.s / j.t.ss : below - 1.0;
-      if (!(next > below && next < above)) next = 0.5 * (below + above);
-      if (next == s || above - below < 1e-13 * (hi - lo)) break;
-      s = next;
+  GapJet j = at(s);
+  GapPlace place;
+  if (const double slope = j.t.s; slope != 0.0) {
+    const int next = best + (slope > 0.0 ? 1 : -1);
+    double end = s;
+    if (next >= 0 && next < kRows) {
+      end = row(next);
+      if (!in[next]) end = last_inside(b, at, s, end, kBorderRounding * (a.s_hi - a.s_lo));
+    }
+    const GapJet last = at(end);
+    if (last.t.s * slope >= 0.0) {
+      s = end;
+      j = last;
+      place.kind = end == a.s_lo   ? edge_of_one(a.s_lo_end)
+                   : end == a.s_hi ? edge_of_one(a.s_hi_end)
+                                   : edge_of_two(b, j);
+    } else {
+      double below = std::min(s, end);
+      double above = std::max(s, end);
+      const double width = above - below;
+      for (int i = 0; i < kMostSteps; ++i) {
+        if (i > 0) j = at(s);
+        if (std::abs(j.t.s) < kSlope) break;
+        (j.t.s > 0.0 ? below : above) = s;
+        double to = j.t.ss < 0.0 ? s - j.t.s / j.t.ss : below - 1.0;
+        if (!(to > below && to < above)) to = 0.5 * (below + above);
+        if (to == s || above - below < 1e-13 * width) break;
+        s = to;
+      }
     }
   }
   place.te = j.t.v;
@@ -123,17 +185,17 @@ std::optional<GapPlace> GapSearch::nearest(const GapField& field, double z) cons
   return place;
 }
 
-std::vector<PairPlaces> GapSearch::places(double rotation, const std::vector<double>& heights) {
+std::vector<PairPlaces> GapSearch::places(double rotation) {
   std::vector<PairPlaces> found;
   for (int k = farthest_pair_; k >= -farthest_pair_; --k) {
     PairPlaces p{k, rotation - k * pair_.pitch(), {}};
-    p.at.resize(heights.size());
+    p.at.resize(heights_.size());
     bool any = false;
-    for (GapField& field : fields_) {
-      field.set_rotation(p.turn);
-      for (std::size_t i = 0; i < heights.size(); ++i) {
-        auto place = nearest(field, heights[i]);
-        if (!place || (p.at[i] && p.at[i]->te >= place->te)) continue;
+    for (Patches& patches : patches_) {
+      patches.field.set_rotation(p.turn);
+      for (std::size_t i = 0; i < heights_.size(); ++i) {
+        const auto place = nearest(patches, i);
+        if (!place || (p.at[i] && !nearer(*place, *p.at[i]))) continue;
         p.at[i] = place;
         any = true;
       }

@@ -6,6 +6,7 @@
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.1]
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -31,15 +32,27 @@ struct PairPlaces {
 /// Searches the place with the least gap for each tooth pair and slice.
 class GapSearch {
  public:
-  explicit GapSearch(const ContactPair& pair);
-  /// All tooth pairs that face each other anywhere at these heights (mm, of gear 1 in N), at a
-  /// rotation in N.
-  std::vector<PairPlaces> places(double rotation, const std::vector<double>& heights);
+  static constexpr int kRows = 17;  ///< of a flank, at which the search starts
+  /// `heights` are those of the slices, mm, of gear 1 in N.
+  GapSearch(const ContactPair& pair, const std::vector<double>& heights);
+  /// All tooth pairs that face each other anywhere at the heights, at a rotation in N.
+  std::vector<PairPlaces> places(double rotation);
 
  private:
-  std::optional<GapPlace> nearest(const GapField& field, double z) const;
+  using Rows = std::array<Complex, kRows>;
+
+  // Two patches that may touch, with the rows of the first one at every height, at rotation 0.
+  struct Patches {
+    GapField field;
+    double least_square, most_square;         // mm², of radii on gear 2
+    std::array<double, kRows> least_forward;  // mm, the part of a row along the line of centres
+    std::vector<Rows> rows;
+  };
+
+  std::optional<GapPlace> nearest(const Patches& patches, std::size_t height) const;
   const ContactPair& pair_;
-  std::vector<GapField> fields_;
+  std::vector<double> heights_;
+  std::vector<Patches> patches_;
   int farthest_pair_;
 };
 

@@ -218,7 +218,7 @@ TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {
     const double sin_b = std::sin(helix * M_PI / 180) * std::cos(20 * M_PI / 180);
     const std::vector<double> heights{-0.2, 0.2};
     int lines = 0;
-    for (const PairPlaces& p : GapSearch(d.pair()).places(0.0, heights)) {
+    for (const PairPlaces& p : GapSearch(d.pair(), heights).places(0.0)) {
       if (!p.at[0] || !p.at[1] || is_edge(p.at[0]->kind) || is_edge(p.at[1]->kind)) continue;
       ++lines;
       for (int g = 0; g < 2; ++g) {

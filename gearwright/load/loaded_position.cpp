@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 
 PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two,
                                const PairCompliance& c, const LoadRequest& request)
-    : pair_(pair), compliance_(c), request_(request), search_(pair), transmission_(pair) {
+    : pair_(pair), compliance_(c), request_(request), transmission_(pair) {
   module_ = {one.spec.normal_module, two.spec.normal_module};
   base_radius_ = two.base_radius();
   sin_b_ = std::sin(one.spec.helix_angle.rad()) * std::cos(one.spec.normal_pressure_angle.rad());
@@ -33,12 +33,13 @@ PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const G
   const FaceSlices& s = c.slices[0];
   for (int j = 0; j < s.count; ++j) heights_.push_back(s.middle(j));
   for (int j = 0; j <= s.count; ++j) heights_.push_back(s.lo + j * s.width());
+  search_.emplace(pair, heights_);
 }
 
 Position PositionSolver::prepare(double rotation) {
   Position at;
   const int n = compliance_.slices[0].count;
-  auto all = search_.places(rotation, heights_);
+  auto all = search_->places(rotation);
   double te = -std::numeric_limits<double>::infinity();
   for (const PairPlaces& p : all)
     for (std::size_t i = 0; i < heights_.size(); ++i)

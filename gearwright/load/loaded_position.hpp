@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "gearwright/contact/transmission.hpp"
@@ -66,7 +67,7 @@ class PositionSolver {
   const ContactPair& pair_;
   const PairCompliance& compliance_;
   const LoadRequest& request_;
-  GapSearch search_;
+  std::optional<GapSearch> search_;  // at the heights
   Transmission transmission_;
   std::array<double, 2> module_;  // mm
   double base_radius_, sin_b_, ratio_;
