@@ -180,6 +180,10 @@ std::string running(const Drive& drive) {
     }
   }
   if (!least) return text + " Without a module there are no teeth to be judged.";
+  std::vector<const Rating*> ratings;
+  for (const auto& rating : drive.ratings)
+    if (rating) ratings.push_back(&rating->rating);
+  text += safety_words(ratings);
   constexpr double kNone = 1e-9;  // mm: rounding
   if (*least > kNone) return text + fmt::format(" Least normal backlash {:.3f} mm.", *least);
   const double recommended = recommended_backlash(distance, module);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/pair/drive.hpp"
@@ -117,7 +118,8 @@ std::string gears_alone(const Judged& judged) {
 // The statement on how the pair runs, if no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
-  const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); });
+  const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +
+                              (judged.rating ? safety_words({judged.rating->rating}) : "");
   if (!judged.contact || !judged.errors) return nominal;
   return "Under the errors, a tooth pair is in contact at every position. Without "
          "errors: " +
@@ -212,6 +214,17 @@ const char* to_string(Level level) {
     case Level::red: return "red";
   }
   return "";
+}
+
+std::string safety_words(const std::vector<const Rating*>& ratings) {
+  if (ratings.empty()) return "";
+  double flank = std::numeric_limits<double>::infinity(), root = flank;
+  for (const Rating* r : ratings) {
+    flank = std::min({flank, r->S_H[0].value, r->S_H[1].value});
+    root = std::min({root, r->S_F[0].value, r->S_F[1].value});
+  }
+  return fmt::format(" The least safety against pitting is {:.2f}, against root breakage {:.2f}.",
+                     flank, root);
 }
 
 std::string Finding::whole() const {

@@ -115,6 +115,10 @@ struct Judged {
   std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 
+/// " The least safety against pitting is 1.03, against root breakage 1.65.", over both gears of all
+/// ratings; empty without ratings.
+std::string safety_words(const std::vector<const Rating*>& ratings);
+
 /// The results of a changed spec.
 struct ChangedState {
   std::vector<Finding> findings;
