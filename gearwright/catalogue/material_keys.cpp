@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
 
 #include "gearwright/base/error.hpp"
 
@@ -32,6 +36,18 @@ Key by_temperature(std::string_view key, std::string_view symbol,
       .with_fields({std::string(field)});
 }
 
+// True if the name begins with the abbreviation or trade name of a plastic: "PA66-GF30", "pom c".
+bool names_plastic(std::string_view name) {
+  constexpr std::array kPlastics{"abs", "delrin", "lcp", "nylon", "pa",  "pbt", "pc",   "peek",
+                                 "pei", "pet",    "pla", "poly",  "pom", "pps", "ptfe", "uhmw"};
+  std::string lower(name.substr(0, name.find_first_of(" -0123456789")));
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(kPlastics.begin(), kPlastics.end(), [&](std::string_view plastic) {
+    return lower == plastic || (plastic.size() > 3 && lower.starts_with(plastic));
+  });
+}
+
 // A name without values is a row of the shipped table.
 std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
   const bool by_temperature = !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty();
@@ -40,6 +56,14 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
   std::vector<std::string> known;
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
   if (std::find(known.begin(), known.end(), *m.name) != known.end()) return std::nullopt;
+  if (names_plastic(*m.name)) {
+    return KeyFault{"name",
+                    "is a plastic, and the table of materials has none, because their strength "
+                    "depends on grade, temperature and life. Give the values of the supplier or of "
+                    "VDI 2736: kind = \"plastic\", youngs_modulus_MPa, sigma_Hlim_MPa and "
+                    "sigma_Flim_MPa, or lists of them at temperatures_C; [rating] then needs "
+                    "standard = \"VDI 2736:2014\""};
+  }
   return KeyFault{"name",
                   fmt::format("is not in the table of materials; {}. For any other material give "
                               "the values: kind, sigma_Hlim_MPa, sigma_Flim_MPa, and of a plastic "

@@ -133,6 +133,8 @@ class Rate(unittest.TestCase):
         self.refused(spec(without("face_load_factor")), "rating.face_load_factor", "mounting")
         self.refused(spec(RATING.replace("life_h", "live_h")), "rating.live_h", "life_h")
         self.refused(spec(material1='[gear1.material]\nname = "18CrNiMo7-5"\n'), "gear1.material.name", "18CrNiMo7-6")
+        for plastic in ("POM", "pa66-GF30", "Delrin 500", "PEEK"):
+            self.refused(spec(material1=f'[gear1.material]\nname = "{plastic}"\n'), "gear1.material.name", "VDI 2736")
         self.refused(spec(material1=""), "gear1.material", "is missing")
         self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))  # gear 1's
         self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
