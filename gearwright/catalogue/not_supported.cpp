@@ -43,10 +43,6 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear#.measured.helix_deg", "",
      "the reading of the helix angle is helix_angle_deg, at the reference cylinder"},
     {"measured", "", "readings belong to a gear: [gear1.measured]"},
-    {"scatter.loaded", "",
-     "teeth under torque are not drawn: scatter is for rigid teeth. `gearwright load` computes one "
-     "pair "
-     "under torque"},
     {"scatter.correlations", "",
      "inputs that depend on each other are not drawn; bores are, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},

@@ -79,6 +79,11 @@ const KeyTable& scatter_keys() {
            "loosening", &S::loosening, "false",
            "if true, computes how far each tolerance may grow until the greatest of `percentiles` "
            "of the peak to peak has grown by 5 %, and which one to tighten first [T14.19]"),
+       Key::flag(
+           "loaded", &S::loaded, "false",
+           "if true, computes loaded transmission error, pressure and face load factor of the "
+           "first 256 / `replicates` samples of each replicate under the torques of [load], "
+           "over its positions or 16; pitch deviations have no effect there [T14.24]"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
            "ISO 1328 grade, one for both gears or two, which gives the tolerances that are not "

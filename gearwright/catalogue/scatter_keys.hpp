@@ -49,6 +49,7 @@ struct ScatterInput {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
+  bool loaded = false;                        ///< also under the torques of [load]
   std::optional<std::array<int, 2>> quality;  ///< A of gear 1, gear 2; by default of the gears
   /// One for each of error_entries(), in the unit of the key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;

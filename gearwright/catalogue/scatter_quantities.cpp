@@ -9,7 +9,7 @@ namespace {
 using V = ScatterView;
 using Q = ScatterQuantity;
 
-Value listed(const std::vector<Percentile>& all, const ScatterEntry& entry,
+Value listed(const std::vector<Percentile>& all, const SpreadEntry& entry,
              std::optional<double> (*of)(const Percentile&)) {
   ValueList list;
   for (const Percentile& p : all) {
@@ -270,6 +270,12 @@ void say(Quantities<V>& q) {
                                  [](const V& v) { return Value(loosening_quantities().of(v)); })
       .when([](const V& v) { return v.scatter->loosening.has_value(); })
       .doors(kJson);
+  q.record<loaded_spread_quantities>(
+       "loaded", "under each torque of `[load]`; with `loaded` only",
+       [](const V& v) { return Value(loaded_spread_quantities().each(v.loaded)); })
+      .list({0})
+      .when([](const V& v) { return v.task->load.has_value(); })
+      .doors(kJson);
   q.record<robust_quantities>("robust",
                               "corrections for a percentile; with `[scatter.robust]` only",
                               [](const V& v) { return Value(robust_quantities().of(*v.robust)); })
@@ -286,33 +292,43 @@ void say(Quantities<V>& q) {
 
 const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
   static const std::array<ScatterEntry, kScatterQuantities> entries{{
-      {Q::peak_to_peak, "peak_to_peak_arcsec", "transmission error, peak to peak", Unit::arcsec, 4,
-       "transmission error, peak to peak of the continuous curve [T14.11]"},
-      {Q::harmonic1, "harmonic1_arcsec", "transmission error, 1st harmonic", Unit::arcsec, 4,
-       "its first harmonic, as in `contact`"},
-      {Q::harmonic2, "harmonic2_arcsec", "transmission error, 2nd harmonic", Unit::arcsec, 4,
-       "its second harmonic"},
-      {Q::harmonic3, "harmonic3_arcsec", "transmission error, 3rd harmonic", Unit::arcsec, 4,
-       "its third harmonic"},
-      {Q::mean, "mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
-       "its mean, which includes the play: a phase without effect on noise"},
-      {Q::along_face, "contact_along_face", "contact along the face", Unit::none, 4,
-       "mean place of the contact along the face, −1 to 1 [T8.24]"},
-      {Q::along_profile, "contact_along_profile", "contact along the profile", Unit::none, 4,
-       "mean place of the contact along the profile [T8.24]; of circular-arc pairs, else null"},
-      {Q::edge_share, "edge_share", "positions with an edge in contact", Unit::none, 4,
-       "share of the positions of a pitch at which an edge touches, 0 to 1"},
-      {Q::least_play, "least_play_deg", "least play of gear 2", Unit::deg, 5,
-       "least play of gear 2 with both flanks; < 0 if the gears jam"},
-      {Q::long_period, "long_period_arcsec", "transmission error until the same teeth meet again",
-       Unit::arcsec, 3,
-       "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; with "
-       "`pitch` only, else null"},
+      {{"peak_to_peak_arcsec", "transmission error, peak to peak", Unit::arcsec, 4,
+        "transmission error, peak to peak of the continuous curve [T14.11]"},
+       Q::peak_to_peak},
+      {{"harmonic1_arcsec", "transmission error, 1st harmonic", Unit::arcsec, 4,
+        "its first harmonic, as in `contact`"},
+       Q::harmonic1},
+      {{"harmonic2_arcsec", "transmission error, 2nd harmonic", Unit::arcsec, 4,
+        "its second harmonic"},
+       Q::harmonic2},
+      {{"harmonic3_arcsec", "transmission error, 3rd harmonic", Unit::arcsec, 4,
+        "its third harmonic"},
+       Q::harmonic3},
+      {{"mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
+        "its mean, which includes the play: a phase without effect on noise"},
+       Q::mean},
+      {{"contact_along_face", "contact along the face", Unit::none, 4,
+        "mean place of the contact along the face, −1 to 1 [T8.24]"},
+       Q::along_face},
+      {{"contact_along_profile", "contact along the profile", Unit::none, 4,
+        "mean place of the contact along the profile [T8.24]; of circular-arc pairs, else null"},
+       Q::along_profile},
+      {{"edge_share", "positions with an edge in contact", Unit::none, 4,
+        "share of the positions of a pitch at which an edge touches, 0 to 1"},
+       Q::edge_share},
+      {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
+        "least play of gear 2 with both flanks; < 0 if the gears jam"},
+       Q::least_play},
+      {{"long_period_arcsec", "transmission error until the same teeth meet again", Unit::arcsec, 3,
+        "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "
+        "with "
+        "`pitch` only, else null"},
+       Q::long_period},
   }};
   return entries;
 }
 
-double ScatterEntry::shown(double value) const {
+double SpreadEntry::shown(double value) const {
   const Angle angle = Angle::radians(value);
   return unit == Unit::arcsec ? angle.arcsec() : unit == Unit::deg ? angle.deg() : value;
 }

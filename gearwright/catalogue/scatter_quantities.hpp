@@ -11,25 +11,35 @@
 
 namespace gearwright {
 
-/// A quantity of a member, with its name in results.
-struct ScatterEntry {
-  ScatterQuantity quantity;
+/// A quantity with a distribution, with its name in results.
+struct SpreadEntry {
   const char* key;    ///< "peak_to_peak_arcsec"
   const char* words;  ///< "transmission error, peak to peak"
   Unit unit;          ///< of the key
   int digits;         ///< for people
   const char* meaning;
 
-  /// A value in rad, or a share, in the unit of the key.
+  /// A value in rad, or of no angle, in the unit of the key.
   double shown(double value) const;
+};
+
+/// A quantity of a member.
+struct ScatterEntry : SpreadEntry {
+  ScatterQuantity quantity;
+};
+
+/// A quantity under torque.
+struct LoadedEntry : SpreadEntry {
+  std::optional<Spread> LoadedSpread::*spread;
 };
 
 /// By ScatterQuantity.
 const std::array<ScatterEntry, kScatterQuantities>& scatter_entries();
+const std::array<LoadedEntry, 3>& loaded_entries();
 
 /// One quantity in the unit of its key.
 struct SpreadView {
-  const ScatterEntry* entry;
+  const SpreadEntry* entry;
   const Spread* spread;
   ValueList
       samples;  ///< by percentile: the next sample, as errors of a spec, and its other changes
@@ -58,6 +68,12 @@ struct RobustView {
   Value spec;  ///< the whole spec with the corrections in it
 };
 
+/// The family under one torque.
+struct LoadedSpreadView {
+  const LoadedSpread* loaded;
+  std::array<std::optional<SpreadView>, 3> spread;  ///< of loaded_entries()
+};
+
 struct ScatterView {
   const Scatter* scatter;
   const ScatterTask* task;
@@ -65,11 +81,13 @@ struct ScatterView {
   std::array<std::optional<SpreadView>, kScatterQuantities> spread;
   std::optional<WorstView> worst_peak_to_peak, worst_least_play;
   std::optional<RobustView> robust;
+  std::vector<LoadedSpreadView> loaded;  ///< by torque
 };
 
 const Quantities<ScatterView>& scatter_quantities();
 /// Quantities of one quantity, and of a probability.
 const Quantities<SpreadView>& spread_quantities();
 const Quantities<Probability>& probability_quantities();
+const Quantities<LoadedSpreadView>& loaded_spread_quantities();
 
 }  // namespace gearwright

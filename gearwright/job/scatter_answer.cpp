@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/key_hint.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/corrected_spec.hpp"
+#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/scatter_grades.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -19,6 +20,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr int kLoadedSamples = 256;   // of all replicates
+constexpr int kLoadedPositions = 16;  // per pitch, if [load] has none
 constexpr int kPositions = 32;  // per pitch, if [contact] has none; the peak to peak needs no more
 
 Distribution distribution_of(const DistributionSpec& spec) {
@@ -159,6 +162,26 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
+// Teeth under torque for the first samples of each replicate, with the tables that all share.
+Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
+  auto made = load_task(job);
+  if (!made) return made.error();
+  LoadTask load = std::move(made).take();
+  LoadRequest& request = load.request;
+  request.rotations.clear();
+  request.root_stress = false;
+  if (!job.spec.given.contains("load.positions")) request.positions = kLoadedPositions;
+  request.progress = task.progress;
+  auto compliance = load.compliance();
+  if (!compliance) return compliance.error();
+  // A member that loses contact has no numbers; teeth as drawn must have them.
+  if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
+  request.progress = nullptr;
+  int samples = 1;
+  while (2 * samples <= std::min(task.samples, kLoadedSamples / task.replicates)) samples *= 2;
+  return LoadedFamily{std::move(compliance).take(), request, samples};
+}
+
 }  // namespace
 
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
@@ -187,6 +210,11 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   task.worst_case = input.worst_case;
   task.loosening = input.loosening;
   task.progress = progress;
+  if (input.loaded) {
+    auto family = loaded_family(job, task);
+    if (!family) return family.error();
+    task.load = std::move(family).take();
+  }
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();

@@ -64,6 +64,54 @@ TEST(ScatterAnswer, RefusesRangesThatAreNone) {
   expect_refused(error(R"({"distribution": "normal"})"), crossing + ".range", "missing");
 }
 
+Json loaded_spec(double torque) {
+  Json spec = spec_with(R"({"samples": 1, "replicates": 1, "loaded": true, "percentiles": 50,
+    "errors": {"crossing_deg": [-0.02, 0.02], "center_distance_mm": [-0.02, 0.02]}})");
+  spec["load"] = {{"torque_Nm", torque}, {"positions", 8}, {"accuracy", "draft"}};
+  return spec;
+}
+
+// The spec of the only sample, without its scatter.
+Json of_sample(Json spec, const Json& spread) {
+  spec["errors"] = spread["samples"][0]["errors"];
+  spec.erase("scatter");
+  return spec;
+}
+
+TEST(ScatterAnswer, UnderLoadASampleHasTheNumbersOfLoad) {
+  const Json spec = loaded_spec(80);
+  const Json answer = scatter_answered(spec);
+  ASSERT_TRUE(answer.contains("scatter")) << answer.dump();
+  const Json& loaded = answer["scatter"]["loaded"][0];
+  EXPECT_EQ(loaded["torque_Nm"], 80);
+  EXPECT_EQ(loaded["unsolved"]["count"], 0);
+  const Json alone = scatter_answered(of_sample(spec, loaded["peak_to_peak_arcsec"]), "load");
+  ASSERT_TRUE(alone.contains("load")) << alone.dump();
+  const Json& torque = alone["load"]["torques"][0];
+  for (const char* key : {"peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor"})
+    EXPECT_NEAR(loaded[key]["percentiles"][0].get<double>(), torque[key].get<double>(),
+                1e-9 * torque[key].get<double>())
+        << key;
+  EXPECT_EQ(loaded["edge_carries"]["count"], torque["edge_carries"].get<bool>() ? 1 : 0);
+}
+
+// Under a light load the teeth are rigid: the numbers are those of contact, which solves no forces.
+TEST(ScatterAnswer, UnderALightLoadTeethAreRigid) {
+  const Json spec = loaded_spec(1e-4);
+  const Json answer = scatter_answered(spec);
+  ASSERT_TRUE(answer.contains("scatter")) << answer.dump();
+  const Json& spread = answer["scatter"]["loaded"][0]["peak_to_peak_arcsec"];
+  const Json rigid = scatter_answered(of_sample(spec, spread), "contact");
+  EXPECT_NEAR(spread["percentiles"][0].get<double>(),
+              rigid["contact"]["peak_to_peak_arcsec"].get<double>(), 0.01);
+}
+
+TEST(ScatterAnswer, UnderLoadNeedsATorque) {
+  Json spec = loaded_spec(80);
+  spec.erase("load");
+  expect_spec_refused(spec, "load.torque_Nm", "100");
+}
+
 TEST(ScatterAnswer, RefusesATaskThatIsNone) {
   for (const char* none : {"", "{}", R"({"samples": 64})"})
     expect_refused(none, "scatter.errors", "crossing_deg = [-0.02, 0.02]");
@@ -80,7 +128,7 @@ TEST(ScatterAnswer, RefusesATaskThatIsNone) {
 }
 
 TEST(ScatterAnswer, NamesWhatItDoesNotCompute) {
-  for (const char* key : {"loaded", "correlations"}) {
+  for (const char* key : {"correlations"}) {
     expect_refused(
         std::string("{\"") + key + R"(": true, "errors": {"crossing_deg": [-0.02, 0.02]}})",
         std::string("scatter.") + key, "are not");

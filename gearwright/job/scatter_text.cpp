@@ -6,6 +6,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/job/corrected_spec.hpp"
@@ -76,8 +77,7 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
 }
 
 SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const Scatter& scatter,
-                       const ScatterEntry& entry) {
-  const Spread& spread = *scatter.spread[static_cast<std::size_t>(entry.quantity)];
+                       const SpreadEntry& entry, const Spread& spread) {
   ValueList samples;
   for (const Percentile& p : spread.percentiles)
     samples.emplace_back(as_spec(job, a, scatter.samples[p.sample].x));
@@ -87,7 +87,7 @@ SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const Scatt
 RobustView robust_view(const SolvedJob& job, const ScatterAnswer& a) {
   const RobustAnswer& r = *a.robust;
   const auto judged = [&](const Scatter& s) {
-    return JudgedView{&s, spread_view(job, a, s, scatter_entries()[0])};
+    return JudgedView{&s, spread_view(job, a, s, scatter_entries()[0], *s.spread[0])};
   };
   RobustView view{{},
                   r.task.percent,
@@ -106,45 +106,66 @@ RobustView robust_view(const SolvedJob& job, const ScatterAnswer& a) {
 
 std::string head(std::string_view text) { return fmt::format("\n{}\n", text); }
 
+std::string spread_head(const ScatterTask& task) {
+  std::string out = fmt::format("  {:<38}{:>12}{:>12}", "", "mean", "st. dev.");
+  for (const double p : task.percentiles) out += fmt::format("{:>12}", format_number(p) + " %");
+  return out + "\n";
+}
+
+std::string spread_rows(const SpreadEntry& entry, const Spread& spread) {
+  const auto text = [&](double value) {
+    return fmt::format("{:>12}", fixed_decimals(entry.shown(value), entry.digits));
+  };
+  const std::string unit(unit_text(entry.unit));
+  std::string out = fmt::format("  {:<38}{}{}", entry.words + (unit.empty() ? "" : "  " + unit),
+                                text(spread.mean.value), text(spread.standard_deviation.value));
+  for (const Percentile& p : spread.percentiles) out += text(p.estimate.value);
+  out += "\n";
+  if (!spread.mean.standard_error) return out;
+  out += fmt::format("  {:<38}{}{}", "    standard error", text(*spread.mean.standard_error),
+                     text(spread.standard_deviation.standard_error.value_or(0.0)));
+  for (const Percentile& p : spread.percentiles)
+    out += text(p.estimate.standard_error.value_or(0.0));
+  return out + "\n";
+}
+
 std::string spread_listing(const ScatterAnswer& a) {
   std::string out = head(fmt::format("Distribution over {} samples, {} replicates of {}",
                                      a.scatter.samples.size(), a.task.replicates, a.task.samples));
-  out += fmt::format("  {:<38}{:>12}{:>12}", "", "mean", "st. dev.");
-  for (const double p : a.task.percentiles) out += fmt::format("{:>12}", format_number(p) + " %");
-  out += "\n";
-  for (const ScatterEntry& entry : scatter_entries()) {
-    const auto& spread = a.scatter.spread[static_cast<std::size_t>(entry.quantity)];
-    if (!spread) continue;
-    const auto text = [&](double value) {
-      return fmt::format("{:>12}", fixed_decimals(entry.shown(value), entry.digits));
-    };
-    const std::string unit(unit_text(entry.unit));
-    out += fmt::format("  {:<38}{}{}", entry.words + (unit.empty() ? "" : "  " + unit),
-                       text(spread->mean.value), text(spread->standard_deviation.value));
-    for (const Percentile& p : spread->percentiles) out += text(p.estimate.value);
-    out += "\n";
-    if (!spread->mean.standard_error) continue;
-    out += fmt::format("  {:<38}{}{}", "    standard error", text(*spread->mean.standard_error),
-                       text(spread->standard_deviation.standard_error.value_or(0.0)));
-    for (const Percentile& p : spread->percentiles)
-      out += text(p.estimate.standard_error.value_or(0.0));
-    out += "\n";
+  out += spread_head(a.task);
+  for (const ScatterEntry& entry : scatter_entries())
+    if (const auto& spread = a.scatter.spread[static_cast<std::size_t>(entry.quantity)])
+      out += spread_rows(entry, *spread);
+  return out;
+}
+
+std::string share_row(const char* words, const Probability& p) {
+  const std::string share =
+      p.count == 0 ? fmt::format("less than {:.3g} %", 100 * p.interval.upper)
+                   : fmt::format("{:.4g} %, between {:.4g} and {:.4g} %", 100 * p.value,
+                                 100 * p.interval.lower, 100 * p.interval.upper);
+  return fmt::format("  {:<38}{} ({} of {})\n", words, share, p.count, p.of);
+}
+
+std::string loaded_listing(const ScatterAnswer& a) {
+  std::string out;
+  for (const LoadedSpread& loaded : a.scatter.loaded) {
+    out += head(fmt::format("Under {} N m: {} samples, {} positions per pitch",
+                            format_number(newton_metres(loaded.torque)), loaded.unsolved.of,
+                            a.task.load->request.positions));
+    out += spread_head(a.task);
+    for (const LoadedEntry& entry : loaded_entries())
+      if (const auto& spread = loaded.*entry.spread) out += spread_rows(entry, *spread);
+    out += share_row("an edge carries", loaded.edge_carries);
+    if (loaded.unsolved.count > 0) out += share_row("without a solution", loaded.unsolved);
   }
   return out;
 }
 
 std::string probability_listing(const ScatterAnswer& a) {
-  std::string out = head("Probability");
-  for (const auto& [words, p] : {std::pair{"an edge touches", &a.scatter.edge_contact},
-                                 std::pair{"the gears jam", &a.scatter.jam},
-                                 std::pair{"contact is lost", &a.scatter.contact_lost}}) {
-    const std::string share =
-        p->count == 0 ? fmt::format("less than {:.3g} %", 100 * p->interval.upper)
-                      : fmt::format("{:.4g} %, between {:.4g} and {:.4g} %", 100 * p->value,
-                                    100 * p->interval.lower, 100 * p->interval.upper);
-    out += fmt::format("  {:<38}{} ({} of {})\n", words, share, p->count, p->of);
-  }
-  return out;
+  return head("Probability") + share_row("an edge touches", a.scatter.edge_contact) +
+         share_row("the gears jam", a.scatter.jam) +
+         share_row("contact is lost", a.scatter.contact_lost);
 }
 
 std::string index_listing(const ScatterAnswer& a) {
@@ -241,11 +262,20 @@ std::string robust_listing(const RobustView& r) {
 }  // namespace
 
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& a) {
-  ScatterView view{&a.scatter, &a.task, {}, {}, {}, {}, {}};
+  ScatterView view{&a.scatter, &a.task, {}, {}, {}, {}, {}, {}};
   for (const ScatterTolerance& t : a.task.tolerances) view.inputs.push_back(t.name);
   for (const ScatterEntry& entry : scatter_entries()) {
     const auto at = static_cast<std::size_t>(entry.quantity);
-    if (a.scatter.spread[at]) view.spread[at] = spread_view(job, a, a.scatter, entry);
+    if (const auto& spread = a.scatter.spread[at])
+      view.spread[at] = spread_view(job, a, a.scatter, entry, *spread);
+  }
+  for (const LoadedSpread& loaded : a.scatter.loaded) {
+    LoadedSpreadView& of = view.loaded.emplace_back(LoadedSpreadView{&loaded, {}});
+    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
+      const LoadedEntry& entry = loaded_entries()[i];
+      if (const auto& spread = loaded.*entry.spread)
+        of.spread[i] = spread_view(job, a, a.scatter, entry, *spread);
+    }
   }
   if (a.robust) view.robust = robust_view(job, a);
   const auto worst = [&](const std::optional<WorstMember>& w,
@@ -267,7 +297,7 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   std::string out;
   if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
-  out += spread_listing(a) + probability_listing(a);
+  out += spread_listing(a) + probability_listing(a) + loaded_listing(a);
   if (a.task.indices) out += index_listing(a);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a));
   if (a.scatter.loosening) out += loosening_listing(a);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/torque.hpp"
 #include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -13,17 +14,20 @@ namespace gearwright {
 
 namespace {
 
-std::string shown(const ScatterEntry& entry, double value) {
+std::string shown(const SpreadEntry& entry, double value) {
   return fixed(entry.shown(value), entry.digits);
 }
 
-std::string distribution_table(const ScatterView& view) {
+// Rows of the quantities that have a distribution.
+template <class Spreads>
+std::string distribution_table(const ScatterView& view, const std::string& title,
+                               const Spreads& spreads) {
   std::vector<std::string> columns{"Mean", "Standard deviation"};
   for (const double p : view.task->percentiles) columns.push_back(format_number(p) + " %");
-  TableBuilder table("Distribution over all pairs", columns);
-  for (const auto& spread : view.spread) {
+  TableBuilder table(title, columns);
+  for (const auto& spread : spreads) {
     if (!spread) continue;
-    const ScatterEntry& entry = *spread->entry;
+    const SpreadEntry& entry = *spread->entry;
     std::vector<std::string> values{shown(entry, spread->spread->mean.value),
                                     shown(entry, spread->spread->standard_deviation.value)};
     for (const Percentile& p : spread->spread->percentiles)
@@ -39,12 +43,23 @@ std::string event(const char* words, const Probability& p) {
                                   : fmt::format("{:.3g}", 100 * p.value));
 }
 
+std::string loaded_part(const ScatterView& view) {
+  std::string part;
+  for (const LoadedSpreadView& v : view.loaded) {
+    const LoadedSpread& l = *v.loaded;
+    part += distribution_table(
+        view, fmt::format("Under {} N m", format_number(newton_metres(l.torque))), v.spread);
+    part += fmt::format("<p>{}.</p>\n", event("An edge of a tooth carries load", l.edge_carries));
+  }
+  return part;
+}
+
 // The samples of a quantity, if it varies at all.
 std::optional<DistributionScene> scene_of(const ScatterView& view, ScatterQuantity quantity,
                                           const char* id) {
   const auto& spread = view.spread[static_cast<std::size_t>(quantity)];
   if (!spread || !(spread->spread->least < spread->spread->greatest)) return std::nullopt;
-  const ScatterEntry& entry = *spread->entry;
+  const SpreadEntry& entry = *spread->entry;
   DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
   for (const ScatterSample& s : view.scatter->samples) {
     const double value = s.member[quantity];
@@ -88,7 +103,7 @@ std::string robust_part(const ScatterView& view) {
 std::string loosening_part(const ScatterView& view) {
   if (!view.scatter->loosening) return {};
   const Loosening& l = *view.scatter->loosening;
-  const ScatterEntry& te = scatter_entries()[0];
+  const SpreadEntry& te = scatter_entries()[0];
   TableBuilder table(
       fmt::format("How far each tolerance may grow until the {} % point grows by {:g} %",
                   format_number(l.percent), 100 * kLooser),
@@ -121,8 +136,9 @@ std::string scatter_section(const ScatterView& view) {
              counted(static_cast<std::int64_t>(s.samples.size())),
              event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
              event("contact is lost", s.contact_lost)) +
-         distribution_table(view) + side_by_side(figures) + index_part(view) +
-         loosening_part(view) + robust_part(view) + "</section>\n";
+         distribution_table(view, "Distribution over all pairs", view.spread) +
+         side_by_side(figures) + loaded_part(view) + index_part(view) + loosening_part(view) +
+         robust_part(view) + "</section>\n";
 }
 
 }  // namespace gearwright

@@ -19,25 +19,16 @@ constexpr double kTouching = 1e-12;                // rad: teeth without backlas
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
                                                    // of 0
 
-// The setup of the member, which is that of the drawing unless its modifications differ.
-class MemberSetup {
- public:
-  MemberSetup(const ContactSetup& setup, const Deviation& deviation) : drawn_(setup) {
-    if (!deviation.modified) return;
-    auto made = setup.with_modifications(deviation.modifications);
-    GW_EXPECTS(made);
-    own_ = std::move(made).take();
-  }
-  const ContactSetup& operator*() const { return own_ ? *own_ : drawn_; }
-
- private:
-  const ContactSetup& drawn_;
-  std::optional<ContactSetup> own_;
-};
-
 double without_rounding(double span) { return span < kNoAngle ? 0.0 : span; }
 
 }  // namespace
+
+MemberSetup::MemberSetup(const ContactSetup& setup, const Deviation& deviation) : drawn_(setup) {
+  if (!deviation.modified) return;
+  auto made = setup.with_modifications(deviation.modifications);
+  GW_EXPECTS(made);
+  own_ = std::move(made).take();
+}
 
 bool FamilyMember::jams() const { return (*this)[ScatterQuantity::least_play] < -kTouching; }
 

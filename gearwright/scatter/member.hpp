@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,19 @@ struct MemberRequest {
   int positions = 32;  ///< per pitch
   bool gear2_drives = false;
   ProfileTarget profile{};
+};
+
+/// The setup of the member: that of the drawing unless its modifications differ.
+///
+/// Domain    modifications that check_ends() accepts (contract); `setup` must outlive the object
+class MemberSetup {
+ public:
+  MemberSetup(const ContactSetup& setup, const Deviation& deviation);
+  const ContactSetup& operator*() const { return own_ ? *own_ : drawn_; }
+
+ private:
+  const ContactSetup& drawn_;
+  std::optional<ContactSetup> own_;
 };
 
 /// The reduction of the backlash by thicker teeth, as an angle of gear 2, rad.

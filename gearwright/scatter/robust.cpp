@@ -179,6 +179,7 @@ Result<RobustCorrections> robust_corrections(const ContactSetup& drawn, const Sc
   ScatterTask judged = task;
   judged.percentiles = {robust.percent};
   judged.indices = judged.worst_case = false;
+  judged.load.reset();
   judged.seed = task.seed + 1;
   RobustCorrections found{std::vector<double>(robust.corrections.size(), 0.0), {}, {}};
   auto before = scatter_of(drawn, judged);

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/math/sobol.hpp"
+#include "gearwright/scatter/loaded_family.hpp"
 #include "gearwright/scatter/loosening.hpp"
 #include "gearwright/scatter/sample_points.hpp"
+#include "gearwright/scatter/spread.hpp"
 #include "gearwright/scatter/worst_case.hpp"
 
 namespace gearwright {
@@ -62,86 +65,20 @@ std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
   return a;
 }
 
-// The values of one quantity and their indices, for replicate r or (r < 0) all of them, of the
-// samples that keep contact.
-struct Values {
-  std::vector<double> value;
-  std::vector<std::size_t> sample;
-};
-
-Values values_of(const std::vector<ScatterSample>& samples, std::size_t quantity, std::size_t from,
-                 std::size_t count) {
-  Values v;
-  for (std::size_t i = from; i < from + count; ++i) {
-    const double value = samples[i].member.value[quantity];
-    if (samples[i].member.lost || std::isnan(value)) continue;
-    v.value.push_back(value);
-    v.sample.push_back(i);
-  }
-  return v;
-}
-
-Percentile percentile_of(const ScatterTask& task, double percent, const Values& all,
-                         const std::vector<double>& sorted,
-                         const std::vector<std::vector<double>>& sorted_replicates) {
-  const double p = percent / 100.0;
-  std::vector<double> each;
-  for (const auto& r : sorted_replicates) each.push_back(quantile(r, p));
-  Percentile found{percent, estimate(each), {}, {}, 0};
-  if (task.sampling == Sampling::sobol && found.estimate.standard_error) {
-    const ConfidenceInterval i = interval(found.estimate, each.size(), task.confidence);
-    found.lower = i.lower;
-    found.upper = i.upper;
-  } else {
-    const auto ranks = quantile_ranks(static_cast<std::int64_t>(sorted.size()), p, task.confidence);
-    const auto at = [&](std::int64_t rank) { return sorted[static_cast<std::size_t>(rank - 1)]; };
-    if (ranks.lower) found.lower = at(*ranks.lower);
-    if (ranks.upper) found.upper = at(*ranks.upper);
-  }
-  double best = std::abs(all.value[0] - found.estimate.value);
-  found.sample = all.sample[0];
-  for (std::size_t i = 1; i < all.value.size(); ++i) {
-    const double away = std::abs(all.value[i] - found.estimate.value);
-    if (away >= best) continue;
-    best = away;
-    found.sample = all.sample[i];
-  }
-  return found;
-}
-
-std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<ScatterSample>& samples,
-                                std::size_t quantity) {
-  const auto n = static_cast<std::size_t>(task.samples);
-  const Values all = values_of(samples, quantity, 0, samples.size());
-  if (all.value.empty()) return std::nullopt;
-  std::vector<double> sorted = all.value;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<double> means, deviations;
-  std::vector<std::vector<double>> replicates;
-  for (std::size_t r = 0; r < static_cast<std::size_t>(task.replicates); ++r) {
-    Values v = values_of(samples, quantity, r * n, n);
-    if (v.value.empty()) continue;
-    const Moments m = moments(v.value);
-    means.push_back(m.mean);
-    deviations.push_back(std::sqrt(m.variance));
-    std::sort(v.value.begin(), v.value.end());
-    replicates.push_back(std::move(v.value));
-  }
-  Spread spread{estimate(means), estimate(deviations), {}, sorted.front(), sorted.back()};
-  for (const double percent : task.percentiles)
-    spread.percentiles.push_back(percentile_of(task, percent, all, sorted, replicates));
-  return spread;
-}
-
 template <class F>
-Probability probability_of(const std::vector<ScatterSample>& samples, double confidence,
-                           const F& is) {
-  std::int64_t count = 0;
+Probability share_of(const std::vector<ScatterSample>& samples, double confidence, const F& is) {
+  return probability_of(std::count_if(samples.begin(), samples.end(),
+                                      [&](const ScatterSample& s) { return is(s.member); }),
+                        static_cast<std::int64_t>(samples.size()), confidence);
+}
+
+// One quantity of all samples; NaN of those that lose contact.
+std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t quantity) {
+  std::vector<double> values;
   for (const ScatterSample& s : samples)
-    if (is(s.member)) ++count;
-  const auto of = static_cast<std::int64_t>(samples.size());
-  return {static_cast<double>(count) / static_cast<double>(of), count, of,
-          probability_interval(count, of, confidence)};
+    values.push_back(s.member.lost ? std::numeric_limits<double>::quiet_NaN()
+                                   : s.member.value[quantity]);
+  return values;
 }
 
 // One quantity of one replicate. A sample that loses contact has no value.
@@ -201,13 +138,13 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
            std::isnan(sample.member[ScatterQuantity::least_play]);
   };
   if (std::all_of(s.samples.begin(), s.samples.end(), nowhere)) return nothing_touches(setup);
-  for (std::size_t q = 0; q < kScatterQuantities; ++q) s.spread[q] = spread_of(task, s.samples, q);
+  for (std::size_t q = 0; q < kScatterQuantities; ++q)
+    s.spread[q] = spread_of(task, kept(s.samples, q), task.samples);
   s.edge_contact =
-      probability_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.edge(); });
-  s.jam =
-      probability_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jams(); });
+      share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.edge(); });
+  s.jam = share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jams(); });
   s.contact_lost =
-      probability_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.lost; });
+      share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.lost; });
   if (task.indices) {
     begin_stage(task.progress, "samples for the indices",
                 all * static_cast<std::int64_t>(task.groups.size() + 1));
@@ -227,6 +164,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
     s.worst_least_play = worst_member(setup, task, s.samples, ScatterQuantity::least_play);
   }
   if (task.loosening) s.loosening = loosening_of(setup, task);
+  if (task.load) s.loaded = loaded_spreads(setup, task, s.samples);
   return s;
 }
 

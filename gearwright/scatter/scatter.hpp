@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
+#include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/math/statistics.hpp"
 #include "gearwright/scatter/member.hpp"
 
@@ -25,6 +26,13 @@ enum class Sampling { sobol, random };
 struct ToleranceGroup {
   std::string name;
   std::vector<std::size_t> tolerances;
+};
+
+/// Teeth under torque for the first samples of each replicate.
+struct LoadedFamily {
+  PairCompliance compliance;
+  LoadRequest request;  ///< without root stress
+  int samples = 32;     ///< of each replicate, a power of two, at most ScatterTask::samples
 };
 
 struct ScatterTask {
@@ -40,6 +48,7 @@ struct ScatterTask {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
+  std::optional<LoadedFamily> load{};
   int threads = 0;  ///< with 0, as many as the machine has
   Progress* progress = nullptr;
 };
@@ -68,6 +77,16 @@ struct Probability {
   double value;
   std::int64_t count, of;
   ConfidenceInterval interval;
+};
+
+/// Quantities under one torque, over the samples that have a solution.
+struct LoadedSpread {
+  double torque;                       ///< N mm, on gear 1
+  std::optional<Spread> peak_to_peak,  ///< rad, of the loaded transmission error
+      max_pressure,                    ///< MPa
+      face_load_factor;                ///< K_Hβ; none for point contact
+  Probability edge_carries{};
+  Probability unsolved{};  ///< no teeth touch at a position, or its forces do not converge
 };
 
 /// The indices of each group.
@@ -109,6 +128,7 @@ struct Scatter {
   Probability edge_contact{}, jam{}, contact_lost{};
   std::optional<WorstMember> worst_peak_to_peak, worst_least_play;
   std::optional<Loosening> loosening;
+  std::vector<LoadedSpread> loaded;  ///< by torque of ScatterTask::load
 };
 
 /// Domain    tolerances, samples a power of two, 1 ≤ replicates, 0 < confidence < 1 (contract)

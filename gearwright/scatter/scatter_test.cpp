@@ -35,6 +35,38 @@ Scatter done(const ContactSetup& setup, const ScatterTask& task) {
 const Spread& spread(const Scatter& s, Q q) { return *s.spread[static_cast<std::size_t>(q)]; }
 const auto& indices(const Scatter& s, Q q) { return s.indices[static_cast<std::size_t>(q)]; }
 
+TEST(Scatter, ThreadsDoNotMatterUnderLoad) {
+  const ContactSetup setup = testing::plain_helical_pair().setup();
+  ScatterTask task = task_of({testing::distance(0.02), testing::crossing(0.02)}, 8, 8, 2);
+  LoadRequest request;
+  request.torques = {50e3};
+  request.positions = 4;
+  request.slices = 8;
+  request.accuracy = ComplianceAccuracy::draft;
+  request.root_stress = false;
+  for (const int which : {1, 2})
+    request.bodies[static_cast<std::size_t>(which - 1)] = {0.5 * setup.gear(which).root_diameter,
+                                                           0.3, 206000.0};
+  auto compliance = pair_compliance(setup.gear(1), setup.gear(2), request);
+  ASSERT_TRUE(compliance) << compliance.error().message();
+  task.load = LoadedFamily{std::move(compliance).take(), request, 4};
+  std::vector<Scatter> all;
+  for (const int threads : {1, 2, 3}) {
+    task.threads = threads;
+    all.push_back(done(setup, task));
+  }
+  for (const Scatter& s : all) {
+    ASSERT_EQ(s.loaded.size(), 1u);
+    EXPECT_EQ(s.loaded[0].unsolved.of, 8);
+    ASSERT_TRUE(s.loaded[0].peak_to_peak);
+    EXPECT_GT(s.loaded[0].peak_to_peak->standard_deviation.value, 0.0);
+    EXPECT_EQ(s.loaded[0].peak_to_peak->mean.value, all[0].loaded[0].peak_to_peak->mean.value);
+    EXPECT_EQ(s.loaded[0].max_pressure->greatest, all[0].loaded[0].max_pressure->greatest);
+    // The sample next to a percentile is one of those under load, the first 4 of 8.
+    for (const Percentile& p : s.loaded[0].peak_to_peak->percentiles) EXPECT_LT(p.sample % 8, 4u);
+  }
+}
+
 TEST(Scatter, ThreadsDoNotMatter) {
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = task_of({testing::distance(0.02), testing::crossing(0.02)}, 8, 64, 3);

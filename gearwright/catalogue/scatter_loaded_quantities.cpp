@@ -1,0 +1,49 @@
+// The quantities of a family under torque: `scatter.loaded` of a result.
+#include "gearwright/base/torque.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
+
+namespace gearwright {
+
+const std::array<LoadedEntry, 3>& loaded_entries() {
+  using L = LoadedSpread;
+  static const std::array<LoadedEntry, 3> entries{{
+      {{"peak_to_peak_arcsec", "transmission error, peak to peak", Unit::arcsec, 4,
+        "loaded transmission error, peak to peak over the positions, as in `load`"},
+       &L::peak_to_peak},
+      {{"max_pressure_MPa", "greatest pressure", Unit::megapascal, 1,
+        "greatest pressure of the flanks over the positions"},
+       &L::max_pressure},
+      {{"face_load_factor", "face load factor", Unit::none, 3,
+        "greatest over mean of the load along the face; null for point contact"},
+       &L::face_load_factor},
+  }};
+  return entries;
+}
+
+const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
+  using V = LoadedSpreadView;
+  static const Quantities<V> kAll("scatter.loaded", [](Quantities<V>& q) {
+    q.number("torque_Nm", "torque", "T_1", "on gear 1", [](const V& v) {
+       return Value(newton_metres(v.loaded->torque));
+     }).always();
+    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
+      const LoadedEntry& entry = loaded_entries()[i];
+      q.record<spread_quantities>(entry.key, entry.meaning, [i](const V& v) {
+        return v.spread[i] ? Value(spread_quantities().of(*v.spread[i])) : Value();
+      });
+    }
+    q.record<probability_quantities>(
+         "edge_carries", "an edge of a tooth carries load somewhere",
+         [](const V& v) -> const auto& { return v.loaded->edge_carries; })
+        .always();
+    q.record<probability_quantities>(
+         "unsolved",
+         "no teeth touch at a position, or the forces there do not converge; left out of the "
+         "distributions",
+         [](const V& v) -> const auto& { return v.loaded->unsolved; })
+        .always();
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,85 @@
+#include "gearwright/scatter/spread.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+// The values of one quantity and their indices, of the samples that have one.
+struct Values {
+  std::vector<double> value;
+  std::vector<std::size_t> sample;
+};
+
+Values values_of(const std::vector<double>& all, std::size_t from, std::size_t count) {
+  Values v;
+  for (std::size_t i = from; i < from + count; ++i) {
+    if (std::isnan(all[i])) continue;
+    v.value.push_back(all[i]);
+    v.sample.push_back(i);
+  }
+  return v;
+}
+
+Percentile percentile_of(const ScatterTask& task, double percent, const Values& all,
+                         const std::vector<double>& sorted,
+                         const std::vector<std::vector<double>>& sorted_replicates) {
+  const double p = percent / 100.0;
+  std::vector<double> each;
+  for (const auto& r : sorted_replicates) each.push_back(quantile(r, p));
+  Percentile found{percent, estimate(each), {}, {}, 0};
+  if (task.sampling == Sampling::sobol && found.estimate.standard_error) {
+    const ConfidenceInterval i = interval(found.estimate, each.size(), task.confidence);
+    found.lower = i.lower;
+    found.upper = i.upper;
+  } else {
+    const auto ranks = quantile_ranks(static_cast<std::int64_t>(sorted.size()), p, task.confidence);
+    const auto at = [&](std::int64_t rank) { return sorted[static_cast<std::size_t>(rank - 1)]; };
+    if (ranks.lower) found.lower = at(*ranks.lower);
+    if (ranks.upper) found.upper = at(*ranks.upper);
+  }
+  double best = std::abs(all.value[0] - found.estimate.value);
+  found.sample = all.sample[0];
+  for (std::size_t i = 1; i < all.value.size(); ++i) {
+    const double away = std::abs(all.value[i] - found.estimate.value);
+    if (away >= best) continue;
+    best = away;
+    found.sample = all.sample[i];
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
+                                int per_replicate) {
+  const auto n = static_cast<std::size_t>(per_replicate);
+  const Values all = values_of(values, 0, values.size());
+  if (all.value.empty()) return std::nullopt;
+  std::vector<double> sorted = all.value;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> means, deviations;
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t from = 0; from + n <= values.size(); from += n) {
+    Values v = values_of(values, from, n);
+    if (v.value.empty()) continue;
+    const Moments m = moments(v.value);
+    means.push_back(m.mean);
+    deviations.push_back(std::sqrt(m.variance));
+    std::sort(v.value.begin(), v.value.end());
+    replicates.push_back(std::move(v.value));
+  }
+  Spread spread{estimate(means), estimate(deviations), {}, sorted.front(), sorted.back()};
+  for (const double percent : task.percentiles)
+    spread.percentiles.push_back(percentile_of(task, percent, all, sorted, replicates));
+  return spread;
+}
+
+Probability probability_of(std::int64_t count, std::int64_t of, double confidence) {
+  return {static_cast<double>(count) / static_cast<double>(of), count, of,
+          probability_interval(count, of, confidence)};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,22 @@
+// Statistics of one quantity over the samples of a family: mean, standard deviation, percentiles and
+// probabilities with their intervals.
+//
+// Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.6] to [T14.9]
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gearwright/scatter/scatter.hpp"
+
+namespace gearwright {
+
+/// Over values replicate by replicate, `per_replicate` of each; NaN for a sample without a value.
+/// Percentile::sample is an index of `values`. None if no sample has a value.
+std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
+                                int per_replicate);
+
+Probability probability_of(std::int64_t count, std::int64_t of, double confidence);
+
+}  // namespace gearwright
