@@ -25,11 +25,24 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
   const Rating& r = answer.rating;
   const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
-  const auto made =
-      contact_under(job, errors_of(job), job.spec.load, torque, job.warnings, progress);
+  const auto made = contact_under(job, errors_of(job), job.spec.load, torque / answer.pair.halves,
+                                  job.warnings, progress);
   if (!made) return made.error();
   const LoadedTorque& t = made->torques.front();
   return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
+}
+
+// Double-helical gears: the pair is that of one half, and the halves share the load.
+std::optional<Error> two_halves(const SolvedJob& job, RatingAnswer& answer) {
+  if (!job.halves[0]) return std::nullopt;
+  const RatingInput& in = answer.input;
+  if (!in.face_load_factor && (in.mounting || in.shafts)) {
+    return Error{in.mounting ? "rating.mounting" : "gear1.shaft", "",
+                 "gives the face load factor of gears of one helix; for double-helical gears give "
+                 "rating.face_load_factor"};
+  }
+  answer.pair.halves = 2;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -57,6 +70,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   auto rated = rated_pair(*job.pair);
   if (!rated) return rated.error();
   answer.pair = *rated;
+  if (auto error = two_halves(job, answer)) return *error;
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
     auto material = material_of(job.spec.gears[i]->material, material_table(job.spec, which),
@@ -81,6 +95,8 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   answer.torque_holding = torque_of_safety(answer.pair, answer.input, answer.wanted);
   answer.face_holding = face_width_of_safety(answer.pair, answer.input, answer.wanted,
                                              kMostFaceModules * answer.pair.normal_module);
+  if (answer.face_holding && job.halves[0])
+    answer.face_holding = 2 * *answer.face_holding + job.halves[0]->given.gap;
   warn_of_limits(job, answer.rating);
   if (table.tooth_contact) {
     auto contact = tooth_contact(job, answer, progress);

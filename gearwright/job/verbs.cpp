@@ -179,7 +179,8 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
                    const RatingAnswer& a) { return judge(job, {.rating = &a}); },
        .record = rating_json,
        .listing = rating_listing,
-       .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); }},
+       .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); },
+       .halves = true},
       spec, progress);
 }
 

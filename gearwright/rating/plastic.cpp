@@ -92,7 +92,7 @@ ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& 
              (input.ambient_temperature && input.friction));
   const HeatTransfer k = heat_transfer(materials);
   const double housing = input.housing_area ? input.housing_resistance / *input.housing_area : 0.0;
-  const double width = pair.face_width;
+  const double width = pair.carrying_width();
   const auto warm = [&](const std::optional<std::array<double, 2>>& given, double k_theta) {
     if (given) {
       const auto t = turned(pair, *given);
@@ -208,7 +208,7 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     r.Y_S[i] = stress_correction_factor(*section);
     r.Y_beta[i] = root_helix_factor(RatingEdition::iso_2006, pair);
     r.Y_ST[i] = {2.0, kRootStress, ""};
-    r.sigma_F0[i] = {r.F_t.value / (pair.face_width * pair.normal_module) * r.Y_F[i].value *
+    r.sigma_F0[i] = {r.F_t.value / (pair.carrying_width() * pair.normal_module) * r.Y_F[i].value *
                          r.Y_S[i].value * r.Y_epsilon->value * r.Y_beta[i].value,
                      kRootStress, ""};
     r.sigma_F[i] = {r.sigma_F0[i].value * k_F, kRootStress, ""};

@@ -55,13 +55,16 @@ struct RatedPair {
   double beta_b = 0.0;
   double center_distance = 0.0;  ///< a     mm
   double u = 0.0;                ///< z2/z1, negative for an internal pair
-  double face_width = 0.0;       ///< b     mm, the lesser
+  double face_width = 0.0;       ///< b     mm, the lesser; b_B of double-helical gears
+  int halves = 1;                ///< 2 for double-helical gears, whose halves share the load equally
   double epsilon_alpha = 0.0;
   double epsilon_beta = 0.0;
 
   bool internal() const { return gears[1].internal(); }
   bool spur() const { return beta == 0.0; }
   double epsilon_gamma() const { return epsilon_alpha + epsilon_beta; }
+  /// The width that carries the load: b = 2 b_B for double-helical gears.   ISO 6336-1, 4.2
+  double carrying_width() const { return halves * face_width; }
   double epsilon_alpha_n() const;
   /// The place in `gears` of gear 1 or 2 of the spec.
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }

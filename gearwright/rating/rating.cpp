@@ -57,7 +57,9 @@ void Rater::load() {
   r.F_t = {2000 * in.torque / driven_by.reference_diameter, "ISO 6336-1, 4.2, (1)", ""};
   r.K_A = {in.application_factor, "ISO 6336-1, clause 5", kGivenFactor};
   r.K_gamma = {in.mesh_load_factor, "ISO 6336-1, 4.2",
-               in.mesh_load_factor == 1.0 ? "one mesh" : kGivenFactor};
+               in.mesh_load_factor != 1.0 ? kGivenFactor
+               : pair.halves == 2         ? "two halves that carry equally"
+                                          : "one mesh"};
   if (!in.speed) return;
   pinion_speed = *in.speed * std::abs(driven_by.teeth / static_cast<double>(pair.gears[0].teeth));
   velocity = std::numbers::pi * driven_by.reference_diameter * *in.speed / 60.0 / kMmPerM;
@@ -71,7 +73,8 @@ void Rater::load() {
 }
 
 void Rater::dynamics() {
-  const double line = r.F_t.value * in.application_factor * in.mesh_load_factor / pair.face_width;
+  const double line =
+      r.F_t.value * in.application_factor * in.mesh_load_factor / pair.carrying_width();
   const double e1 = materials[0].youngs_modulus;
   const double e2 = materials[1].youngs_modulus;
   r.stiffness = mesh_stiffness(pair, line, relative_elasticity(e1, e2), in.body);
@@ -107,8 +110,8 @@ void Rater::dynamics() {
 }
 
 void Rater::distribution() {
-  const double mean =
-      r.F_t.value * in.application_factor * in.mesh_load_factor * r.K_v.value / pair.face_width;
+  const double mean = r.F_t.value * in.application_factor * in.mesh_load_factor * r.K_v.value /
+                      pair.carrying_width();
   if (in.face_load_factor) {
     r.face.K_Hbeta = given(*in.face_load_factor);
   } else {
@@ -208,7 +211,7 @@ std::optional<Error> Rater::root() {
     r.Y_delta_relT[i] = at_life(notch_sensitivity_factor(m, *section), life);
     r.Y_R_relT[i] = at_life(surface_factor(m, Rz), life);
     r.Y_X[i] = at_life(root_size_factor(m, pair.normal_module), life);
-    const double b = root_face_width(pair, g);
+    const double b = pair.halves * root_face_width(pair, g);
     r.sigma_F0[i] = {r.F_t.value / (b * pair.normal_module) * r.Y_F[i].value * r.Y_S[i].value *
                          r.Y_beta[i].value * r.Y_B[i].value * r.Y_DT[i].value,
                      "ISO 6336-3, 5.2", ""};

@@ -24,7 +24,7 @@ std::string rating_remedy(const JudgedRating& rating) {
   const auto steel = steel_of_safety(pair, *rating.input, rating.wanted);
   std::string text;
   if (face && *face > pair.face_width) {
-    const double more = *face - pair.face_width;
+    const double more = pair.halves * (*face - pair.face_width);
     const int digits = more < 1.0 ? 1 : 0;
     const double step = digits == 1 ? 10.0 : 1.0;
     text = fmt::format("{:.{}f} mm more face width", std::ceil(more * step) / step, digits);

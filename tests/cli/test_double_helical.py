@@ -36,6 +36,37 @@ class TwoHalves(unittest.TestCase):
         run = Run("pair", PAIR.format("hob_diameter_mm = 120\nhob_half_length_mm = 20"), "--json")
         self.assertIn("hob_run_out", [w["code"] for w in json.loads(run.out)["warnings"]])
 
+    def rated(self, spec, torque):
+        steel = '[gear1.material]\nname = "18CrNiMo7-6"\n'
+        load = (f"[rating]\ntorque_Nm = {torque}\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n"
+                "life_h = 20000\nlubricant_viscosity_40C_mm2_s = 220\n")
+        run = Run("rate", spec + steel + load, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        return json.loads(run.out)["rating"]
+
+    def test_the_halves_share_the_load(self):
+        """ISO 6336: b = 2 b_B, and the overlap ratio of one half: the rating of a half under half of the torque."""
+        both = self.rated(PAIR.format(""), 4000)
+        half = PAIR.format("").replace("[gear1.double_helical]\ngap_mm = 30\n", "")
+        half = half.replace("[gear2.double_helical]\ngap_mm = 30\n", "").replace("150", "60")
+        one = self.rated(half, 2000)
+        total = {"torque_Nm", "power_kW", "F_t_N", "torque_holding_Nm", "face_width_holding_mm"}
+        formulas = [r.pop("formulas") for r in (both, one)]
+        differ = {key for key in both if both[key] != one[key]}
+        self.assertEqual(differ, total)
+        self.assertEqual([key for key in formulas[0] if formulas[0][key] != formulas[1][key]], ["K_gamma"])
+        self.assertEqual(both["torque_holding_Nm"], 2 * one["torque_holding_Nm"])
+        self.assertAlmostEqual(both["face_width_holding_mm"], 2 * one["face_width_holding_mm"] + 30, 9)
+        self.assertIn("two halves that carry equally", Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n"
+                      "[rating]\ntorque_Nm = 4000\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n").out)
+
+    def test_a_mounting_of_one_helix_is_an_error(self):
+        run = Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n[rating]\ntorque_Nm = 4000\n"
+                  "speed_rpm = 1200\nquality = 6\n[rating.mounting]\nbearing_span_mm = 300\npinion_offset_mm = 0\n"
+                  "shaft_diameter_mm = 60\narrangement = \"a\"\n")
+        self.assertEqual(run.status, 1)
+        self.assertIn("rating.face_load_factor", run.err)
+
     def test_other_verbs_reject_it(self):
         for verb in ("contact", "run"):
             run = Run(verb, PAIR.format(""))
