@@ -221,15 +221,14 @@ class PowerDiagram {
 
   void draw() {
     f_.id = "power";
-    f_.title = "Where the power flows.";
+    f_.title = "Power flow.";
     f_.description =
         "Bands as wide as the power that they carry, from the inputs through bodies and meshes to "
-        "the output; what is lost leaves downwards.";
+        "the output; losses leave downwards.";
     f_.caption =
-        " Seen from the housing, in parts of the power that flows in. A mesh gives its loss off "
-        "downwards; below its name stands the power that rolls through its teeth, as its frame "
-        "sees "
-        "it. A band below everything runs back: power circulates.";
+        " Seen from the housing, in parts of the input power. The loss of a mesh leaves "
+        "downwards. Below the name of a mesh is the power that its teeth transmit, seen from its "
+        "frame. A band below everything else runs back and shows circulating power.";
     f_.bare = true;
     double low = low_ - 0.35;
     for (const Band& band : bands_) {

@@ -37,7 +37,7 @@ class Scheme {
     f_.title = "The kinematic scheme.";
     f_.description =
         "Gears as sticks with their teeth as bars, shafts as lines, carriers with one planet each, "
-        "and what is held, with speeds and torques at the ends of the shafts.";
+        "and fixed bodies, with speeds and torques at the ends of the shafts.";
     f_.caption =
         " A half section: sets are drawn above their axis, with one planet. Radii are to scale, "
         "lengths along the axes are not.";

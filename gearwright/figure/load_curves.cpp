@@ -177,7 +177,7 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
            .title = "Harris map",
            .description =
                "Over the torque: the loaded transmission error's peak to peak and the "
-               "amplitudes of its first waves.",
+               "amplitudes of its first harmonics.",
            .caption = fmt::format(". Of the given torques, {} has the least, {}″ peak to peak.",
                                   torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
            .x = {"torque on gear 1", "N m"},
