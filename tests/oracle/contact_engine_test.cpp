@@ -256,8 +256,8 @@ TEST(LongContactEngine, arcs_against_five_equations) {
   EXPECT_GT(t.inside, 400);
 }
 
-// Arcs with modified flanks, which the five equations do not know: no place of a dense grid of the
-// flanks touches before the room's, and that one is a place of both.
+// Arcs with modified flanks, which the five equations do not support. No point of a dense grid of
+// the flanks touches before the contact of the room, and that contact is a point of both flanks.
 TEST(ContactEngine, modified_arcs_against_dense_places) {
   Random random(3);
   for (int i = 0; i < 6; ++i) {
