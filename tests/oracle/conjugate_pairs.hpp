@@ -3,10 +3,10 @@
 // errors corrected, computed with 40 digits and rounded to doubles. `magi_tab1` is its Table 1.
 //
 //   gears     z, d_b, s_bt, β_b in degrees, d_a
-//   meshes    Σ in degrees, a, ψ_1 in degrees, A, B: the contact of the leading flanks runs along a
 //   meshes    Σ in degrees, a, ψ_1 in degrees, A, B. The contact of the leading flanks runs along a
 //             straight line, from A at the tip of gear 2 to B at the tip of gear 1.
 //   plays     Σ in degrees, another a, and the angle in degrees by which gear 2 can turn there
+//
 // A and B are given in a frame with y towards gear 2 and axis 1 along (sin ψ_1, 0, cos ψ_1), which
 // `housing` transforms. The line of the trailing flanks is the same line turned by half a turn
 // about the centre line.
