@@ -1,9 +1,10 @@
-// Times of tooth contact. The race is against the five equations with their Jacobian by hand
-// (tests/oracle/five_equation_fast.hpp), both started from the positions before, in one run: the
-// counter `ratio` is cost per position of the room over that of the five equations, < 1 is faster.
+// Measures tooth contact. The comparison is with the five equations and their Jacobian by hand
+// (tests/oracle/five_equation_fast.hpp). Both start from the preceding positions, in one run. The
+// counter `ratio` is the cost per position of this room over that of the five equations; less than
+// 1 is faster.
 //
-// A position of the room is one of the curve: every tooth pair and every edge looked at. A position
-// of the five equations is one tooth pair, no edge.
+// A position of this room is one of the curve, with every tooth pair and every edge examined. A
+// position of the five equations is one tooth pair without edges.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -70,14 +71,14 @@ ContactSet involutes(double crossing, double lead_crowning) {
   return set;
 }
 
-// Of this thread's work alone: a busy machine slows both sides of the race, not equally.
+// Only the work of this thread is measured, because a busy machine slows the two sides unequally.
 double seconds() {
   std::timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// 64 positions of one tooth pair; every start lies on the straight line through the last two.
+// 64 positions of one tooth pair. Every start lies on the straight line through the last two.
 struct FiveEquations {
   FastArcTouch fast;
   double step;
@@ -171,7 +172,7 @@ BENCHMARK(contact_race_per_position_of_a_curve)->Unit(benchmark::kMicrosecond);
 void contact_race_one_tooth_pair(benchmark::State& state) { race(state, false); }
 BENCHMARK(contact_race_one_tooth_pair)->Unit(benchmark::kMicrosecond);
 
-// Curves a second: `items_per_second`. The work is in the counters.
+// Curves per second are in `items_per_second`, and the work is in the counters.
 void curve(benchmark::State& state, const ContactSet& set) {
   const ContactPair pair = set.pair();
   long evaluations = 0, searches = 0, colds = 0;
@@ -200,7 +201,7 @@ void contact_curve_crowned_involutes(benchmark::State& state) {
 }
 BENCHMARK(contact_curve_crowned_involutes)->Unit(benchmark::kMicrosecond);
 
-// With curvatures, ellipses and all six derivatives.
+// The curve includes curvatures, ellipses and all six derivatives.
 void contact_analysis_circular_arcs(benchmark::State& state) {
   const ContactPair pair = contact_set(arcs()).pair();
   ContactRequest request;

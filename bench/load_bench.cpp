@@ -1,6 +1,7 @@
-// Times of teeth under load: the tables of a gear, a position of the pair. 17:43, m_n 2.5.
+// Measures teeth under load: the tables of a gear, and a position of the pair. 17:43, m_n 2.5.
 //
-// One thread: the tables are made on as many as there are, so that `user` time counts.
+// The benchmark uses one thread. The tables are made on all available threads, so `user` time
+// counts.
 #include <benchmark/benchmark.h>
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Triangle meshes and drawings: time per gear grows in proportion to its teeth.
+// Measures triangle meshes and drawings. The time per gear grows in proportion to its teeth.
 #include <benchmark/benchmark.h>
 
 #include "gearwright/cad/dxf.hpp"

@@ -1,4 +1,4 @@
-// Times of one gear: from the spec to the outline, and the outline's points.
+// Measures one gear, from the spec to the outline and its points.
 #include <benchmark/benchmark.h>
 
 #include <optional>
@@ -19,7 +19,7 @@ CylindricalSpec spec(int teeth) {
   return s;
 }
 
-// 9 teeth are undercut (a crossing to solve), 25 are not.
+// 9 teeth are undercut, so an intersection must be solved. 25 teeth are not.
 void make_gear_only(benchmark::State& state) {
   const CylindricalSpec s = spec(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(make_gear(s));
@@ -35,8 +35,9 @@ void make_gear_and_200_points_per_arc(benchmark::State& state) {
 }
 BENCHMARK(make_gear_and_200_points_per_arc)->Arg(9)->Arg(25)->Unit(benchmark::kMicrosecond);
 
-// Cut by a finished pinion instead: a wheel of 40 teeth, a ring of 60. Every point of it is made
-// through the point of the cutter's arc, which was made through one of the rack's.
+// The gears are cut by a finished pinion: an external gear of 40 teeth, an internal gear of 60.
+// Every point is computed through the point of the cutter's arc, which is computed through a point
+// of the rack.
 void pinion_cut_and_200_points_per_arc(benchmark::State& state) {
   CylindricalSpec s = spec(18);
   s.straight_rack().addendum = 1.25;
@@ -50,7 +51,7 @@ void pinion_cut_and_200_points_per_arc(benchmark::State& state) {
 }
 BENCHMARK(pinion_cut_and_200_points_per_arc)->Arg(40)->Arg(-60)->Unit(benchmark::kMicrosecond);
 
-// θ(ρ) of the fillet has no closed form: one bracketed solve a call.
+// θ(ρ) of the fillet has no closed form, so each call is one bracketed solution.
 void fillet_half_angle_at_a_radius(benchmark::State& state) {
   const auto gear = make_gear(spec(25));
   const Arc& arc = *gear->tooth->outline.find(ArcName::root_fillet);

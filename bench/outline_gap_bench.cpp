@@ -1,4 +1,4 @@
-// Times of the gap of two outlines, beside the fillet clearance of the same pair.
+// Measures the gap of two outlines, and the fillet clearance of the same pair for comparison.
 #include <benchmark/benchmark.h>
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Times of one pair: the closed-form mesh, and the whole mounting with its clearances.
+// Measures one pair: the closed-form mesh, and the whole mounting with its clearances.
 #include <benchmark/benchmark.h>
 
 #include <utility>
@@ -69,7 +69,7 @@ MeshInput<double> screws() {
   return in;
 }
 
-// Everything a crossed pair is asked for: mesh, backlash, line, faces, sliding at both ends,
+// All quantities of a crossed pair are computed: mesh, backlash, line, faces, sliding at both ends,
 // efficiency, backlash-free and least distance.
 double all_of(const MeshInput<double>& in) {
   const Mesh<double> m = mesh_of(in);

@@ -1,8 +1,8 @@
-"""What Python costs: one Pair against the same work in C++, many against one call, arrays against the clock.
+"""Measures the cost of Python: one Pair against the same work in C++, many against one call, and arrays alone.
 
     python3 bench/python_overhead.py BUILD      `make bench` runs it after the C++ benchmarks
 
-The C++ side of a Pair is `spec_to_pair` of build/bench: a spec read, its gears made and mounted.
+The C++ side of a Pair is `spec_to_pair` of build/bench, which reads a spec, makes its gears and mounts them.
 """
 
 import json
@@ -22,7 +22,7 @@ RECORDED_PY_GEARWORKS = 14.0  # ms for one helical profile, as recorded; its dep
 
 
 def best_of(work, repeats, rounds=5):
-    """Seconds of one, the best of some rounds."""
+    """Returns the seconds of one call, the best of several rounds."""
     times = []
     for _ in range(rounds):
         start = time.perf_counter()
@@ -33,7 +33,7 @@ def best_of(work, repeats, rounds=5):
 
 
 def cpp(name):
-    """Seconds of a C++ benchmark, the best of five."""
+    """Returns the seconds of a C++ benchmark, the best of five."""
     run = subprocess.run([BUILD / "bench/bench", f"--benchmark_filter=^{name}$", "--benchmark_repetitions=5",
                           "--benchmark_format=json"], capture_output=True, text=True, check=True)
     units = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}

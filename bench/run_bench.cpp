@@ -1,4 +1,5 @@
-// `run` on a helical pair, from the spec's text to every file on disk: under a second in all.
+// Measures `run` on a helical pair, from the text of the spec to every file on disk. The aim is
+// less than one second.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-// Times of tolerance scatter. The race is against the loop over contact in one run, both flanks each,
-// as the verb contact computes them: the counter `ratio` is the time of a pair in that loop over the
-// time of a member of the family, > 1 is faster than the loop.
+// Measures tolerance scatter. The comparison is with the loop over contact in the same run, both
+// flanks each, as the verb contact computes them. The counter `ratio` is the time of a pair in that
+// loop over the time of a member of the family; more than 1 is faster than the loop.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -26,7 +26,7 @@ CylindricalSpec gear(int teeth, double helix_deg, double shift, double allowance
   return s;
 }
 
-// 17 : 43 helical teeth, crowned or not.
+// 17 : 43 helical teeth, with or without crowning.
 ContactSetup setup(bool crowned) {
   const auto pair =
       mount(make_gear(gear(17, 15, 0.3, -0.05)).value(),

@@ -1,8 +1,9 @@
-// The design search: lanes against their own scalar instance in one run, one thread against two,
-// feasible designs against trials that the sieve kills.
+// Measures the design search: lanes against their own scalar instance in one run, one thread
+// against two, feasible designs against trials that the sieve rejects.
 //
-// Counters: `ratio`, the median over rounds in which both ways take turns, so that a noisy machine
-// slows both; `per_s`, candidates a second. The lanes' instruction set is the benchmark's label.
+// Counters: `ratio` is the median over rounds in which both ways alternate, so that a noisy machine
+// slows both. `per_s` is candidates per second. The benchmark's label is the instruction set of the
+// lanes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -106,8 +107,9 @@ void search_one_thread_over_two(benchmark::State& state) {
 }
 BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations(7);
 
-// Spur pairs at free centres, most of them feasible: what a design costs, with the limits under which
-// it runs and without. `ratio`: designs over trials that die in the sieve, by time.
+// Spur pairs at free centre distances, most of them feasible. They measure the cost of a design
+// with and without the limits of the drawing. `ratio` is the time of designs over that of trials
+// rejected by the sieve.
 void feasible_designs_over_sieve(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -145,8 +147,9 @@ BENCHMARK(feasible_designs_over_sieve)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// What a design costs whose shifts do not lie on the line of Eq. 11, which λ lifts off every region:
-// `ratio`, by time, over one that stands on it. Arg 1: free of backlash, tips shortened, on the line.
+// The cost of a design whose shifts do not lie on the line of Eq. 11, which λ moves off every
+// region. `ratio` is its time over that of a design on the line. Arg 1: free of backlash, tips
+// shortened, on the line.
 void designs_off_the_line_over_those_on_it(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -185,8 +188,8 @@ BENCHMARK(designs_off_the_line_over_those_on_it)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// The same designs rated by ISO 6336 and not: `us_per_rating` is what a rating adds to a design,
-// `ratio` time with over time without.
+// The same designs with and without rating by ISO 6336. `us_per_rating` is the additional time per
+// design, `ratio` the time with rating over that without.
 void rated_designs_over_unrated(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};

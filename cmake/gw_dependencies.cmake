@@ -1,4 +1,4 @@
-# What the build needs from outside. tools/packages.txt names the Debian packages of each.
+# The dependencies of the build. tools/packages.txt lists the Debian package of each.
 include_guard()
 
 if(EMSCRIPTEN)
@@ -32,7 +32,7 @@ if(GEARWRIGHT_CLI)
   find_package(CLI11 2.1 QUIET)
 endif()
 
-# MPI for searches on many ranks: where the package is.
+# MPI for searches on many ranks, if the package is installed.
 set(why_no_mpi "switched off (GEARWRIGHT_MPI=OFF)")
 if(NOT DEFINED GEARWRIGHT_MPI OR GEARWRIGHT_MPI)
   find_package(MPI QUIET COMPONENTS CXX)
@@ -48,11 +48,12 @@ if(GEARWRIGHT_MPI AND NOT MPI_CXX_FOUND)
                       "On Debian: apt-get install libopenmpi-dev openmpi-bin")
 endif()
 
-# Scripts run on the system's Python, where Debian's modules are, not on the first of the PATH.
+# Scripts run with the Python of the system, which has Debian's modules, not with the first one in
+# PATH.
 find_program(GEARWRIGHT_PYTHON_EXECUTABLE python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
              DOC "Python that runs the script tests, and that the package is for")
 
-# The Python package: where pybind11 and NumPy are, as MPI above.
+# The Python package, if pybind11 and NumPy are installed.
 set(why_no_python "switched off (GEARWRIGHT_PYTHON=OFF)")
 if(GEARWRIGHT_LEAN OR CMAKE_CROSSCOMPILING)
   set(GEARWRIGHT_PYTHON OFF)

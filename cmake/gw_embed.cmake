@@ -1,13 +1,14 @@
-# Text files as functions: what stands in style.css, a program calls as `style()`.
+# Embeds text files as functions. For example, `style()` returns the content of style.css.
 #
 #   gw_embed(<target> NAMESPACE <namespace> FILES <file>…)
 #
-# Each file becomes a source of the target, made anew when the file changes. The function
-# `std::string_view <name of the file>()` gives a newline and then the bytes of the file, so that a
-# text that stands between tags begins on a line of its own. Its declaration is the caller's.
+# Each file becomes a source of the target, which is made again when the file changes. The function
+# `std::string_view <name of the file>()` returns a newline followed by the bytes of the file, so
+# that a text between tags begins on a line of its own. The caller declares the function.
 #
-# The script part (cmake -P) writes one such source. A literal holds at most kPart bytes, as some
-# compilers take no more than 16 kB, and ends with a line, so that no character is cut in two.
+# The script part (cmake -P) writes one such source. A literal contains at most kPart bytes, because
+# some compilers accept no more than 16 kB. It ends at the end of a line, so that no character is
+# split.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   include_guard()
   set(gw_embed_script ${CMAKE_CURRENT_LIST_FILE})

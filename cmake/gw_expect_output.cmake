@@ -1,12 +1,12 @@
-# Runs a program and compares what it prints, to the letter, with the last comment of its source:
+# Runs a program and compares its output exactly with the last comment of its source:
 #
 #   /* prints
 #   contact ratio 2.2772
 #   */
 #
-#   PROGRAM   what to run, in the working directory      SOURCE   the .cpp with the comment
+#   PROGRAM   the program to run, in the working directory      SOURCE   the .cpp with the comment
 #
-# With GW_WRITE_DOCS in the environment the comment is written anew instead.
+# If GW_WRITE_DOCS is set in the environment, the comment is written again instead.
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} ends with ${status}; it printed\n${printed}")

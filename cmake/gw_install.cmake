@@ -1,6 +1,6 @@
 # Installing and packaging: find_package(gearwright), pkg-config, DEB and TGZ.
 #
-# Component `runtime` holds the program and shared libraries, `dev` what a compiler needs.
+# Component `runtime` contains the program and shared libraries, `dev` the files for a compiler.
 include_guard()
 include(CMakePackageConfigHelpers)
 
@@ -23,7 +23,7 @@ if(has_cli)
   set_target_properties(gearwright_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
   if(has_mpi)
     set_target_properties(gearwright_mpi PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
-    # What was built is installed: `make demo` builds the program alone.
+    # Only targets that were built are installed, because `make demo` builds only the program.
     install(TARGETS gearwright_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi OPTIONAL)
   endif()
   install(TARGETS gearwright_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
@@ -36,14 +36,14 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gearwrightConfigVersion.c
 install(FILES ${PROJECT_BINARY_DIR}/gearwrightConfig.cmake
   ${PROJECT_BINARY_DIR}/gearwrightConfigVersion.cmake DESTINATION ${gw_cmake_dir} COMPONENT dev)
 
-# pkg-config: the paths follow the file, so that the prefix can be moved.
+# pkg-config: the paths are relative to the file, so that the prefix can be moved.
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 set(pc_requires "eigen3")
 set(pc_requires_private "fmt, tomlplusplus, zlib, tbb, nlopt, libhwy, libzstd, sqlite3")
 if(NOT BUILD_SHARED_LIBS)
-  # A static archive needs its own needs, with and without --static.
+  # A static archive requires its dependencies both with and without --static.
   string(APPEND pc_requires ", ${pc_requires_private}")
   set(pc_requires_private "")
 endif()
@@ -88,7 +88,7 @@ if(PROJECT_IS_TOP_LEVEL)
 libhwy-dev, libzstd-dev, libsqlite3-dev")
   if(BUILD_SHARED_LIBS)
     string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", gearwright (= ${PROJECT_VERSION})")
-    # The libraries of this very build, for dpkg-shlibdeps.
+    # The libraries of this build, for dpkg-shlibdeps.
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
   endif()
   include(CPack)

@@ -1,5 +1,5 @@
-# What is read: completion, manual pages, documents, examples, and what Debian wants beside each
-# package, its licence and its changes.
+# Installs completion, manual pages, documents and examples, and the licence and changes that Debian
+# requires for each package.
 include_guard()
 
 set(gw_maintainer "The Gearwright developers <developers@gearwright.invalid>")
@@ -13,7 +13,7 @@ set(gw_about_RUNTIME "${gw_about}This package holds the program.")
 set(gw_about_DEV "${gw_about}This package holds headers and libraries for C++ programs.")
 set(gw_about_MPI "${gw_about}This package holds the design search on many ranks.")
 
-# The day of the last change is part of the sources, not of the build.
+# The date of the last change is part of the sources, not of the build.
 set(gw_changed "Sun, 22 Nov 2026 00:00:00 +0000")
 set(gw_packages runtime:gearwright dev:libgearwright-dev mpi:gearwright-mpi)
 

@@ -1,5 +1,5 @@
-# Run at install time: copies the public headers (gw_public_headers.cmake says which), and
-# the texts (.inc) that they include.
+# Runs at install time. Copies the public headers (see gw_public_headers.cmake) and the texts (.inc)
+# that they include.
 #
 #   gw_source       the source folder             gw_headers_to   include folder under the prefix
 include(${CMAKE_CURRENT_LIST_DIR}/gw_public_headers.cmake)

@@ -1,7 +1,8 @@
-# A lean build: without oneTBB, NLopt, zlib, zstd, SQLite and Highway, as a browser has none of them.
+# A lean build, without oneTBB, NLopt, zlib, zstd, SQLite and Highway, none of which is available in
+# a browser.
 #
-#   X_without.cpp   stands in for X.cpp in a lean build: the same functions without the library, or a
-#                   plain sentence in their place
+#   X_without.cpp   replaces X.cpp in a lean build. It has the same functions without the library,
+#                   or returns an error instead.
 #
 #   base/parallel          one item after the other                    (oneTBB)
 #   base/packing           its own CRC-32, stb_image_write's deflate   (zlib)
@@ -11,12 +12,12 @@
 #   job/search_campaign    none: a search leaves no folder             (zstd, SQLite: the store)
 #   apps/common/watch      no line of progress                         (threads, signals)
 #
-# What only a folder of a search needs is left out with the store.
+# Functions that only the folder of a search needs are omitted together with the store.
 include_guard()
 
 set(gw_store_sources "/gearwright/store/|/gearwright/job/search_(files|record|tables)\\.cpp$")
 
-# Leaves one of each pair in the list. On Windows, X_windows.cpp stands in for X.cpp likewise.
+# Keeps one of each pair in the list. On Windows, X_windows.cpp replaces X.cpp in the same way.
 function(gw_choose_twins list_name)
   set(kept "")
   foreach(source IN LISTS ${list_name})

@@ -1,5 +1,6 @@
-# What the program says of itself, as files for the installation: completion of three shells and the
-# manual page, packed as Debian wants it (no name and no time in it, so that same input is same bytes).
+# Writes files for the installation with the program itself: completion for three shells and the
+# manual page. The page is packed as Debian requires, without a name and a time, so that the same
+# input gives the same bytes.
 #
 #   cmake -DPROGRAM=<gearwright> -DINTO=<folder> -P gw_made.cmake
 function(say file)

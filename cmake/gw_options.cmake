@@ -1,7 +1,8 @@
-# How every target of the project is compiled.
+# Options with which every target of the project is compiled.
 #
-# Same input, same bits: no contraction into fused multiply-adds, never -ffast-math. -DNDEBUG silences
-# the asserts of the libraries we include; our own contracts do not look at it and stay on.
+# The same input must give the same bits. Therefore operations are not contracted into fused
+# multiply-adds, and -ffast-math is never used. -DNDEBUG disables the asserts of included libraries.
+# It has no effect on our own contracts, which stay enabled.
 include_guard()
 include(gw_unity)
 
@@ -9,7 +10,7 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Without these two permissions ccache caches nothing that is compiled with a precompiled header.
+  # Without these two permissions, ccache caches nothing that is compiled with a precompiled header.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
       CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
@@ -20,29 +21,32 @@ endif()
 
 function(gw_target target)
   gw_unity(${target})
-  # A contract that is violated names its file as the sources do, wherever they lie.
+  # The message of a violated contract contains the file name relative to the sources, wherever they
+  # are.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
                          -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
                          $<$<BOOL:${GEARWRIGHT_WERROR}>:-Werror>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # g++ 12 sees std::string copy past its small buffer where it cannot (GCC bug 105329), depending on
-    # the length of a literal; the presets of clang keep the warning.
+    # g++ 12 wrongly reports that std::string copies beyond its small buffer (GCC bug 105329),
+    # depending on the length of a literal. The presets of clang keep the warning.
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # The compiler collects its garbage once it holds a gigabyte, not at every 128 MB, which a
-    # precompiled header alone fills: 10 to 20 % less time where templates are many, 15 % more memory.
+    # The compiler collects garbage only above one gigabyte. By default it does so every 128 MB,
+    # which a precompiled header alone fills. This saves 10 to 20 % of the time if there are many
+    # templates, and uses 15 % more memory.
     target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=1048576)
   endif()
   if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN)
     # A program loads only the libraries that it calls.
     target_link_options(${target} PRIVATE LINKER:--as-needed)
   endif()
-  # In WebAssembly code that may lie anywhere asks a table for every address.
+  # In WebAssembly, position-independent code reads every address from a table.
   if(EMSCRIPTEN)
     return()
   endif()
-  # Programs too, where CMake would say -fPIE: one precompiled header serves all (gw_precompiled.cmake).
+  # This includes programs, for which CMake would use -fPIE, so that one precompiled header serves
+  # all (gw_precompiled.cmake).
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "EXECUTABLE")
     target_compile_options(${target} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})

@@ -1,7 +1,8 @@
-# The build of a program that runs without any package: every library is linked statically.
+# Builds a program that runs without any package. Every library is linked statically.
 #
-# GEARWRIGHT_LIBRARIES is the folder with the libraries for the target, which tools/portable_libraries.sh compiles
-# from Debian's sources; libraries that are headers only come from this system.
+# GEARWRIGHT_LIBRARIES is the folder with the libraries for the target, which
+# tools/portable_libraries.sh compiles from Debian's sources. Header-only libraries come from this
+# system.
 include_guard()
 include(gw_system_headers)
 gw_system_headers()
@@ -21,23 +22,24 @@ foreach(library z zstd sqlite3)
     INTERFACE_INCLUDE_DIRECTORIES ${GEARWRIGHT_LIBRARIES}/include)
 endforeach()
 set(gw_libraries gw_z TBB::tbb NLopt::nlopt_cxx Threads::Threads hwy::hwy gw_zstd gw_sqlite3)
-# The instruction sets that the kernels of the search leave out (Highway chooses among the others at run time).
+# Instruction sets that the kernels of the search omit. Highway chooses among the others at run
+# time.
 if(WIN32)
   add_link_options(LINKER:--wrap=mbrtowc)  # base/system_windows.cpp
-  # g++ aligns the stack of Windows to 16 bytes, where variables of AVX need 32 (GCC bug 54412).
+  # g++ aligns the stack on Windows to 16 bytes, but AVX variables need 32 (GCC bug 54412).
   set(gw_without "(HWY_AVX2|HWY_AVX3|HWY_AVX3_DL)")
 elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-  # g++ 12 ends with an internal error at arm_sve.h where a precompiled header is used.
+  # g++ 12 fails with an internal error at arm_sve.h if a precompiled header is used.
   set(gw_without "(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 endif()
 file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=${gw_without}")
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-  # Highway's NEON includes AES, which the compiler never uses by itself; without it the constructor of an array of
-  # lanes is no function of that instruction set.
+  # Highway's NEON includes AES, which the compiler never uses by itself. If it is enabled, the
+  # constructor of an array of lanes is not a function of that instruction set.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS "-march=armv8-a+crypto;-Wno-invalid-pch")
 endif()
-# tools/sbom.py reads the map: the archives whose members the program contains.
+# tools/sbom.py reads the map, which lists the archives whose members the program contains.
 add_link_options(-static -s LINKER:-Map=${PROJECT_BINARY_DIR}/gearwright.map)
 
 set(GEARWRIGHT_MPI OFF)

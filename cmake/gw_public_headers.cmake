@@ -1,10 +1,12 @@
-# Which headers are public: those that show the standard library, Eigen and our own, and nothing else.
+# Determines the public headers: those that expose only the standard library, Eigen and our own
+# types.
 #
-# A header that includes anything else serves our own sources only and stays here, as do one whose
-# comment says "Internal to ..." and those of tests. That no public header needs one of those,
-# tests/consumer compiles and so proves. Used by the install step and, as a script, by the documents:
+# A header that includes anything else is for our own sources only. So are headers whose comment
+# contains "Internal to ..." and those of tests. tests/consumer compiles the public headers and so
+# proves that none of them needs a private one. The install step uses this file, and the documents
+# use it as a script:
 #
-#   cmake -P cmake/gw_public_headers.cmake     prints their paths, one a line
+#   cmake -P cmake/gw_public_headers.cmake     prints their paths, one per line
 
 function(gw_public_headers out kept_out source)
   file(GLOB_RECURSE headers RELATIVE ${source} ${source}/gearwright/*.hpp
@@ -33,5 +35,5 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   get_filename_component(gw_root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
   gw_public_headers(gw_public gw_kept ${gw_root})
   list(JOIN gw_public "\n" gw_lines)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E echo "${gw_lines}")  # message() speaks to stderr
+  execute_process(COMMAND ${CMAKE_COMMAND} -E echo "${gw_lines}")  # message() writes to stderr
 endif()

@@ -1,4 +1,4 @@
-# What is on, what is off, and why: the last words of the configure step.
+# Prints at the end of the configure step the enabled and disabled parts and the reasons.
 include_guard()
 
 function(gw_say name state why)

@@ -1,12 +1,13 @@
-# Libraries that are headers only, taken from this system for a build for another one.
+# Header-only libraries, taken from this system for a build for another one.
 #
-# The system's include folder must not be on the path of such a compiler, because its C library is another. So a
-# folder in the build holds links to the libraries' own folders, and targets have the names that Debian's have.
+# The include folder of the system must not be on the path of such a compiler, because its C library
+# is different. Therefore a folder in the build contains links to the folders of the libraries, and
+# targets have the names that Debian uses.
 include_guard()
 
 set(gw_links ${PROJECT_BINARY_DIR}/include)
 
-# Links `folder` of the system's headers, where `header` must lie below.
+# Links `folder` of the system's headers, which must contain `header`.
 function(gw_link_headers folder header package)
   find_path(found ${header} PATHS /usr/include /usr/include/eigen3 NO_DEFAULT_PATH
             NO_CMAKE_FIND_ROOT_PATH NO_CACHE)

@@ -1,15 +1,17 @@
-# Sources of one folder compiled together, a few at a time, where CMAKE_UNITY_BUILD asks for it.
+# Compiles sources of one folder together, a few at a time, if CMAKE_UNITY_BUILD is set.
 #
-# Most of a source's time is templates that its neighbours instantiate too. In return a name in an unnamed
-# namespace may meet its like in a neighbour; the compiler says so, and the new one gets a better name.
+# Most of the compile time of a source is for templates that its neighbours also instantiate. In
+# return, a name in an unnamed namespace may conflict with one in a neighbour. The compiler then
+# reports an error, and the new name must be changed.
 #
-# The presets `edit` and `clang` compile every source alone, which shows that each includes what it uses.
+# The presets `edit` and `clang` compile every source alone, which shows that each includes
+# everything that it uses.
 include_guard()
 
 set(gw_together 8)
 
-# Highway compiles `_simd` once for each instruction set by including it again; pictures name their measures
-# alike, tables of quantities what they look at.
+# Highway compiles `_simd` once for each instruction set by including it again. Pictures use the
+# same names for their dimensions, and tables of quantities for their subjects.
 set(gw_alone "_(simd|picture|quantities)\\.cpp$")
 
 function(gw_unity target)

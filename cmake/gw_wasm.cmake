@@ -1,5 +1,5 @@
-# The build for WebAssembly: emscripten 3.1.6, preset `wasm`. Included in place of the search for
-# packages, which for a foreign machine would find none: all that is needed here are headers.
+# The build for WebAssembly: emscripten 3.1.6, preset `wasm`. It is included in place of the search
+# for packages, which would find none for a foreign machine. Only headers are needed here.
 include_guard()
 
 if(NOT GEARWRIGHT_LEAN)
@@ -15,21 +15,22 @@ target_include_directories(fmt::fmt SYSTEM INTERFACE ${gw_links})
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 set(gw_libraries "")
 
-# Refusals throw: without this no catch block runs. No -msimd128: clang 14 puts the complex products of
-# contact/sensitivity.cpp into lanes wrongly (∂TE/∂f_Hβ1 of a helical pair -0.0011 instead of 0.0119), and
-# what is hot here is scalar anyway.
+# Errors are thrown, and without this option no catch block runs. -msimd128 is not used, because
+# clang 14 vectorises the complex products of contact/sensitivity.cpp wrongly (∂TE/∂f_Hβ1 of a
+# helical pair -0.0011 instead of 0.0119). The time-critical code is scalar anyway.
 add_compile_options(-fwasm-exceptions)
 add_link_options(-fwasm-exceptions)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
-# One memory that grows: meshes of large gears take hundreds of MB. The stack is for specs that nest.
+# There is one memory that grows, because meshes of large gears need hundreds of MB. The stack size
+# is for nested specs.
 set(gw_memory -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB)
 
-# A program under node, with the machine's files.
+# A program under node, with the files of the machine.
 set(gw_under_node -sNODERAWFS -sENVIRONMENT=node -sEXIT_RUNTIME
     "SHELL:--pre-js ${CMAKE_CURRENT_LIST_DIR}/wasm_node.js")
 
-# emcc's optimiser needs acorn, which is not where a node that is not Debian's looks.
+# The optimiser of emcc needs acorn, which only Debian's node finds.
 execute_process(COMMAND dpkg -L node-acorn OUTPUT_VARIABLE files ERROR_QUIET)
 if(files MATCHES "([^\n]*)/acorn/package\\.json")
   set(gw_node_path ${CMAKE_MATCH_1})

@@ -1,1 +1,1 @@
-// Empty: the object that a precompiled header belongs to (gw_precompiled.cmake).
+// This file is empty. Its object owns a precompiled header (gw_precompiled.cmake).

@@ -1,2 +1,3 @@
-// emscripten 3.1.6 takes a global fetch for a browser's, which reads no file; node has one since 18.
+// emscripten 3.1.6 takes a global fetch for that of a browser, which reads no file. Node has had
+// one since version 18.
 var fetch;

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# From nothing to a tested build: a minimal Debian 12 in DIR, a clean clone in it, make demo, make test.
-# First as root, who installs what is missing; then as an ordinary user, for whom nothing may be.
+# Builds and tests from nothing: a minimal Debian 12 in DIR, a clean clone in it, make demo, make
+# test. The first run is as root, who installs missing packages. The second run is as an ordinary
+# user, for whom nothing may be missing.
 #
 #   tools/bootstrap_check.sh [--prepare-only] DIR
 #
-# DIR must be new or made by this script. Of this machine it sees /proc only: devices are the few that
-# debootstrap makes, as in a plain container. The mirror is the one that this machine's package sources
-# name. Needs root and debootstrap. --prepare-only stops before make; the mount is undone in any case.
+# DIR must be new or made by this script. It contains only /proc of this machine; its devices are
+# the few that debootstrap makes, as in a plain container. The mirror is that of this machine's
+# package sources. The script needs root and debootstrap. With --prepare-only it stops before make.
+# It always removes the mount.
 set -euo pipefail
 
 prepare_only=no
@@ -33,7 +35,7 @@ if [ -e "$root" ] && [ ! -e "$marker" ] && [ -n "$(ls -A "$root")" ]; then
   exit 2
 fi
 
-# The first archive that offers the suite bookworm, from either format of the sources.
+# Prints the first archive that offers the suite bookworm, from either format of the sources.
 mirror=$(apt-get indextargets --format '$(RELEASE) $(SITE)' 'Created-By: Packages' 2>/dev/null |
   awk '$1 == "bookworm" { print $2; exit }')
 if [ -z "$mirror" ]; then say "this machine's package sources name no bookworm mirror"; exit 3; fi
@@ -60,7 +62,7 @@ fi
 say "copying this machine's package configuration"
 rm -rf "$root"/etc/apt/sources.list.d "$root"/etc/apt/sources.list
 mkdir -p "$root"/etc/apt/sources.list.d "$root"/etc/apt/apt.conf.d "$root"/etc/apt/keyrings
-# Debian's own sources only: the check is about a plain machine.
+# Only Debian's own sources are used, because the check is for a plain machine.
 for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
   if [ -f "$file" ] && grep -qF "$mirror" "$file"; then
     cp "$file" "$root/etc/apt/${file#/etc/apt/}"
@@ -69,7 +71,8 @@ done
 for folder in apt.conf.d auth.conf.d; do
   if [ -d /etc/apt/$folder ]; then
     mkdir -p "$root/etc/apt/$folder"
-    # What names a proxy, an authority or a transport; hooks of other packages stay behind.
+    # Copies settings for a proxy, an authority or a transport. Hooks of other packages are not
+    # copied.
     for file in /etc/apt/$folder/*; do
       if grep -qsE '^ *Acquire|^ *machine ' "$file"; then cp "$file" "$root$file"; fi
     done

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Builds the page: the engine for WebAssembly, then build/web for any host and the one file
+# Builds the page: the engine for WebAssembly, then build/web for any host and the single file
 # build/web/gearwright.html.
 #
 #   tools/build_web.sh [JOBS]
 #
-# GEARWRIGHT_ENGINE names a folder with an engine that is compiled already.
+# GEARWRIGHT_ENGINE is a folder with an engine that is already compiled.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 jobs=${1:-$(nproc)}
 if [ -z "${GEARWRIGHT_ENGINE:-}" ]; then
-  # Debian's emscripten asks node for modules that lie in Debian's folder for them.
+  # Emscripten of Debian requires modules of node that are in Debian's folder for them.
   modules=$(dpkg -L node-acorn 2>/dev/null | sed -n 's#/acorn/package.json$##p' | head -1)
   export NODE_PATH=${modules:-${NODE_PATH:-}}
   cmake --preset wasm -DGEARWRIGHT_TESTS=OFF >/dev/null

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the programs that need no package and no compiler: build/dist.
+# Makes programs that need neither a package nor a compiler, in build/dist.
 #
 #   tools/dist.sh [TARGET ...]     default: windows-x86_64 linux-x86_64 linux-aarch64
 #
@@ -29,7 +29,8 @@ build() {
     cmake --build --preset release --target gearwright_static -j "$jobs"
     return
   fi
-  # Without -Werror: MinGW's g++ 12 sees uninitialised members of a std::variant where the native g++ 12 sees none.
+  # Without -Werror, because g++ 12 of MinGW reports uninitialised members of a std::variant where
+  # the native g++ 12 reports none.
   cmake -S . -B "$portable/$target" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
     -DGEARWRIGHT_TESTS=OFF -DGEARWRIGHT_BENCH=OFF \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/$target.cmake" \
@@ -49,7 +50,7 @@ pack() {
   rm -rf "$folder/docs/figures" "$folder/docs/doxygen" "$folder/docs/Doxyfile"
   tools/sbom.py "$version" "$target" "$build" "$portable/sources" "$folder"
   [ ! -f build/web/gearwright.html ] || cp build/web/gearwright.html "$folder/"
-  # The same input gives the same bytes: names in order, one date.
+  # The same input gives the same bytes: names are sorted, and all files have one date.
   find "$build/pack" -exec touch -h -d "@${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}" {} +
   if [ "$program" = gearwright.exe ]; then
     rm -f "$dist/$name.zip"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Hashes all that the program answers, to compare two builds before and after a change of its house.
+"""Hashes all answers of the program, to compare two builds before and after a change of the code.
 
     tools/freeze_answers.py build/release/gearwright before.txt [SPECS]
     … change the code, build …
@@ -23,13 +23,14 @@ import tempfile
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 VERBS = "gear pair contact compensate load rate measure identify fit drive scatter".split()
 FORMATS = {"text": [], "json": ["--json"], "csv": ["--csv"]}
-SLOW = {("compensate", "loaded_pair")}  # minutes
+SLOW = {("compensate", "loaded_pair")}  # takes minutes
 
 
 def outcome(binary, arguments, folder):
-    """(status, stdout and stderr) of one run, without the folder it ran in."""
+    """Returns (status, stdout and stderr) of one run, without the folder in which it ran."""
     p = subprocess.run([binary, *arguments], capture_output=True, cwd=folder, timeout=600)
-    errors = re.sub(rb"gearwright: \w+, \d+ s: .*\n", b"", p.stderr)  # progress, by the clock
+    # Progress depends on the clock.
+    errors = re.sub(rb"gearwright: \w+, \d+ s: .*\n", b"", p.stderr)
     return p.returncode, (p.stdout + b"\0" + errors).replace(str(folder).encode(), b"FOLDER")
 
 
@@ -38,7 +39,7 @@ def line(name, status, data):
 
 
 def answers(binary, name, text, verb, formats):
-    """The outputs of one verb on one spec."""
+    """Returns the outputs of one verb on one spec."""
     with tempfile.TemporaryDirectory() as folder:
         spec = pathlib.Path(folder, "case.toml")
         spec.write_bytes(text)
@@ -47,12 +48,12 @@ def answers(binary, name, text, verb, formats):
 
 
 def files(binary, example):
-    """The files of `run` on one example, and its drawings of a gear."""
+    """Returns the files of `run` on one example, and its drawings of a gear."""
     with tempfile.TemporaryDirectory() as folder:
         lines = []
         status, text = outcome(binary, ["run", str(example), "--out", "out"], folder)
         if status == 0:
-            text = text.split(b"\0")[0]  # stderr names the files that take long
+            text = text.split(b"\0")[0]  # stderr contains the names of files that take long
         lines.append(line(f"{example.stem} run", status, text))
         for file in sorted(pathlib.Path(folder, "out").rglob("*")):
             if file.is_file():

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Installs what tests and the page use from npm: the package.json and package-lock.json of
-# tests/cad (mesh validators), tests/search (result tables), tests/schema (JSON Schema) and, when
-# asked for, apps/web (the page), each into the node_modules beside it.
+# Installs the npm packages for tests and the page: the package.json and package-lock.json of
+# tests/cad (mesh validators), tests/search (result tables), tests/schema (JSON Schema) and, if
+# requested, apps/web (the page), each into the node_modules next to it.
 #
 #   tools/install_npm_tools.sh [FOLDER ...]     default: those of the tests
 #
-# Exactly the locked versions, without running their install scripts; a second call does nothing.
+# Installs exactly the locked versions without running their install scripts. A second call does
+# nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -33,7 +34,7 @@ install_folder() { # FOLDER WHAT [npm option ...]
 for folder in "$@"; do
   case $folder in
     tests/cad) install_folder "$folder" "mesh validators" --omit=optional ;;
-    # Their libraries for this machine count as optional.
+    # The libraries for this machine are optional dependencies.
     tests/search) install_folder "$folder" "reader of result tables" ;;
     tests/schema) install_folder "$folder" "validator of JSON Schema" ;;
     apps/web) install_folder "$folder" "page's libraries and builder" ;;

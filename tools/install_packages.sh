@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs what is missing of the named groups of tools/packages.txt, and nothing else.
+# Installs only the missing packages of the given groups of tools/packages.txt.
 #
 #   tools/install_packages.sh [group ...]     default: core
 #   tools/install_packages.sh --list [group ...]     prints what is missing, installs nothing
 #
-# Asks dpkg first, so that a second call takes no time and needs neither network nor rights.
+# The script checks dpkg first, so a second call takes no time and needs neither network nor rights.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -17,7 +17,7 @@ fi
 
 say() { printf 'install_packages: %s\n' "$*" >&2; }
 
-# Names of one group, those left out whose command is there already.
+# Prints the names of one group, without those whose command exists already.
 group_packages() {
   awk -v group="$1" '
     { sub(/#.*/, "") }
@@ -72,7 +72,7 @@ say "installing: ${missing[*]}"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-# The package lists may be absent or old: update once, when the first try does not go through.
+# The package lists may be missing or old. They are updated once if the first attempt fails.
 if "${apt[@]}" install "${missing[@]}" >"$log" 2>&1; then exit 0; fi
 say "updating the package lists"
 if "${apt[@]}" update >>"$log" 2>&1 && "${apt[@]}" install "${missing[@]}" >>"$log" 2>&1; then

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Formatting must be clean; clang-tidy gives advice on what the release build compiles, as build/lint
-# lists it: clang-tidy cannot read the precompiled headers of g++.
+# Checks the formatting, which must be clean. clang-tidy gives advice on the sources of the release
+# build, as listed by build/lint, because clang-tidy cannot read the precompiled headers of g++.
 #
-#   tools/lint.sh [--fix]     --fix formats in place instead of complaining
+#   tools/lint.sh [--fix]     --fix formats in place instead of reporting
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# The documents as HTML: FOLDER/html/index.html. Anything that doxygen does not understand is an error;
-# docs/Doxyfile says what.
+# Makes the documents as HTML: FOLDER/html/index.html. Anything that doxygen does not understand is
+# an error. The settings are in docs/Doxyfile.
 #
 #   tools/make_docs.sh [FOLDER]     default: build/docs
 #
-# Needs the packages of the group [docs]. Builds nothing, so no compiler and no library.
+# The script needs the packages of the group [docs]. It builds nothing, so it needs no compiler and
+# no library.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,7 +16,8 @@ version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.t
 mapfile -t headers < <(cmake -P cmake/gw_public_headers.cmake)
 pages=$(python3 -B docs/doxygen/prepare.py "$out/input" README.md CONTRIBUTING.md CHANGELOG.md \
   docs/*.md docs/theory/*.md "${headers[@]}")
-# A message names the source, which has as many lines as what doxygen has read.
+# A message contains the name of the source, which has the same number of lines as the text that
+# doxygen read.
 {
   cat docs/Doxyfile
   echo "PROJECT_NUMBER = $version"

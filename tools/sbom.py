@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the list of what a portable program contains (SPDX 2.3) and the licences of it.
+"""Writes the list of the libraries that a portable program contains (SPDX 2.3), and their licences.
 
     tools/sbom.py VERSION TARGET BUILD SOURCES INTO
 
@@ -35,7 +35,8 @@ HEADERS = {
     "libtomlplusplus-dev": ("toml++", "MIT", "https://marzer.github.io/tomlplusplus"),
     "libcli11-dev": ("CLI11", "BSD-3-Clause", "https://github.com/CLIUtils/CLI11"),
 }
-# The compiler's own libraries, by the beginning of the Debian package that holds them
+# The compiler's own libraries, identified by the beginning of the name of the Debian package that
+# contains them.
 RUNTIME = {
     "libstdc++": ("libstdc++", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
     "libgcc": ("libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
@@ -51,7 +52,7 @@ def output(*command):
 
 
 def archives(build):
-    """Paths of the archives of which the program holds at least one member: the first part of the map names them."""
+    """Returns the paths of the archives of which the program contains a member, from the first part of the map."""
     text = (build / "gearwright.map").read_text(errors="replace").split("Memory Configuration")[0]
     found = {(build / name).resolve() for name in re.findall(r"^(\S+\.a)\([^)]*\)", text, re.MULTILINE)}
     return sorted(path for path in found if path.name != "libgearwright.a")
@@ -71,7 +72,7 @@ def from_system(package):
 
 
 def contents(build, sources):
-    """name, version, licence, home, file with the licence, SPDX relationship"""
+    """Returns name, version, licence, home page, file with the licence and SPDX relationship."""
     for path in archives(build):
         if path.name == "libtomlplusplus.a":
             continue  # compiled from the headers below

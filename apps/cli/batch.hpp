@@ -7,8 +7,8 @@
 
 namespace gearwright::apps {
 
-/// Reads lines of JSON and writes lines of JSON. Returns 1 if one of them is an error, and 5 if one
-/// is a defect of Gearwright.
+/// Reads specs from lines of JSON and writes answers as lines of JSON. Returns 1 if one of the
+/// answers is an error, and 5 if one is a defect of Gearwright.
 /// Throws    IoError
 int batch_verb(const Options& o);
 

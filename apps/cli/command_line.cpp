@@ -20,11 +20,11 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr std::size_t kLettersOff = 3;  // one letter in this many letters of a verb may be wrong
+constexpr std::size_t kLettersOff = 3;  // number of letters of a verb per permitted wrong letter
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
 
-// The range of CLI11 itself accepts nan.
+// The range check of CLI11 accepts nan.
 CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {
@@ -223,7 +223,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
-    // `gaer` is `gear` with two letters exchanged, which is two edits but one typing error.
+    // `gaer` is `gear` with two letters exchanged. That is two edits but only one typing error.
     const bool turned =
         word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
     if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;
@@ -277,7 +277,7 @@ int CommandLine::answer(const std::string& verb) const {
 int CommandLine::run(std::vector<std::string> words) {
   if (const auto status = answer_at_once(words)) return *status;
   try {
-    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    std::reverse(words.begin(), words.end());  // CLI11 requires the reverse order
     app_.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;

@@ -1,4 +1,4 @@
-// The command line, defined once: verbs, options and their words. Parsing, --help, completion and
+// Defines the command line once: verbs, options and their texts. Parsing, --help, completion and
 // the manual page use it.
 #pragma once
 
@@ -39,7 +39,7 @@ class CommandLine {
   CLI::App app_;
 };
 
-/// Verbs that a user sees, in their order.
+/// The verbs that a user sees, in order.
 std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 
 }  // namespace gearwright::apps

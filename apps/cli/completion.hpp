@@ -1,4 +1,4 @@
-// Completion for shells, made from the command line itself.
+// Makes the completion for shells from the command line itself.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,10 +6,11 @@
 
 namespace gearwright::apps {
 
-/// The script that bash, zsh or fish reads.   Domain  shell is one of the three (contract)
+/// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)
 std::string completion(const std::string& shell, const CLI::App& app);
 
-/// The values of an option that completion offers. Empty if it takes a file name or any text.
+/// Returns the values of an option that completion offers. Empty if the option takes a file name or
+/// any text.
 std::vector<std::string> words_of(const CLI::Option& option);
 
 }  // namespace gearwright::apps

@@ -1,4 +1,4 @@
-// Reads the spec of a verb, reports its errors, and ends the verb.
+// Reads the spec of a verb, reports its errors and returns its exit status.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace gearwright::apps {
 
-/// The spec of a verb: it is read once, from a file or a pipe, and its errors are reported with
+/// The spec of a verb. It is read once, from a file or a pipe, and its errors are reported with
 /// their lines.
 class Door {
  public:
   explicit Door(const Options& o) : options_(o) {}
 
-  /// An input that is missing for `use` is an error, too.
+  /// An input that `use` requires and that is missing is also an error.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);
   Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
-  /// Reports the error in the keys of the spec. Returns the exit status.
+  /// Reports the error in the keys of the spec and returns the exit status.
   int fail(const Error& error) const;
 
  private:
@@ -30,7 +30,7 @@ class Door {
   std::optional<GivenKeys> given_;
 };
 
-// Returns 4, for scripts, if the verdict is not green and --strict is given.
+// Returns 4, for scripts, if --strict is given and the verdict is not green.
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }

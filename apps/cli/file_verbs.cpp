@@ -1,4 +1,4 @@
-// The verbs that write files: all files that a spec allows, or the files that are named.
+// The verbs that write files, either all files that a spec allows or the requested files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Reports on stderr the file in progress, but only if it takes more than a second.
+// Reports the current file on stderr if the work takes more than a second.
 class SlowProgress {
  public:
   void operator()(std::string_view what) {
@@ -46,7 +46,7 @@ FileOptions file_options(const Options& o) {
   return options;
 }
 
-// The words between commas; none if one of them is no part of a run.
+// Splits the text at commas. Returns nothing if one of the words is not a part of a run.
 std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -59,7 +59,7 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   return parts;
 }
 
-// The first output that would overwrite another one, or the spec; empty if there is none.
+// Returns the first output that would overwrite another one or the spec. Empty if there is none.
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
   for (const std::string* name :
@@ -77,7 +77,7 @@ std::string collision(const Options& o) {
 // Prints the result of a run and returns its exit status.
 int end_run(const Options& o, const RunFiles& made, const std::string& listing) {
   if (o.json) {
-    // The same JSON as in result.json, with all the files.
+    // The same JSON as in result.json, including the list of all files.
     Json j = parse_json(made.result);
     j["files"] = files_json(made.files);
     print_json(j);
@@ -110,7 +110,7 @@ int end_export(const Options& o, const std::vector<JobFile>& files,
 
 using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 
-// The whole drive in each file, or one of its gears if a gear number is given.
+// Each file contains the whole drive, or one of its gears if a gear number is given.
 int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())
@@ -187,7 +187,7 @@ int export_verb(const Options& o) {
   const auto spec = door.read();
   if (!spec) return door.fail(spec.error());
   if (spec->drive) return export_drive(o, door, *spec, wanted);
-  // A drawing names the mating gear.
+  // A drawing contains data of the mating gear.
   const bool alone = o.gear && o.drawing.empty();
   const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());

@@ -1,8 +1,8 @@
-// gearwright: the program. Parses the command line, calls the job room, prints.
+// The program gearwright. It parses the command line, calls the job room and prints the results.
 //
-// Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is
-// wrong; 3 the system failed, such as a full disk; 4 with --strict: the verdict is not green; 5 a
-// defect of Gearwright itself.
+// Exit status: 0 success; 1 the input is wrong or the gears are impossible; 2 the command line is
+// wrong; 3 the system failed, such as a full disk; 4 the verdict is not green and --strict is
+// given; 5 a defect of Gearwright itself.
 #include <cstdio>
 #include <exception>
 #include <new>

@@ -10,7 +10,8 @@ namespace gearwright::apps {
 
 namespace {
 
-// Text for troff: hyphens that can be typed, and no line that begins a request.
+// Text for troff, with hyphens that can be copied as typed, and without lines that troff would read
+// as requests.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;

@@ -1,4 +1,4 @@
-// The manual page, made from the command line and the catalogue of keys.
+// Makes the manual page from the command line and the catalogue of keys.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,7 @@
 
 namespace gearwright::apps {
 
-/// The page gearwright(1), for man.
+/// Returns the page gearwright(1) for man.
 std::string manual_page(const CLI::App& app);
 
 }  // namespace gearwright::apps

@@ -1,4 +1,5 @@
-// The actions of the verbs: they read a spec, call the job room, print, and return the exit status.
+// The actions of the verbs. Each reads a spec, calls the job room, prints the result and returns
+// the exit status.
 #pragma once
 
 #include <optional>
@@ -26,18 +27,18 @@ struct Options {
   bool drawing_splines = false;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
-  std::optional<int> take;             // the number of the proposal whose spec is printed
-  std::optional<int> harmonics;        // of drive
+  std::optional<int> take;             // rank of the proposal whose spec is printed
+  std::optional<int> harmonics;        // of drive: number of harmonics
   std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
-  std::optional<int> fillet_points;    // of measure: as many along each root fillet
-  std::string schema;                  // of schema: of what
+  std::optional<int> fillet_points;    // of measure: number of points along each root fillet
+  std::string schema;                  // of schema: its subject, spec or result
   std::string shell;                   // of completion
-  std::vector<std::string> words;      // of batch: a verb, a file
-  int threads = 0;                     // of batch; 0: all
+  std::vector<std::string> words;      // of batch: a verb and a file
+  int threads = 0;                     // of batch; 0 means all cores
 };
 
-// All throw IoError if the system fails.
-/// Any verb of the table: its answer as JSON, CSV or text, or a spec that it proposes.
+// All functions throw IoError if the system fails.
+/// Runs any verb of the table. Prints its answer as JSON, CSV or text, or a spec that it proposes.
 int answering_verb(const Verb& verb, const Options& o);
 /// `gear --as-rack`: prints the teeth in terms of another rack.
 int gear_as_rack(const Options& o);

@@ -54,14 +54,14 @@ namespace {
 
 std::atomic<bool> stop_wanted{false};
 
-// The first Ctrl-C ends the search at the next trial. The second ends the program.
+// The first Ctrl-C ends the search at the next trial. The second one ends the program.
 extern "C" void on_interrupt(int signal) {
   stop_wanted = true;
   std::signal(signal, SIG_DFL);
 }
 
-// The progress of the search on stderr. In a terminal it is one line that is overwritten. Elsewhere
-// a line appears after a second and a half and then every ten seconds.
+// Reports the progress of the search on stderr. In a terminal it is a single line that is
+// overwritten. Elsewhere a line is printed after a second and a half and then every ten seconds.
 class ProgressLine {
  public:
   void operator()(const SearchProgress& p) {
@@ -166,12 +166,12 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   return 0;
 }
 
-// A search for drives takes seconds. It makes no result folder; the answer is printed as for other
-// verbs.
+// A search for drives takes seconds. It creates no result folder, and the answer is printed as for
+// other verbs.
 int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
   if (c.out || c.shard || c.resume || c.chunk)
     return usage(
-        "--out, --shard, --resume and --chunk belong to searches for pairs; a search for "
+        "--out, --shard, --resume and --chunk are for searches for pairs only; a search for "
         "drives prints its answer, with --json all of it");
   const std::size_t top = std::max<std::size_t>(c.top.value_or(kDefaultDrives),
                                                 static_cast<std::size_t>(c.take.value_or(1)));
@@ -236,8 +236,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // If only a pair's spec is printed, the region is not needed. For the table, only the first rows
-  // are needed.
+  // If only the spec of a pair is printed, no region is needed. For the table, only the first rows
+  // need one.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

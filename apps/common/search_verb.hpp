@@ -1,4 +1,4 @@
-// The verb search, for one process or several: command line, progress, Ctrl-C and output.
+// The verb search for one process or several: command line, progress, Ctrl-C and output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,15 +20,15 @@ struct SearchCommand {
   int threads = 0;
 };
 
-/// Adds `search` to a program.
+/// Adds the verb `search` to a program.
 CLI::App* add_search(CLI::App& app, SearchCommand& command);
 
-/// Several processes that work on one search; absent if there is only this one.
+/// Several processes that work on one search. Absent if there is only one.
 struct Together {
   int rank = 0, ranks = 1;
   std::function<std::int64_t()> next_chunk;
-  /// Called once the folder is open or could not be opened. The first process opens it, and the
-  /// others wait for that.
+  /// Is called once the folder is open or could not be opened. The first process opens it, and the
+  /// others wait.
   std::function<bool(bool opened)> folder_is_open;
   std::function<bool()> finish_together;
 };

@@ -50,7 +50,7 @@ Watch::~Watch() {
   if (signal_ != 0)
     std::fprintf(stderr, "gearwright: stopped by a signal after all files had been written\n");
   for (std::size_t i = 0; i < kStops.size(); ++i) std::signal(kStops[i], before_[i]);
-  if (const int signal = received.exchange(0)) std::raise(signal);  // since the last look
+  if (const int signal = received.exchange(0)) std::raise(signal);  // arrived since the last check
 }
 
 void Watch::wait() {
@@ -76,7 +76,7 @@ void Watch::say(double seconds) {
   const char* stage = s.stage ? s.stage : "reading";
   std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s", terminal_ ? "\r" : "", verb_.c_str(),
                seconds, stage);
-  // Steps are an estimate of the work, so work beyond it is nearly done.
+  // The number of steps is an estimate of the work. Work beyond it is nearly complete.
   if (s.of > 0)
     std::fprintf(stderr, " %.0f %%",
                  100 * std::min(0.99, static_cast<double>(s.done) / static_cast<double>(s.of)));

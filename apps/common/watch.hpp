@@ -11,10 +11,11 @@
 
 namespace gearwright::apps {
 
-/// While it exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with status
-/// 3. Nothing is printed or written before the computation is done, so no partial result remains.
-/// While files are written, signals wait until the files are complete. After two seconds a line
-/// reports the progress; it is overwritten in a terminal, and elsewhere repeated every ten seconds.
+/// While this object exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with
+/// status 3. Nothing is printed or written before the computation is complete, so no partial result
+/// remains. While files are written, signals wait until the files are complete. After two seconds a
+/// line reports the progress. In a terminal it is overwritten, and elsewhere it is repeated every
+/// ten seconds.
 class Watch {
  public:
   explicit Watch(std::string verb);
@@ -35,12 +36,12 @@ class Watch {
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;
-  int signal_ = 0;                         // a signal that waits for files
+  int signal_ = 0;                         // a signal that waits until files are complete
   std::array<void (*)(int), 2> before_{};  // handlers of SIGINT and SIGTERM
   std::thread thread_;
 };
 
-/// Runs a computation that may take long, with a line of progress.
+/// Runs a possibly long computation with a line of progress.
 template <class Work>
 auto watched(const char* verb, const Work& work) {
   Watch watch(verb);

@@ -1,4 +1,4 @@
-// Without threads a computation cannot be watched: there is no line of progress, and a signal ends
+// Without threads, a computation cannot be watched. There is no line of progress, and a signal ends
 // the program in the usual way.
 #include "apps/common/watch.hpp"
 

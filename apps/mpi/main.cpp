@@ -1,11 +1,11 @@
-// gearwright-mpi: the verb search on many ranks.
+// The program gearwright-mpi: the verb search on many ranks.
 //
 //   mpirun -n 8 gearwright-mpi search spec.toml --out found
 //
-// Every rank computes. The number of the next chunk is a counter in a window of rank 0, which ranks
-// increment by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in the
-// folder, and rank 0 makes the files from them in order, so the result is equal to that of one
-// process, byte for byte.
+// Every rank computes. The number of the next chunk is a counter in a window of rank 0. Ranks
+// increment it by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in
+// the folder, and rank 0 combines them in order, so the result equals that of one process, byte for
+// byte.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -74,8 +74,8 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must outlive the catch, because freeing its window waits for all ranks, which may
-  // wait for this one after an error.
+  // The queue must outlive the catch, because freeing its window waits for all ranks. After an
+  // error, these may be waiting for this one.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;
@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     if (provided < MPI_THREAD_SERIALIZED && command.threads > 1) command.threads = 1;
     status = gearwright::apps::run_search_verb(command, &together);
   } catch (const std::exception& e) {
-    // The other ranks wait for this one, so they are ended too.
+    // The other ranks wait for this one, so they must be ended too.
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";
     MPI_Abort(MPI_COMM_WORLD, 3);
   }

@@ -67,7 +67,7 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
       [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
 }
 
-// A quantity of a record; nothing if the record does not have this key.
+// Returns a quantity of a record, or nothing if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key) {
   static const Value kNothing;
   for (const Member& member : record)
@@ -79,7 +79,7 @@ py::array positions_of(const ContactValue& c) {
   return table_array(position_quantities().table(), *quantity(c.record(), "positions").list());
 }
 
-// A row for each torque, which contains the positions.
+// There is a row for each torque, which contains the positions.
 py::object load_positions_of(const LoadedValue& loaded) {
   const ValueList& torques = *quantity(loaded.record(), "torques").list();
   if (torques.empty()) return py::none();
@@ -91,7 +91,7 @@ py::object load_positions_of(const LoadedValue& loaded) {
       .attr("reshape")(torques.size(), all.size() / torques.size());
 }
 
-// A column of the positions in mm and rad.
+// Returns a column of the positions in mm and rad.
 py::object column(const ContactValue& c, const QuantityInfo& info) {
   const py::object one = positions_of(c).attr("__getitem__")(info.key);
   const double unit = house_unit(info.unit);
@@ -117,7 +117,8 @@ std::string repr_of(const LoadedValue& l) {
   return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
 }
 
-// A type of result, with every quantity of the table. Unpickling computes it again by of(pair).
+// Declares a type of result with every quantity of the table. Unpickling computes it again by
+// of(pair).
 template <class Self>
 void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
   bind_made(type, [of](Json spec, const std::filesystem::path& folder) {
@@ -132,7 +133,7 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// The spec of a dict, or of an object with a spec: a Pair or a Gear.
+// Returns the spec of a dict, or of an object with a spec, a Pair or a Gear.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
@@ -179,8 +180,8 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   return by_name(Value(compensate_quantities().of(compensate_view(found))));
 }
 
-// A row for each sample: its inputs by name, "errors.crossing_deg" or "bearings.bore_a.x_mm", then its
-// quantities by key.
+// There is a row for each sample with its inputs by name, "errors.crossing_deg" or
+// "bearings.bore_a.x_mm", followed by its quantities by key.
 py::array members_of(const ScatterAnswer& a) {
   StructuredArray rows;
   std::vector<std::size_t> inputs, quantities;

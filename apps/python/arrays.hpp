@@ -1,7 +1,9 @@
-// Quantities of many subjects as one structured array, a column for each column of the catalogue (columns.hpp).
+// Quantities of many objects as one structured array, with a field for each column of the catalogue
+// (columns.hpp).
 //
-// Columns are called by key, "transmission_error_arcsec", and have the key's unit; those of records by both keys,
-// "ellipse_semi_minor_mm". A missing number is NaN, and a missing word is "".
+// Fields are named by key, such as "transmission_error_arcsec", and have the unit of the key. The
+// names of record members combine both keys, "ellipse_semi_minor_mm". A missing number is NaN, and
+// a missing word is "".
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -17,15 +19,16 @@
 
 namespace gearwright::python {
 
-inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  ///< if it is missing
+/// value of a missing number
+inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The real numbers of an array or of lists. None for other contents, which numpy would convert
-/// without a warning: complex numbers, times, texts, flags, masked arrays.
+/// Returns the real numbers of an array or of lists. None for other contents, which numpy would
+/// convert without a warning: complex numbers, times, texts, flags, masked arrays.
 std::optional<Numbers> real_numbers(py::handle value);
 
-/// An array that owns the vector, so no number is copied.
+/// Returns an array that owns the vector, so no number is copied.
 template <class T, class Owner>
 py::array_t<T> array_of(std::shared_ptr<Owner> owner, const T* data,
                         std::vector<py::ssize_t> shape) {
@@ -54,7 +57,7 @@ class StructuredArray {
   /// Sets the values of a row in one column, as many as its shape has. A missing value is NaN,
   /// false or "".
   void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
-  /// Fills the columns of the table from one of its records.
+  /// Sets these columns of the table from one of its records.
   void fill(std::size_t row, const ValueRecord& record);
   py::array take() { return std::move(array_); }
 
@@ -71,7 +74,7 @@ class StructuredArray {
   std::size_t stride_ = 0;
 };
 
-/// A row for each record of a list.
+/// Returns an array with a row for each record of a list.
 py::array table_array(const QuantityTable& table, const ValueList& records);
 
 }  // namespace gearwright::python

@@ -9,7 +9,7 @@ namespace gearwright::python {
 
 namespace {
 
-// Words of Type and of KeyKind, in their order.
+// Words of Type and of KeyKind, in the order of their enumerators.
 constexpr std::array kTypes{"number", "whole", "index", "flag", "word", "text", "record", "map"};
 constexpr std::array kKinds{"number", "whole", "boolean", "text", "word", "table", "any"};
 

@@ -1,8 +1,8 @@
-// Closed forms over columns of numbers: the engine's vector functions and leaf formulas, row by
-// row, without the GIL.
+// Closed forms over columns of numbers. They call the vector functions and leaf formulas of the
+// engine row by row, without the GIL.
 //
-// A column has a number for each row, or one for all. Rows outside a formula's domain are NaN. Broadcasting, defaults
-// and names: gearwright/closed_forms.py.
+// A column has a number for each row, or one for all rows. Rows outside the domain of a formula are
+// NaN. Broadcasting, defaults and names are in gearwright/closed_forms.py.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -18,7 +18,7 @@ namespace gearwright::python {
 
 namespace {
 
-constexpr std::size_t kPart = 512;  // rows that stay in the processor's cache
+constexpr std::size_t kPart = 512;  // rows that fit into the processor's cache
 using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>
 using Columns = std::array<Column, N>;
@@ -49,7 +49,8 @@ void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   }
 }
 
-// The column that f(in, out, n) computes part by part; `out` points to the n results of the part.
+// Returns the column that f(in, out, n) computes part by part. `out` points to the n results of the
+// part.
 template <std::size_t N, class F>
 py::array_t<double> column_of(const Columns<N>& columns, std::size_t rows, const F& f) {
   py::array_t<double> found = results(rows);
@@ -81,7 +82,7 @@ py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std
 
 using Out = CandidateBatch::Out;
 
-// Columns of CandidateBatch by the names of pair_table.
+// Returns the columns of CandidateBatch by the names of pair_table.
 std::size_t place_of(const std::string& name) {
   for (const auto& [known, place] : {std::pair{"center_distance", Out::center_distance},
                                      {"working_pressure_angle", Out::tan_working},
@@ -96,7 +97,8 @@ std::size_t place_of(const std::string& name) {
   throw py::key_error(name);
 }
 
-// Columns with these names, in normal modules; the tangent for an angle.
+// Returns columns with these names, in normal modules. For an angle, the column contains its
+// tangent.
 py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t rows,
                      double tan_alpha, const std::array<double, 2>& addendum,
                      const std::array<double, 2>& dedendum, double edge_depth, bool tight,
@@ -116,7 +118,7 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
     batch.resize(n);
     for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c], n, batch.in[c].begin());
     evaluate(constants, batch);
-    // All lanes iterate together. The residual shows where there is no working angle.
+    // All lanes iterate together. Rows without a working angle are detected by the residual.
     const auto& residual = batch.out[CandidateBatch::residual];
     const auto& tan_w = batch.out[CandidateBatch::tan_working];
     for (std::size_t i = 0; i < n; ++i) {

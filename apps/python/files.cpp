@@ -1,4 +1,4 @@
-// The tooth as points, triangles and files for machines.
+// The tooth as points, as triangles and as files.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPoints = 100'000;            // of an arc
-constexpr std::size_t kMostOfAll = 20'000'000;  // of a section
+constexpr int kMostPoints = 100'000;            // per arc
+constexpr std::size_t kMostOfAll = 20'000'000;  // per section
 
 int points_in_range(int points) {
   if (points < 2 || points > kMostPoints)
@@ -36,7 +36,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   return tolerance;
 }
 
-// Names the error by the keys of a gear if there is only one gear.
+// Reports the error with the keys of a single gear if there is only one gear.
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
   if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
@@ -74,7 +74,7 @@ py::dict outline(const GearValue& gear, int points) {
   return all;
 }
 
-// A land as points on its circle, starting at `begin`.
+// A land is a sequence of points on its circle, starting at `begin`.
 std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
   std::vector<Vec2> all;
   const Vec2 across(-piece.begin.y(), piece.begin.x());
@@ -125,14 +125,14 @@ py::tuple mesh(const GearValue& gear, double tolerance) {
                         array_of<std::uint32_t>(owner, owner->triangles.data()->data(), {m, 3}));
 }
 
-// The bytes of the file, or the path to which it was written.
+// Returns the bytes of the file, or the path to which it was written.
 py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& path) {
   if (!path) return py::bytes(file.bytes);
   write_file(*path, file.bytes);
   return py::cast(*path);
 }
 
-// One file of the gears; two gears are in their mounted position.
+// Makes one file of the gears. Two gears are in their mounted position.
 py::object exported(FileKind kind, const std::vector<int>& gears, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
   FileOptions options;
@@ -149,8 +149,8 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
       path);
 }
 
-// The workshop drawing, with a sheet for each gear. The extension of the path takes precedence over
-// `format`.
+// Makes the workshop drawing with a sheet for each gear. The extension of the path takes precedence
+// over `format`.
 py::object drawing(const std::vector<int>& gears, const Model& model,
                    const std::optional<fs::path>& path, const std::string& format,
                    const std::string& sheet, double tolerance) {

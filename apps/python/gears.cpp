@@ -1,4 +1,4 @@
-// Gear and Pair: made from named numbers, with every quantity of the catalogue as an attribute.
+// Gear and Pair, made from named values. Every quantity of the catalogue is an attribute.
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -26,7 +26,7 @@ Json changes_of(const py::kwargs& kwargs) {
   return changes;
 }
 
-// Keys of [pair] and of the file itself side by side, in the form of keywords.
+// Splits keywords into keys of [pair] and keys of the file itself, which may be given side by side.
 Json pair_changes(const py::kwargs& kwargs) {
   Json spec = Json::object();
   const Json changes = changes_of(kwargs);
@@ -74,7 +74,7 @@ PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
   return pair_value(std::move(spec), pair.model->folder);
 }
 
-// The gear or the pair of a file, or of a dict.
+// Returns the gear or the pair of a file or of a dict.
 py::object load(const py::object& given) {
   Json spec;
   fs::path folder;
@@ -89,7 +89,7 @@ py::object load(const py::object& given) {
   return py::cast(GearValue{make_model(std::move(spec), folder, Scope::gears), 1});
 }
 
-// Adds every quantity of subject(self).
+// Adds every quantity of subject(self) as an attribute.
 template <class Self, class S, class Subject>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                      const Subject& subject) {

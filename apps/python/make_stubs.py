@@ -1,4 +1,4 @@
-"""Type stubs of the extension module: core.pyi.in with the catalogue's keys and quantities and the module's docstrings in it.
+"""Writes the type stubs of the extension module from core.pyi.in, the catalogue and the docstrings of the module.
 
     make_stubs.py PACKAGE      writes PACKAGE/_core.pyi
 """
@@ -7,7 +7,8 @@ import re
 import sys
 from pathlib import Path
 
-sys.path[0] = str(Path(sys.argv[1]).parent)  # not the package's sources, which lie beside this script
+# Excludes the sources of the package, which are next to this script.
+sys.path[0] = str(Path(sys.argv[1]).parent)
 import gearwright._core as core  # noqa: E402
 
 PLAIN = {"number": "float", "whole": "int", "index": "int", "flag": "bool", "word": "str", "text": "str",
@@ -54,14 +55,14 @@ def quoted(doc):
 
 
 def doc_of(member):
-    """The docstring of a class, a function or a property, without the signature that pybind11 puts before it."""
+    """Returns the docstring of a class, a function or a property, without the signature that pybind11 adds."""
     first, _, rest = (member.__doc__ or "").strip().partition("\n")
     doc = (rest if "->" in first else f"{first}\n{rest}").strip()
     return doc if not doc or doc.endswith(".") else doc + "."
 
 
 def with_docs(text):
-    """The stubs with the module's docstring of each class, and of each member that ends in an ellipsis."""
+    """Returns the stubs with the module's docstring of each class, and of each member that ends in an ellipsis."""
     lines, owner, name = [], core, ""
     for line in text.splitlines():
         if found := re.match(r"class (\w+):", line):
@@ -97,7 +98,7 @@ def main():
         text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)
         assert count, f"core.pyi.in has no {mark}"
     records = ""
-    for name, entries in tables.items():  # a table comes before those of the records in it
+    for name, entries in tables.items():  # a table precedes those of the records in it
         if re.search(rf"\b{class_of(name)}\b", text + records):
             records += f"class {class_of(name)}(Record):\n" + "".join(map(attribute, entries)) + "\n"
     text = with_docs(text.replace("# records\n", records))

@@ -30,23 +30,23 @@ struct Model {
 };
 using ModelPtr = std::shared_ptr<const Model>;
 
-/// Solves it, without the GIL.   Errors  in the keys of the spec
+/// Solves the spec without the GIL.   Errors  in the keys of the spec
 Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope);
-/// The same, throwing.   Throws  SpecError
+/// The same, but throws the error.   Throws  SpecError
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope);
 
 /// Raises the error in the keys of the spec.
 [[noreturn]] void raise(const Error& error, const Model& model);
 
-/// Names in mm and rad become keys: helix_angle of 0.26 is helix_angle_deg of 14.9. Names that the
-/// tables do not contain are unchanged, and the reader rejects them.
+/// Converts names in mm and rad to keys: helix_angle of 0.26 becomes helix_angle_deg of 14.9. Names
+/// that the tables do not contain are unchanged, and the reader rejects them.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// The name in mm and rad of a key: normal_module of normal_module_mm; the key itself if it has no
-/// such unit.
+/// Returns the name in mm and rad for a key, such as normal_module for normal_module_mm. If the key
+/// has no such unit, it returns the key itself.
 std::string house_key(const Key& key);
-/// Number of the key's units in one mm or rad.
+/// Number of units of the key in one mm or rad.
 double units_per_house(const Key& key);
-/// The same for a whole spec.
+/// Converts a whole spec in the same way.
 Json spec_with_keys(Json tree);
 
 /// Replaces members of `tree` by those of `changes`, also in nested tables. Null removes a member.
@@ -59,7 +59,7 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// The gear's table; for a gear of a pair, with the computed profile shift.
+  /// The table of the gear. For a gear of a pair it contains the computed profile shift.
   Json spec() const;
   ValueRecord record() const { return gear_quantities().of(gear()); }
 };
@@ -88,8 +88,8 @@ struct ContactValue : AnswerValue {};
 struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
-/// The pair's spec with other errors and modifications (None leaves them unchanged), and with
-/// `keys` in its table of this name.
+/// Returns the pair's spec with other errors and modifications, and with `keys` in its table of
+/// this name. None leaves the errors or modifications unchanged.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);

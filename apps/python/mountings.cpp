@@ -16,7 +16,7 @@ namespace gearwright::python {
 
 namespace {
 
-// A row of numbers in mm and rad, in the order of gearwright.ERRORS, as a table [errors].
+// Converts a row of numbers in mm and rad, in the order of gearwright.ERRORS, to a table [errors].
 Json errors_of_row(py::handle row) {
   const auto numbers = real_numbers(row);
   const py::ssize_t n = numbers ? numbers->size() : 0;

@@ -2,8 +2,8 @@
 
     pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT: the package in the build folder
 
-The tag is that of this system: glibc's version is what manylinux tags are about, and the module needs nothing
-else that a wheel may not ask for once fmt, TBB and the others lie in gearwright.libs beside it.
+The tag is that of this system. A manylinux tag is determined by the version of glibc, and with fmt, TBB and the other
+libraries in gearwright.libs, the module needs nothing else that a wheel may not require.
 """
 
 import platform
@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What every Linux has that pip takes manylinux wheels on (PEP 600).
+# Libraries that every Linux on which pip accepts manylinux wheels provides (PEP 600).
 OF_THE_SYSTEM = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libz.so.1",
                  "libpthread.so.0", "libdl.so.2", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
 
@@ -24,7 +24,7 @@ def needed(library):
 
 
 def bundle(stage, built):
-    """The libraries of `built` that are not the system's, copied to where the staged module looks for them."""
+    """Copies the libraries of `built` that are not the system's to the folder in which the staged module searches."""
     into = stage / "gearwright.libs"
     into.mkdir()
     for name, path in sorted(needed(built).items()):

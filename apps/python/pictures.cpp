@@ -25,7 +25,7 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// A frame as high as its content if the notebook permits scripts; otherwise it scrolls.
+// A frame as high as its content if the notebook permits scripts. Otherwise the frame scrolls.
 std::string framed(const std::string& title, const std::string& body) {
   const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
                            body + "</main>\n</body>\n</html>\n";
@@ -65,7 +65,7 @@ std::string pair_html(const PairValue& p) {
                     pair_table(pair));
 }
 
-// A part of the report, made in an interruptible way.
+// Makes a part of the report in an interruptible way.
 template <class Part>
 Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
   return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A finished search; designs best first.
+// A finished search, with designs ordered from the best.
 struct Found {
   explicit Found(SpecText given) : text(std::move(given)), spec(value_or_raise(read_spec(text))) {
     if (!spec.search) raise(no_search());
@@ -96,7 +96,7 @@ py::object design(const Found& found, py::ssize_t i) {
   return by_name(Value(design_quantities().of(view)));
 }
 
-// The columns of search.parquet and best.csv, as a structured array.
+// The columns of search.parquet and best.csv as a structured array.
 py::array to_numpy(const Found& found) {
   const auto& columns = design_columns(found.search->problem());
   const auto& heads = columns.heads();

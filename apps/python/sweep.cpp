@@ -1,5 +1,5 @@
-// One pair with columns of numbers in place of some of its own. The result has a row of quantities
-// for each.
+// Computes one pair with columns of numbers in place of some of its own. The result has a row of
+// quantities for each row of numbers.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,13 +14,13 @@ namespace gearwright::python {
 
 namespace {
 
-// A key whose numbers change from row to row.
+// A key whose value changes from row to row.
 struct Swept {
   const Key* key;
-  int gear;  ///< 1 or 2; 0 of the pair
+  int gear;  ///< 1 or 2; 0 for keys of the pair
   std::string path;
   Numbers numbers;
-  double unit;  ///< value of one of the numbers in the key's unit
+  double unit;  ///< value of one unit of the numbers in the unit of the key
 
   double at(std::size_t row) const { return numbers.data()[row] * unit; }
 };
@@ -73,7 +73,7 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   return all;
 }
 
-// The error of a number that its key does not allow, as for a file with this number.
+// Returns the error of a value that its key does not permit, as for a file with this value.
 std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   const double x = s.at(row);
   if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};
@@ -90,7 +90,7 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   return std::nullopt;
 }
 
-// The pair with the numbers of a row.
+// Returns the pair with the numbers of a row.
 Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::size_t row) {
   for (const Swept& s : keys)
     if (auto error = put(spec, s, row)) return *error;

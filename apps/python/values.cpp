@@ -68,7 +68,7 @@ Json whole_of(py::handle value, const std::string& path) {
   return whole;
 }
 
-// A time or an array of times, which numpy's tolist() would convert to whole numbers if they are in
+// A time or an array of times. The tolist() of numpy would convert it to whole numbers if it is in
 // ns.
 bool is_time(py::handle value) {
   const py::object type = py::getattr(value, "dtype", py::none());
@@ -79,7 +79,7 @@ bool is_time(py::handle value) {
 Json mapping_of(py::handle value, const std::string& path) {
   Json tree = Json::object();
   const py::object keys =
-      value.attr("keys")();  // the only method that dicts, Records and tables have in common
+      value.attr("keys")();  // the only method that dicts, Records and tables share
   for (const auto& name : keys) {
     const std::string key = py::str(name);
     const py::object member = value[name];
@@ -140,7 +140,7 @@ py::object by_name(const Value& without_unit) {
 
 namespace {
 
-// A tree that contains itself leads to a RecursionError.
+// A tree that contains itself causes a RecursionError.
 struct Depth {
   Depth() {
     if (Py_EnterRecursiveCall(" in a spec") != 0) throw py::error_already_set();
@@ -200,7 +200,7 @@ std::optional<std::filesystem::path> path_or_none(py::handle value, const std::s
 }
 
 int threads_in_range(int threads) {
-  constexpr int kMostThreads = 1024;  // the same as for batch and search
+  constexpr int kMostThreads = 1024;  // the same limit as for batch and search
   if (threads < 0 || threads > kMostThreads)
     raise(refused("threads", threads,
                   "must lie between 1 and " + std::to_string(kMostThreads) +

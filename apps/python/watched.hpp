@@ -1,8 +1,9 @@
-// A long computation on a separate thread, while Python's main thread checks for Ctrl-C and reports
-// the progress.
+// Runs a long computation on a separate thread, while the main thread of Python checks for Ctrl-C
+// and reports the progress.
 //
-// Python handles a signal only between two of its own instructions, so it would not during a call
-// of seconds. The calling thread waits here without the GIL, except for a check every kLook.
+// Python handles a signal only between two of its own instructions, so it would not handle one
+// during a call of several seconds. The calling thread waits here without the GIL, except for a
+// check every kLook.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -23,7 +24,7 @@ namespace gearwright::python {
 
 constexpr std::chrono::milliseconds kLook{50};
 
-/// A computation that counts its steps, or checks `stop`, ends at the next one after end().
+/// A computation that counts its steps, or checks `stop`. After end(), it ends at the next step.
 struct Watched {
   std::atomic<bool> stop{false};
   Progress progress;
@@ -34,8 +35,8 @@ struct Watched {
   }
 };
 
-/// Runs it to its end and passes on its exceptions. On Ctrl-C, and if `look` raises, the
-/// computation is ended and then the exception is raised.
+/// Runs the computation to its end and passes on its exceptions. On Ctrl-C, or if `look` raises,
+/// the computation is ended and then the exception is raised.
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
   std::exception_ptr raised;
@@ -69,7 +70,7 @@ auto watched_result(const GivenKeys& given, const Work& work) {
   return std::move(*found).take();
 }
 
-/// Calls row(0) … row(n − 1) from this number of threads; 0: as many as the machine has.
+/// Calls row(0) … row(n − 1) from this number of threads. 0 means as many as the machine has.
 template <class Row>
 void watched_rows(std::size_t n, int threads, const Row& row) {
   Watched watched;

@@ -8,11 +8,11 @@ import { defineConfig, type Plugin } from "vite";
 
 const here = import.meta.dirname;
 const root = resolve(here, "../..");
-/** Where the compiled engine lies: engine.js, gearwright.mjs, gearwright.wasm. */
+/** The folder of the compiled engine: engine.js, gearwright.mjs, gearwright.wasm. */
 const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/engine"));
 
-/** The module as emscripten writes it names its file by import.meta.url, which a worker in one file
- *  does not have; the bytes come from the page in any case. */
+/** The module from emscripten uses import.meta.url for the name of its file, which a worker in a single
+ *  file does not have. The page provides the bytes in any case. */
 function engineModule(): Plugin {
   return {
     name: "gearwright-engine",
@@ -26,7 +26,7 @@ function engineModule(): Plugin {
   };
 }
 
-/** Everything into one HTML file: style, script, and the engine as gzip in base64. */
+/** Puts everything into one HTML file: style, script, and the engine as gzip in base64. */
 function single(): Plugin {
   return {
     name: "gearwright-single",

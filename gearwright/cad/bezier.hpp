@@ -2,9 +2,9 @@
 //
 //   L    length of one piece, mm      T    unit tangent of the exact curve
 //
-// Each piece has its handles L/3 along the exact tangents at its ends: at unit speed, the cubic
-// then agrees with the curve to the fourth order in L, and neighbours share their tangent. Pieces
-// are as long as the tolerance allows.
+// Each piece has its handles L/3 along the exact tangents at its ends. At unit speed, the cubic
+// then agrees with the curve to the fourth order in L, and neighbouring pieces share their tangent.
+// Pieces are as long as the tolerance allows.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,8 @@
 namespace gearwright {
 
 struct BezierChain {
-  std::vector<Vec2> points;  ///< 3n + 1, mm, root to tip; every third lies on the exact curve
+  std::vector<Vec2> points;  ///< 3n + 1 points, mm, root to tip; every third point lies on the
+                             ///< exact curve
   double deviation_mm;       ///< greatest normal distance, 64 points per piece
 };
 
@@ -23,7 +24,7 @@ struct BezierChain {
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract)
 /// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² pieces suffice, which the caller must check
-/// Laws      the ends are the arc's, bit for bit
+/// Laws      the end points equal those of the arc, bit for bit
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
 
 }  // namespace gearwright

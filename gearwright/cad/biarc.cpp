@@ -10,15 +10,16 @@
 namespace gearwright {
 namespace {
 
-constexpr double kStraight = 1e-9;   // mm of sagitta, below which an arc is a line
-constexpr double kOneCircle = 1e-9;  // rad between the tangents that make two arcs one
+constexpr double kStraight = 1e-9;  // mm, greatest sagitta of an arc that is written as a line
+// Greatest angle, rad, between the tangents of two arcs that are merged into one
+constexpr double kOneCircle = 1e-9;
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // of the arc's parameter
 constexpr int kVouching = 256;  // points per biarc at which the tolerance is verified
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// The tangent of half the angle from the start tangent to the chord. It is the bulge of the arc
-// that starts in the direction of that tangent and ends at the end of the chord.
+// Returns the tangent of half the angle from the start tangent to the chord. It is the bulge of the
+// arc that starts in the direction of that tangent and ends at the end of the chord.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
@@ -44,7 +45,7 @@ Biarc join(const End& a, const End& b) {
   if (std::abs(turn_a - turn_b) < kOneCircle) return {b.point, 1, {bulge_of(a.tangent, v), 0.0}};
   const double along = v.dot(a.tangent + b.tangent);
   const double open = 2.0 * (1.0 - a.tangent.dot(b.tangent));
-  // The positive root without cancellation.
+  // The formula gives the positive root without cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
   // The second arc is computed as the first arc of the reversed pair.
@@ -78,8 +79,8 @@ class Fitter {
     return {arc_.point(u), {std::cos(angle), std::sin(angle)}};
   }
 
-  // Greatest distance of the exact curve between u0 and u1 from the biarc. The part behind the
-  // normal of the joint belongs to the second arc.
+  // Returns the greatest distance of the exact curve between u0 and u1 from the biarc. The part
+  // behind the normal at the joint belongs to the second arc.
   double deviation(const Biarc& biarc, const End& a, const End& b, double u0, double u1,
                    int looks) const {
     const Touch first = touch(a.point, biarc.joint, biarc.bulges[0]);
@@ -133,13 +134,14 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // 24 samples resolve the maximum of an error with one or two humps to a hundredth. For an uneven
-  // parameter they do not, which the verification detects, and four times as many samples are used.
+  // 24 samples resolve the maximum of an error with one or two humps to 1 %. If the parameter is
+  // uneven, they do not. The verification detects this, and four times as many samples are then
+  // used.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // A large excess is not due to the samples. Then 4096 steps are too few, or rounding is too
-    // coarse.
+    // A large excess is not caused by the samples. It means that 4096 steps are too few or that
+    // rounding is too coarse.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;

@@ -4,12 +4,12 @@
 //   T     unit tangents of the exact curve at the ends of one biarc
 //   b     bulge of an arc: tan(sweep/4), > 0 counter-clockwise; 0 is a line (the DXF convention)
 //
-// A biarc joins (P0, T0) and (P1, T1) by two arcs whose tangents meet at J; with tangents of equal
-// length d from both ends
+// A biarc joins (P0, T0) and (P1, T1) by two arcs whose tangents meet at J. If both tangents have
+// the same length d,
 //     J = (P0 + P1)/2 + d (T0 − T1)/2,   |v|² − 2d v·(T0 + T1) − 2d²(1 − T0·T1) = 0,  v = P1 − P0
-// (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature its error grows with its
-// length, so taking each as long as the tolerance allows gives the fewest of them. A stretch that
-// is a circle already becomes one arc.
+// (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature the error of a biarc grows
+// with its length, so the fewest biarcs result if each is as long as the tolerance allows. A
+// stretch that is a circular arc is represented by one arc.
 #pragma once
 
 #include <vector>
@@ -28,11 +28,11 @@ struct BiarcChain {
 /// Chain of arcs within `tolerance_mm` of the exact curve.
 ///
 /// Units     mm
-/// Domain    tolerance_mm > 0 (contract); the curve has a tangent everywhere
-/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² biarcs suffice, which the caller must check;
-///           tangents of neighbours agree to 1e-9 rad, or to 4e-9 mm over the arc's length where an
-///           arc of less than 1e-9 mm sagitta became a line
-/// Laws      (1) arcs as long as the tolerance allows: about tolerance^(−1/3) of them
+/// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
+/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs suffice, which the caller must check;
+///           tangents of neighbouring arcs agree to 1e-9 rad, or to 4e-9 mm over the length of the
+///           arc if an arc with less than 1e-9 mm sagitta was replaced by a line
+/// Laws      (1) each arc is as long as the tolerance allows: about tolerance^(−1/3) arcs
 ///           (2) an arc of a circle gives one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
@@ -48,9 +48,10 @@ struct BiarcContour {
   double deviation_mm;         ///< greatest normal distance measured from the exact outline
 };
 
-/// Lands are one arc each, the other pieces the biarcs of their arc, fitted once for all teeth.
+/// Each land is one arc. Every other piece is the biarc chain of its arc, fitted once for all
+/// teeth.
 ///
-/// Errors    `tolerance_mm`: an arc that does not meet it
+/// Errors    `tolerance_mm` if an arc does not meet it
 /// Domain    tolerance_mm > 0 (contract)
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm);

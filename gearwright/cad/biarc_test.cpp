@@ -24,7 +24,7 @@ class Ellipse final : public testing::ComplexCurve {
   }
 };
 
-// Curvature changes its sign at t = 0.
+// The curvature changes sign at t = 0.
 class Cubic final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override { return {C(t, t * t * t), C(1, 3 * t * t), C(0, 6 * t)}; }
@@ -42,7 +42,7 @@ struct Circle {
   C from, to;
   double bulge;
 
-  // Tangents at both ends, from the centre: i (p − c), reversed on a clockwise arc.
+  // The tangents at both ends follow from the centre: i (p − c), reversed on a clockwise arc.
   C tangent(C p) const {
     const C t = C(0, bulge > 0 ? 1 : -1) * (p - centre);
     return t / std::abs(t);
@@ -77,7 +77,8 @@ std::vector<Arc> curves() {
 }
 
 TEST(Biarc, EveryPointOfTheChainIsWithinTheTolerance) {
-  // Distances from the arcs to the curve, by search. The fit measures in the opposite direction.
+  // The distances from the arcs to the curve are found by search. The fit measures in the opposite
+  // direction.
   for (const Arc& arc : curves()) {
     for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
       const BiarcChain chain = fit_biarcs(arc, tolerance);
@@ -150,7 +151,8 @@ TEST(Biarc, LineIsOneLine) {
 }
 
 TEST(Biarc, AreaApproachesThatOfTheEllipse) {
-  // Quarter of an ellipse: π·7·3/4. Points on the axes, chords and bulges add up to it.
+  // A quarter of an ellipse has the area π·7·3/4. The points lie on the axes, so chords and bulges
+  // add up to it.
   const Arc arc = arc_on(std::make_shared<Ellipse>(), 0.0, kPi / 2);
   for (const double tolerance : {1e-3, 1e-6}) {
     const BiarcChain chain = fit_biarcs(arc, tolerance);

@@ -61,7 +61,8 @@ WallLoop circle_with_keyway(double radius, double half, double bottom) {
 }  // namespace
 
 std::optional<Error> rim_error(const ToothedBody& body, double room) {
-  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;  // rounded up: it fits
+  // The value is rounded up so that the outline fits.
+  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
   const std::string need = fmt::format(
       "the bore of an internal gear is the outside of its rim and must lie outside its roots; at "
       "least {:.3f} mm",
@@ -119,7 +120,7 @@ Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) 
   const double half = bore.keyway_width / 2.0;
   if (half == 0.0) return circle(radius);
   const double bottom = radius + bore.keyway_depth;
-  // The slot's sides are faces. If they are shorter than a sliver, the slot is omitted.
+  // The sides of the slot are faces. If they were slivers, the slot is omitted.
   const double mouth = std::sqrt((radius - half) * (radius + half));
   if (bottom - mouth < kShortestArc_mm) return circle(radius);
   return circle_with_keyway(radius, half, bottom);
@@ -133,8 +134,7 @@ Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double 
   const double half = body.bore->keyway_width / 2.0;
   if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
 
-  // Two arcs from the keyway down to (0, −r) and up again, so that neither is more than half a
-  // turn.
+  // Two arcs run from the keyway down to (0, −r) and up again, so that neither exceeds half a turn.
   const double y = std::sqrt((r - half) * (r + half));
   const double floor = r + body.bore->keyway_depth;
   const double bulge = std::tan((pi - std::asin(half / r)) / 4.0);

@@ -1,11 +1,12 @@
-// The bore's section: a circle, or a circle with a rectangular keyway; of a ring (teeth < 0) its rim,
-// the cylinder round its roots. As columns of a mesh, walls of a solid, and contour of a drawing.
+// Section of the bore: a circle, or a circle with a rectangular keyway. The bore of an internal
+// gear (teeth < 0) is its rim, the cylinder around its roots. The section is provided as mesh
+// columns, as walls of a solid and as a drawing contour.
 //
 //   r  bore radius     w, t  keyway width and depth from the bore circle     all mm
 //
-// The keyway is a slot along +y: its flat floor lies at y = r + t, its walls at x = ±w/2, which meet
-// the bore at y = √(r² − w²/4); w = 0: no keyway. Its corner, hypot(w/2, r + t), must lie inside the
-// root.
+// The keyway is a slot along +y. Its flat floor lies at y = r + t and its walls at x = ±w/2, which
+// meet the bore at y = √(r² − w²/4). If w = 0, there is no keyway. The corner of the keyway,
+// hypot(w/2, r + t), must lie inside the root.
 #pragma once
 
 #include <optional>
@@ -17,19 +18,21 @@
 
 namespace gearwright {
 
-/// bore_error() of a ring, whose bore is its rim: it must lie around its roots and has no keyway.
+/// bore_error() for an internal gear, whose bore is its rim: the rim must enclose the roots and has
+/// no keyway.
 ///
 /// Domain    `room` mm: the radius that the rim must reach
 std::optional<Error> rim_error(const ToothedBody& body, double room);
 
-/// The wall's columns, counter-clockwise from the lowest point (0, −r), which is on the circle;
-/// symmetric about the y axis bit for bit. Normals point into the hole.
+/// The columns of the wall, counter-clockwise from the lowest point (0, −r), which is on the
+/// circle. They are symmetric about the y axis bit for bit. Normals point into the hole.
 ///
-/// Accuracy  chords leave the circle by at most `chord` mm and turn by at most `facet_turn` rad
-/// Domain    a bore without bore_error (contract)
+/// Accuracy  chords deviate from the circle by at most `chord` mm and turn by at most `facet_turn`
+///           rad
+/// Domain    a bore for which bore_error() returns no error (contract)
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn);
 
-/// The loop of walls, without a slot whose sides would be slivers.
+/// The loop of walls, without the slot if its sides would be slivers.
 ///
 /// Errors    those of bore_error and rim_error
 /// Units     inner, outer: extreme radii of the outline, mm
@@ -39,15 +42,15 @@ Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer);
 /// counter-clockwise.
 struct BoreContour {
   double radius;               ///< r  mm
-  bool keyway;                 ///< false: the whole circle
-  std::vector<Vec2> points;    ///< mm; two of a whole circle
+  bool keyway;                 ///< if false, the contour is the whole circle
+  std::vector<Vec2> points;    ///< mm; a whole circle has two
   std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] leads from points[i] to the next
 };
 
-/// None without a bore.
+/// Returns no contour if there is no bore.
 ///
-/// Errors    rejected as by make_walls (cad/walls.hpp): a bore or keyway that crosses the root, an
-///           internal gear's rim that does not enclose it
+/// Errors    as make_walls (cad/walls.hpp): a bore or keyway that crosses the root, or an internal
+///           gear whose rim does not enclose the root
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
                                                 double outer);

@@ -22,7 +22,7 @@ struct Corner {
 
 struct Edge {
   Id edge;
-  Ids poles;  // from its begin to its end; none for circles, and none for lines in a level
+  Ids poles;  // poles from begin to end; empty for circles and for lines in a level
 };
 
 using Corners = std::vector<Corner>;
@@ -33,7 +33,7 @@ struct Rims {
   Edges top;
 };
 
-// Direction of a face relative to its surface.
+// Orientation of a face relative to its surface.
 enum class Side { along, against };
 
 const char* word(Side side) { return side == Side::along ? ".T." : ".F."; }
@@ -95,7 +95,7 @@ class ShellWriter {
     return rims;
   }
 
-  /// The plane at z inside `outer` and outside `inner`.
+  /// The plane face at z, inside `outer` and outside `inner`.
   void add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
     Ids loops{loop(outer)};
     if (inner != nullptr) loops.push_back(loop(*inner));
@@ -137,15 +137,16 @@ class ShellWriter {
     return id;
   }
 
-  // Axes on the gear's axis. Each statement makes one instance, because the evaluation order of
-  // arguments depends on the compiler and the numbers must be the same everywhere.
+  // Axis placements on the gear's axis. Each statement makes one instance, because the evaluation
+  // order of arguments depends on the compiler and the numbers must be the same on every platform.
   Id frame(double z, const Vec3& x) {
     const Id origin = centre(z);
     const Id up = direction(Vec3::UnitZ());
     return out_.placement(origin, up, direction(x));
   }
 
-  // Axes of a circle or cylinder, its x direction away from the middle of the wall.
+  // Axis placement of a circle or cylinder. Its x direction points away from the middle of the
+  // wall.
   Id round_frame(const Wall& wall, double turn, double z) {
     const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
     return frame(z, {-middle.real(), -middle.imag(), 0.0});
@@ -276,9 +277,9 @@ class ShellWriter {
     return edge_loop(uses);
   }
 
-  // The first loop is the outer one. All run counter-clockwise, seen from the side to which the
-  // surface normal points. A bound runs counter-clockwise about the face normal, and the other way
-  // about a hole.
+  // The first loop is the outer one. All loops run counter-clockwise, seen from the side to which
+  // the surface normal points. A bound runs counter-clockwise about the face normal if it is the
+  // outer one, and clockwise if it is a hole.
   void add_face(const Ids& loops, Id surface, Side side) {
     std::string text = "ADVANCED_FACE('',";
     Ids bounds;
@@ -295,7 +296,7 @@ class ShellWriter {
   Part21& out_;
   Ids faces_;
   std::size_t edge_count_ = 0;
-  std::map<double, Id> centres_;  // points of the axis, by height
+  std::map<double, Id> centres_;  // points on the axis, by height
   std::map<std::array<double, 3>, Id> directions_;
   std::map<std::array<double, 3>, Id> vectors_;
 };

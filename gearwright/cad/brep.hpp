@@ -1,6 +1,6 @@
-// A toothed body as an advanced B-rep, in the terms of a STEP file. Internal to cad/.
+// Writes a toothed body as an advanced B-rep of a STEP file. Internal to cad/.
 //
-//   u, v   of a wall's face: u counter-clockwise about the axis, v upwards
+//   u, v   parameters of a wall's face: u counter-clockwise about the axis, v upwards
 //
 //   shape     surface                            edges in a level
 //   spline    B-spline, poles h_j c_i            B-spline
@@ -13,7 +13,7 @@
 // than kHelixTarget_mm. A circle's x direction points away from the middle of its wall, so no wall
 // of less than a turn meets the seam at u = 0.
 //
-//   Law   every edge is used twice, once each way
+//   Law   every edge is used twice, once in each direction
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// The distance to which points, edges and faces of a solid agree, mm. The file states it as its
+/// Distance within which points, edges and faces of a solid agree, mm. The file states it as its
 /// uncertainty.
 inline constexpr double kBrepUncertainty_mm = 1e-7;
 static_assert(kHelixTarget_mm <= kBrepUncertainty_mm / 2);
@@ -31,14 +31,14 @@ static_assert(kHelixTarget_mm <= kBrepUncertainty_mm / 2);
 struct Brep {
   Part21Id solid;  ///< a MANIFOLD_SOLID_BREP, with normals pointing out
   std::size_t face_count;
-  std::size_t edge_count;  ///< each shared edge once
+  std::size_t edge_count;  ///< each shared edge counts once
 };
 
 /// Writes the solid of a body in its own frame (the pose is not applied).
 ///
 /// Units     mm
-/// Domain    walls = make_walls(body) (contract: a ring has its rim)
-/// Cost      linear in the walls
+/// Domain    walls = make_walls(body) (contract); an internal gear has its rim
+/// Cost      proportional to the number of walls
 Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The instances of a STEP file and their references, read by a few lines of this test.
+// Tests the instances of a STEP file and their references with a short reader of its own.
 // step_solid_test.cpp tests the solids that a CAD kernel builds from them.
 
 #include "gearwright/cad/brep.hpp"
@@ -22,12 +22,12 @@ namespace {
 using testing::sample_body;
 
 struct Instance {
-  std::string keyword;  // empty of a complex instance
+  std::string keyword;  // empty for a complex instance
   std::string text;
   std::vector<std::size_t> names;
 };
 
-// Numbered from 1; an instance ends with the line that ends in a semicolon.
+// Instances are numbered from 1. Each ends with the line that ends in a semicolon.
 std::vector<Instance> instances_of(const std::string& file) {
   std::vector<Instance> list(1);
   const std::size_t data = file.find("DATA;\n") + 6;
@@ -97,19 +97,20 @@ TEST(Brep, EveryEdgeIsUsedOnceEachWay) {
 }
 
 TEST(Brep, NeighboursShareTheirPoles) {
-  // No point of a solid is written twice, so a common part of two faces is one instance.
+  // No point of a solid is written twice, so two faces share the instances of their common parts.
   const auto made = step_document({keyed(0.2)}, "one.step");
   ASSERT_TRUE(made);
   std::set<std::string> points;
   for (const Instance& one : instances_of(made->text)) {
     if (one.keyword != "CARTESIAN_POINT") continue;
-    const bool origin = one.text.ends_with("(0.,0.,0.))");  // of the axis, and of the part
+    // The origin of the axis and of the part.
+    const bool origin = one.text.ends_with("(0.,0.,0.))");
     EXPECT_TRUE(points.insert(one.text).second || origin) << one.text;
   }
 }
 
 TEST(Brep, TeethAreExactTurnsOfTheFirst) {
-  // Of 20 teeth, tooth 5 is tooth 0 turned by a quarter: (x, y) becomes (−y, x), bit for bit.
+  // Tooth 5 of 20 is tooth 0 turned by a quarter: (x, y) becomes (−y, x), bit for bit.
   const auto made = step_document({sample_body({})}, "spur.step");
   ASSERT_TRUE(made);
   std::set<std::array<double, 3>> points;
@@ -134,7 +135,8 @@ TEST(Brep, TextGrowsWithTheTeethAlone) {
     return static_cast<double>(
         step_document({sample_body({.teeth = teeth, .beta = 0.2})}, "a.step")->text.size());
   };
-  EXPECT_NEAR(size(400) / size(100), 4.0, 0.1);  // longer numbers of instances, the same products
+  // Instance numbers get longer, while the products stay the same.
+  EXPECT_NEAR(size(400) / size(100), 4.0, 0.1);
 }
 
 }  // namespace

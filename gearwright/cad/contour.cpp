@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kShortestArc = 1e-6;   // mm, a hundredth of what any machine resolves
 constexpr double kOnItsRay = 1e-6;      // mm
-constexpr double kCircleRadius = 1e-8;  // mm, by which the radius of a land may vary
+constexpr double kCircleRadius = 1e-8;  // mm, variation of radius within which a land is a circle
 constexpr int kArcLooks = 32;           // points per arc that are examined
 
 // Adding zero turns −0 into 0, so that equal points are equal text.
@@ -22,7 +22,7 @@ Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
 
-// A land is a circle about the axis when its radius is one number.
+// A land is a circle about the axis if its radius is constant.
 bool is_land(const Arc& arc) {
   if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
   const double radius = arc.begin_point.norm();
@@ -33,7 +33,7 @@ bool is_land(const Arc& arc) {
   return true;
 }
 
-// An arc of the half outline that makes pieces, with its ends moved over omitted slivers.
+// An arc of the half outline that forms pieces, with its ends moved past omitted slivers.
 struct Link {
   std::size_t arc;
   Vec2 begin;
@@ -46,7 +46,7 @@ std::vector<Link> links_of(const Outline& outline) {
   for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     GW_EXPECTS(i == 0 || arc.begin_point == outline.arcs[i - 1].end_point);
-    // The middle counts too, because a closed arc is no sliver.
+    // The middle is examined too, because a closed arc is no sliver.
     const double reach = std::max((arc.point(0.5) - arc.begin_point).norm(),
                                   (arc.end_point - arc.begin_point).norm());
     if (reach < kShortestArc) continue;
@@ -104,7 +104,7 @@ Result<Contour> closed_contour(const Outline& outline) {
     root_sweep = 2.0 * (std::numbers::pi / z - std::atan2(p.y(), p.x()));
   }
 
-  // Joints on the middle of a tooth or space belong to the upper half that leads there.
+  // A joint on the middle of a tooth or space belongs to the upper half that leads to it.
   const Vec2 tip = links.back().end;
   const Vec2 root = links.front().begin;
   for (int k = 0; k < z; ++k) {
@@ -149,7 +149,7 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   points.reserve(root_to_tip.size());
   for (const Vec2& p : root_to_tip) points.push_back(put(piece.mirrored ? mirrored(p) : p));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
-  // Slivers and the middles of tooth and space move ends, at most by their tolerance.
+  // Omitted slivers and the middles of tooth and space move the ends, at most by their tolerance.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);
   GW_EXPECTS((points.back() - piece.end).norm() < 3 * kShortestArc);
   points.front() = piece.begin;

@@ -3,17 +3,18 @@
 //   p     a point of the half tooth as a complex number x + iy, mm
 //   k     tooth, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact in the quarters
 //
-// Counter-clockwise about the axis, for an internal gear too: the tip land of tooth 0, its upper
-// half from tip to root, the root land, the lower (mirrored) half of tooth 1 from root to tip, its
-// tip land, … The halves of a land meet in one piece, a true circle about the axis; everything else
-// is an arc of the outline, mirrored and turned. A drawing renders each arc of the half tooth once
-// and places the points that came out (`placed`), so all teeth are the same tooth.
+// The contour runs counter-clockwise about the axis, also for an internal gear: the tip land of
+// tooth 0, its upper half from tip to root, the root land, the lower (mirrored) half of tooth 1
+// from root to tip, its tip land, and so on. The two halves of a land form one piece, a true circle
+// about the axis. Every other piece is an arc of the outline, mirrored and turned. A drawing
+// renders each arc of the half tooth once and places the resulting points (`placed`), so all teeth
+// are identical.
 //
-//   Laws  (1) the end of each piece is the begin of the next, bit for bit, and the last closes on
-//             the first
-//         (2) |z| times as many pieces as one tooth has
-//         (3) a pointed tooth has no tip land, a full-radius root no root land; their ends then
-//             meet in one point, on the middle of the tooth or of the space
+//   Laws  (1) the end of each piece is the begin of the next, bit for bit, and the contour is
+//             closed
+//         (2) the number of pieces is |z| times that of one tooth
+//         (3) a pointed tooth has no tip land, and a full-radius root has no root land; the
+//             adjacent pieces then meet in one point on the middle of the tooth or of the space
 #pragma once
 
 #include <cstddef>
@@ -28,14 +29,14 @@ namespace gearwright {
 
 struct ContourPiece {
   std::size_t arc;  ///< index into Outline::arcs
-  int tooth;        ///< k; of a root land, the tooth before it
-  bool mirrored;    ///< lower half of the tooth, run from root to tip; otherwise upper half, tip to
-                    ///< root
-  bool land;        ///< a circle about the axis, both halves of it, run by `sweep`; of a rack a
-                    ///< straight line, with `sweep` 0
-  Vec2 begin;       ///< mm
-  Vec2 end;         ///< mm
-  double sweep;     ///< rad, > 0 for a land; otherwise 0
+  int tooth;        ///< k; for a root land, the tooth before it
+  bool mirrored;  ///< lower half of the tooth, run from root to tip; otherwise the upper half, run
+                  ///< from tip to root
+  bool land;   ///< both halves of a land: a circle about the axis, run by `sweep`, or for a rack a
+               ///< straight line with `sweep` 0
+  Vec2 begin;  ///< mm
+  Vec2 end;    ///< mm
+  double sweep;  ///< rad, > 0 for a land; otherwise 0
 };
 
 struct Contour {
@@ -43,12 +44,12 @@ struct Contour {
   std::vector<ContourPiece> pieces;
   double inner_radius;  ///< smallest radius of the examined points of the outline, mm
   double outer_radius;  ///< greatest radius of the outline, mm
-  /// Of a rack: tooth k is tooth 0 of the half outline, shifted by its `middle_of(k, teeth)`.
+  /// Of a rack. Tooth k is tooth 0 of the half outline, shifted by its `middle_of(k, teeth)`.
   std::optional<RackBlock> rack{};
 };
 
-/// Chains the teeth. Arcs shorter than 1e-6 mm give no piece, and the next piece begins at their
-/// start.
+/// Chains the teeth. Arcs shorter than 1e-6 mm give no piece. The next piece then begins at the
+/// start of the omitted arc.
 ///
 /// Errors    an outline that crosses the middle of the tooth or of the space (severed)
 /// Domain    teeth ≠ 0, at least one arc, arcs joined bit for bit, the first point on the ray π/|z|
@@ -60,10 +61,11 @@ Result<Contour> closed_contour(const Outline& outline);
 /// Domain    teeth ≥ 1, a back below the roots, the laws of pair/rack_outline.hpp (contract)
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
-/// Points of the half outline's arc, from root to tip, in the position and direction of the piece:
-/// mirrored or reversed and turned, with the first and last point replaced by the ends of the
-/// piece.
-/// Domain    not a land, at least two points, the ends within 1e-6 mm of the arc's ends (contract)
+/// Points of an arc of the half outline from root to tip, moved to the position and direction of
+/// the piece: mirrored or reversed, and turned. The first and the last point are replaced by the
+/// ends of the piece.
+/// Domain    the piece is not a land, there are at least two points, and the ends lie within 1e-6
+///           mm of the arc's ends (contract)
 std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
                          const std::vector<Vec2>& root_to_tip);
 

@@ -135,7 +135,7 @@ TEST(Contour, SliversMakeNoPiece) {
 }
 
 TEST(Contour, ARoughLandIsAnOrdinaryArc) {
-  // A straight "land" across the top of the tooth consists of one half and its mirror image.
+  // A straight "land" across the tip of the tooth consists of one half and its mirror image.
   ToothedBody body = testing::plain_body(12, 20.0, 0.2, 24.0, 0.05);
   body.outline.arcs.pop_back();
   const Vec2 p = body.outline.arcs.back().end_point;

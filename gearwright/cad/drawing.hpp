@@ -1,9 +1,9 @@
-// Parts common to drawings of a transverse section: options, facts, the closed outlines of a body,
-// and the fits of its arcs.
+// Options, facts, closed outlines of a body and fits of its arcs that all drawings of a transverse
+// section share.
 //
-// A drawing is the section z = 0 in the gear frame, in millimetres; `body.pose` does not apply. It
-// is returned as text with the numbers that a program prints with it ("320 segments, within 0.9
-// µm").
+// A drawing is the section z = 0 in the gear frame, in millimetres, and `body.pose` does not apply.
+// It is returned as text, together with the numbers that a program prints with it ("320 segments,
+// within 0.9 µm").
 #pragma once
 
 #include <algorithm>
@@ -23,16 +23,16 @@ struct ContourOptions {
     splines,  ///< one B-spline per arc of the outline, lands as circles: for CAD
   };
   Style style = Style::biarcs;
-  /// Permitted normal distance; absent: the default of the style.
+  /// Permitted normal distance. If it is absent, the default of the style applies.
   std::optional<double> tolerance_mm = std::nullopt;
 };
 
 /// A tenth of the finest tolerance of cut parts, which is a few µm. Wire cutting machines resolve
 /// about 1 µm.
 inline constexpr double kBiarcTolerance_mm = 0.001;
-/// A drawing that is measured in CAD agrees in all digits that CAD shows.
+/// At this tolerance, dimensions measured in CAD agree in all digits that CAD shows.
 inline constexpr double kSplineTolerance_mm = 1e-6;
-/// A tenth of the resolution of a plotter or of a browser at the greatest zoom.
+/// A tenth of the resolution of a plotter, or of a browser at the greatest zoom.
 inline constexpr double kSvgTolerance_mm = 1e-4;
 
 struct Drawing {
@@ -56,19 +56,19 @@ struct BodyContour {
 /// Errors    those of closed_contour and bore_contour
 Result<BodyContour> body_contour(const ToothedBody& body);
 
-/// The error of an arc that cannot be drawn within the requested tolerance.
+/// Returns the error for an arc that cannot be drawn within the requested tolerance.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
-/// A fit of each arc of the outline that makes pieces other than lands, shared by all teeth.
+/// A fit of each arc of the outline that forms pieces other than lands, shared by all teeth.
 template <class Fit>
 struct ArcFits {
-  std::vector<std::optional<Fit>> arcs;  ///< as Outline::arcs
+  std::vector<std::optional<Fit>> arcs;  ///< indexed as Outline::arcs
   double deviation_mm = 0.0;             ///< greatest of all
 };
 
 /// `fit(arc, tolerance)` returns a result with `deviation_mm`.
 ///
-/// Errors    `tolerance_mm`: an arc that does not meet it
+/// Errors    `tolerance_mm` if an arc does not meet it
 template <class Fit>
 Result<ArcFits<Fit>> fit_arcs(const Outline& outline, const Contour& contour, double tolerance_mm,
                               Fit (*fit)(const Arc&, double)) {

@@ -21,11 +21,12 @@ namespace gearwright {
 /// Domain    tolerance_mm > 0; the outline's laws hold within 1e-6 mm (contract)
 /// Errors    a severed tooth; a bore that leaves the root; an arc that does not meet the tolerance
 /// Accuracy  deviation_mm ≤ tolerance_mm
-/// Laws      (1) same body, same options, same bytes   (2) segments grow in proportion to |z|
+/// Laws      (1) the same body and options give the same bytes   (2) the number of segments is
+///           proportional to |z|
 Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options = {});
 
-/// Several bodies in one drawing, each at its pose (a turn about z and a shift); a single body is
-/// in its own frame.
+/// Writes several bodies into one drawing, each at its pose (a turn about z and a shift). A single
+/// body is drawn in its own frame.
 Result<Drawing> dxf_drawing(const std::vector<ToothedBody>& bodies,
                             const ContourOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Pairs of a DXF file, and the handles of its frame. Internal to cad/.
+// Writes the pairs of a DXF file and defines the handles of its frame. Internal to cad/.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 namespace gearwright::dxf {
 
-// Handles of the frame. Owners come before their objects.
+// Handles of the frame. An owner precedes its objects.
 enum DxfHandle : int {
   kNone = 0x0,
   kVports = 0x1,
@@ -46,7 +46,7 @@ enum DxfHandle : int {
 
 inline constexpr const char* kWordStyle = "SHEET";
 
-// Writes pairs. Reals are always recognisable as reals.
+// Writes pairs. A real number is always written with a decimal point.
 class DxfPairs {
  public:
   explicit DxfPairs(std::string& text) : text_(text) {}

@@ -137,7 +137,8 @@ TEST(Dxf, AreaOfThePolylineIsThatOfTheGear) {
       EXPECT_EQ(entities[0].words(70), std::vector<std::string>{"1"});  // closed
       const Polyline profile(entities[0]);
       EXPECT_EQ(std::to_string(profile.points.size()), entities[0].words(90).front());
-      // A boundary within δ of the exact one encloses its area to within δ times its length.
+      // A boundary within δ of the exact one encloses an area that differs by at most δ times its
+      // length.
       const double allowed = drawing.deviation_mm * profile.length() + 1e-9;
       EXPECT_NEAR(profile.area(), section_area(body.outline), allowed) << body.name;
     }
@@ -145,7 +146,7 @@ TEST(Dxf, AreaOfThePolylineIsThatOfTheGear) {
 }
 
 TEST(Dxf, NeighboursAreTangentWhereTheOutlineIs) {
-  // A spur gear's only corners are at the tip circle: two per tooth.
+  // The only corners of a spur gear are at the tip circle, two per tooth.
   const Polyline profile(entities_of(dxf_drawing_of(testing::sample_body({})).text)[0]);
   const std::size_t n = profile.points.size();
   int corners = 0;
@@ -221,7 +222,7 @@ TEST(Dxf, SplinesShareTheirEndsAsText) {
       EXPECT_EQ(a.words(10).back(), b.words(10).front());
       EXPECT_EQ(a.words(20).back(), b.words(20).front());
       if (a.reals(70).front() == 12) {
-        // A land is a rational curve and lies on its circle everywhere.
+        // A land is a rational curve whose points all lie on its circle.
         const std::vector<double> weights = a.reals(41);
         const std::vector<double> x = a.reals(10);
         const std::vector<double> y = a.reals(20);
@@ -313,7 +314,7 @@ TEST(Dxf, RefusesWhatIsNoGear) {
 }
 
 TEST(Dxf, SaysWhatToleranceItCanKeep) {
-  // No curve in doubles is within 1e-18 mm.
+  // No curve in double precision is within 1e-18 mm.
   const auto drawing = dxf_drawing(testing::sample_body({}), {.tolerance_mm = 1e-18});
   ASSERT_FALSE(drawing);
   EXPECT_EQ(drawing.error().field, "tolerance_mm");

@@ -1,6 +1,7 @@
-// Functions common to the fits of arcs by simpler curves. Internal to cad/.
+// Functions that the fits of arcs by simpler curves share. Internal to cad/.
 //
-// Distance of a point from a circle given by a tangent point, also valid for lines:
+// Distance of a point from a circle given by one of its points and the normal there. It is also
+// valid for lines:
 //
 //   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
 //   N    unit normal there, to the left: the centre is N/κ away
@@ -11,9 +12,9 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps that are each as long as a condition allows. If the condition
-// fails for every longer step once it has failed (an error that grows with the length), these are
-// the fewest steps.
+// An interval is covered by steps, each as long as a condition allows. If the condition, once it
+// fails, also fails for every longer step (as for an error that grows with the length), the number
+// of steps is the smallest possible.
 #pragma once
 
 #include <algorithm>
@@ -42,13 +43,14 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 }
 
 struct StepLimits {
-  double shortest;  ///< relative to the interval: a step this short is always accepted
-  double known;     ///< relative to the step: width of the bracket at which the end is accepted
+  double shortest;  ///< relative to the interval; a step this short is always accepted
+  double known;     ///< relative to the step; width of the bracket at which the search ends
 };
 
-/// The greatest x in (from, to] with fits(x), by a bracket grown from `guess`, a step length.
+/// Returns the greatest x in (from, to] with fits(x), from a bracket grown from `guess`, a step
+/// length.
 ///
-/// Accuracy  within limits.known of the step, on the side that fits; from + shortest if nothing
+/// Accuracy  within limits.known of the step, on the side that fits; from + shortest if no step
 ///           fits
 /// Domain    from < to, guess > 0
 template <class Fits>

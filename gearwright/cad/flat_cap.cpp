@@ -16,8 +16,8 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// Twice the area over the square of the longest side times the next. It grows with the smallest
-// angle.
+// Quality of a triangle: twice the area divided by the product of the longest and the second
+// longest side. It grows with the smallest angle.
 double width(const Vec2& a, const Vec2& b, const Vec2& c) {
   std::array<double, 3> side{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
   std::sort(side.begin(), side.end());
@@ -44,7 +44,7 @@ class EarClipper {
     for (std::size_t left = points_.size(); left > 2; --left) {
       std::size_t best = best_ear();
       if (quality_[best] == kNoEar) {
-        // If three corners are collinear, cutting an ear can make a distant corner an ear.
+        // If three corners are collinear, cutting an ear can turn a distant corner into an ear.
         for (std::size_t i = next_[last_], k = 0; k < left; i = next_[i], ++k) rate(i);
         best = best_ear();
         if (quality_[best] == kNoEar) return std::nullopt;
@@ -95,7 +95,7 @@ class EarClipper {
 
 double polar(const Vec2& p) { return std::atan2(p.y(), p.x()); }
 
-// Angle from `from`, in [0, 2π).
+// Angle measured from `from`, in [0, 2π).
 double ahead(double angle, double from) {
   const double difference = std::remainder(angle - from, 2.0 * std::numbers::pi);
   return difference < 0.0 ? difference + 2.0 * std::numbers::pi : difference;
@@ -113,8 +113,8 @@ std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector
   const std::size_t m = outer.size();
   GW_EXPECTS(n >= 3 && m >= 3);
 
-  // The outer corner at or just behind the first inner point comes first. All angles are measured
-  // from it.
+  // The list starts with the outer corner at or just before the first inner point. All angles are
+  // measured from it.
   const double start = polar(inner[0]);
   std::size_t first = 0;
   for (std::size_t j = 1; j < m; ++j) {

@@ -23,8 +23,8 @@ double polygon_area(const std::vector<Vec2>& p) {
   return sum;
 }
 
-// All triangles are counter-clockwise, and their sum is the area of the region. Partial sums of
-// both are at most `whole`, and N additions lose at most N ε of it.
+// All triangles are counter-clockwise, and the sum of their areas is the area of the region.
+// Partial sums of both are at most `whole`, and N additions lose at most N ε of it.
 void expect_covers(const std::vector<Triangle>& triangles, const std::vector<Vec2>& points,
                    double region, double whole) {
   double sum = 0.0;
@@ -86,8 +86,8 @@ TEST(FlatCap, NoEarsOnAPolygonThatCrossesItself) {
 }
 
 TEST(FlatCap, RingWithKeywayAtEveryOffset) {
-  // The region around the slot with thin and thick walls, coarse and fine circles. All have R cos δ
-  // ≥ r.
+  // The cases cover thin and thick walls around the slot, and coarse and fine circles. All have R
+  // cos δ ≥ r.
   for (const double width : {0.5, 6.0, 19.0}) {
     for (const double depth : {0.0, 0.01, 3.0, 30.0}) {
       const Bore bore{20.0, width, depth};

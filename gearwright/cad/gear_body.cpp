@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// Least material between the roots of a rack and its back, mm.
+// Least material between the roots and the back of a rack, mm.
 constexpr double kRackBack_mm = 1e-3;
 
 }  // namespace

@@ -11,17 +11,19 @@
 
 namespace gearwright {
 
-/// The gear in its own frame; its place in a pair is `pair.pose_1().isometry()`, `pose_2()`.
+/// Returns the gear in its own frame. Its place in a pair is `pair.pose_1().isometry()` or
+/// `pose_2()`.
 ///
-/// Errors    `cut_by` of an internal gear that no pinion cutter has cut, `teeth` of a gear whose
-///           tooth cannot exist (severed, through the axis)
+/// Errors    `cut_by` for an internal gear without a pinion cutter; `teeth` for a gear whose tooth
+///           cannot exist (severed, or through the axis)
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore = {});
 
-/// The rack in its own frame (pair/rack_outline.hpp); its place is `rack_pair.pose_2().isometry()`.
+/// Returns the rack in its own frame (pair/rack_outline.hpp). Its place is
+/// `rack_pair.pose_2().isometry()`.
 ///
-/// Errors    `gear2.teeth`, `gear2.height` of a rack without them, or of a back above the roots, with the
-///           least that leaves material; those of rack_outline()
+/// Errors    `gear2.teeth` or `gear2.height` if the rack has none, or if its back lies above the
+///           roots, with the least height that leaves material; those of rack_outline()
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 
 }  // namespace gearwright

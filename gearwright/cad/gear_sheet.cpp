@@ -18,11 +18,12 @@ namespace gearwright {
 namespace {
 
 constexpr auto kOutline = SheetLayer::outline;
-// mm on paper: projection of centre lines beyond the part; distance of dimension lines from the
-// view and from each other; distances between the views and within the frame; projection of the
+// All in mm on paper: projection of centre lines beyond the part; distance of dimension lines from
+// the view and from each other; distances between the views and within the frame; projection of the
 // leader beyond the gear.
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
-constexpr double kCaption = 9;  // below the transverse view: the base line of its words
+// distance below the transverse view of the base line of its caption
+constexpr double kCaption = 9;
 constexpr const char* kWhere = "Section in the middle of the face";
 
 struct Scale {
@@ -51,7 +52,8 @@ constexpr std::array<Scale, 18> kScales{{{50, 1},
 std::string millimetres(double value) { return short_decimals(value, 4); }
 std::string diameter(double radius) { return "Ø" + millimetres(2 * radius); }
 
-// Both views at one scale: the transverse one about the origin, the axial one to its right.
+// Both views have the same scale. The transverse view is drawn about the origin, the axial one to
+// its right.
 class Views {
  public:
   Views(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
@@ -71,7 +73,7 @@ class Views {
     width_ = k_ * input.body.face_width;
   }
 
-  /// The space that the views need around the origin.
+  /// The box that the views occupy around the origin.
   SheetBox box() const {
     const double up = std::max(k_ * body_ + kAxis, keyed() ? shelf() + kUsual + 2 : 0.0);
     return {{-left_, -k_ * body_ - kFirst - 4}, {axial_ + width_ + right_, up}};
@@ -92,7 +94,7 @@ class Views {
     return "Keyway " + millimetres(bore().keyway_width) + " wide";
   }
   double shelf() const { return k_ * body_ + kShelf; }
-  double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader rises by 60°
+  double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader rises at 60°
 
   std::vector<double> radii_to_the_right() const {
     std::vector<double> radii{input_.reference_diameter / 2, tip_};
@@ -123,7 +125,7 @@ class Views {
     sheet_->text(SheetLayer::dimension, origin_ + Vec2(0, -k_ * body_ - kCaption), kWhere, kUsual,
                  Along::middle);
     if (!keyed()) return;
-    // Touches the keyway's left wall from the side of the material.
+    // The arrow touches the left wall of the keyway from the side of the material.
     const double half = bore().keyway_width / 2;
     const double low = std::sqrt(bore_->radius * bore_->radius - half * half);
     const double high = bore_->radius + bore().keyway_depth;
@@ -187,7 +189,7 @@ class Views {
   const BiarcContour& outline_;
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm
-  double tip_ = 0, root_ = 0, body_ = 0;  // radii, mm; body_: of the outermost circle
+  double tip_ = 0, root_ = 0, body_ = 0;  // radii, mm; body_: radius of the outermost circle
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;  // mm on paper
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();
@@ -199,8 +201,8 @@ struct Place {
   int columns;
 };
 
-// A4 is in portrait format, with views above and data in two columns below. A3 is in landscape
-// format, with data to the right of the views.
+// A4 is in portrait format, with the views at the top and the data in two columns below. A3 is in
+// landscape format, with the data to the right of the views.
 Place place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
                const std::vector<DataGroup>& data) {
   if (size == SheetSize::a4) {

@@ -1,9 +1,9 @@
 // The workshop drawing of a gear: the table of its data, the exact transverse section with bore and
 // keyway, and an axial section, in a frame with a title block.
 //
-// Symbols and terms of the table are those of ISO 21771, its order that of DIN 3966-1; teeth are not
-// hatched in the axial section and the reference circle is a chain line (ISO 2203). The scale is the
-// greatest of ISO 5455 at which the views have room.
+// The table uses the symbols and terms of ISO 21771 in the order of DIN 3966-1. Teeth are not
+// hatched in the axial section, and the reference circle is a chain line (ISO 2203). The scale is
+// the greatest of ISO 5455 at which the views have room.
 #pragma once
 
 #include <string>
@@ -31,7 +31,7 @@ struct GearSheetInput {
   double reference_diameter;  ///< d    mm
   bool bore_given;            ///< if false, the rim of an internal gear is not part of the drawing
   std::vector<DataGroup> data;  ///< in their order
-  DrawingInput words;           ///< of the title block
+  DrawingInput words;           ///< text of the title block
   std::string number;           ///< of the sheet, "1/2"
 };
 
@@ -41,10 +41,10 @@ struct GearSheet {
   double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 
-/// `tolerance_mm`: of the outline, in the gear's mm.
+/// `tolerance_mm` is that of the outline, in mm on the gear.
 ///
-/// Errors    as dxf_drawing: a severed tooth, a bore that leaves the root, an arc
-///           that does not meet the tolerance
+/// Errors    as dxf_drawing: a severed tooth, a bore that crosses the root, or an arc that does not
+///           meet the tolerance
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm);
 
 }  // namespace gearwright

@@ -22,18 +22,19 @@ namespace gearwright {
 
 namespace {
 
-// ρΔ² = 2ε on the largest radius. On the tip land, κ = 1/ρ, the three terms of (M1) are then 2ε, 4ε
-// and 2ε of 8ε at a = ρΔ, which makes the fewest triangles.
+// The level height satisfies ρΔ² = 2ε on the largest radius. On the tip land, where κ = 1/ρ, the
+// three terms of (M1) are then 2ε, 4ε and 2ε of 8ε at a = ρΔ, which gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
 // Least material between the root and the bore or the rim, mm.
 constexpr double kWallMin_mm = 1e-3;
 
-// The chords of a thin wall's two sides must not meet: its tolerance is this part of its thickness.
+// The chords of the two sides of a thin wall must not meet. Therefore the tolerance is at most this
+// part of the wall's thickness.
 constexpr double kWallShare = 0.25;
 
-// Limits beyond which a mesh is rejected: a file of 200 MB, which printers cannot read, and some
-// seconds for the caps of a tooth (quadratic in its points).
+// Limits beyond which a mesh is rejected: a file of 200 MB, which printers cannot read, and a few
+// seconds for the caps of a tooth (quadratic in the number of its points).
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
@@ -89,7 +90,7 @@ std::optional<std::vector<Triangle>> half_pitch_cap(const std::vector<SectionPoi
   return triangles;
 }
 
-// The part of a cap between the teeth's outline and the circle: each half pitch and its mirror
+// The part of a cap between the outline of the teeth and the circle: each half pitch and its mirror
 // image.
 void add_tooth_caps(MeshBuilder& builder, const std::vector<Triangle>& half_cap, int copies,
                     std::size_t n, std::size_t q, std::uint32_t outline, std::uint32_t circle) {
@@ -123,20 +124,21 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// The circle between the teeth's caps and the hub's caps, or the rim of an internal gear.
+// The circle between the caps of the teeth and those of the hub, or the rim of an internal gear.
 struct Circle {
   double radius;  // mm
   int q;          // points per half pitch
 };
 
-// Halfway between bore and root. Its step δ satisfies R cos δ ≥ r, which zip_ring requires.
+// The circle lies halfway between bore and root. Its step δ satisfies R cos δ ≥ r, which zip_ring
+// requires.
 Circle hub_circle(double bore_reach, double root_reach, int copies) {
   const double radius = 0.5 * (bore_reach + root_reach);
   const double step = std::min(std::acos(bore_reach / radius), kPi / 4.0);
   return {radius, std::max(1, static_cast<int>(std::ceil(kPi / (copies * step))))};
 }
 
-// By (M1) with d = a²/(8ρ), as for the tip land of an external gear.
+// The step follows from (M1) with d = a²/(8ρ), as for the tip land of an external gear.
 Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance) {
   const double turn = tolerance.level_turn;
   const double slack = 8.0 * tolerance.chord - radius * turn * turn;

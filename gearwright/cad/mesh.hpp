@@ -4,16 +4,17 @@
 //   Δ = τh    turn of one step h along the face, rad      a   chord of a section segment, mm
 //   d         largest distance of the section from its chord, mm
 //
-// The walls are grids of vertices that lie on S. A triangle of such a grid leaves S by at most
+// The walls are grids of vertices that lie on S. A triangle of such a grid deviates from S by at
+// most
 //
 //     d + (2 a |Δ| + ρ Δ²) / 8                                                               (M1)
 //
-// for P leaves its chord C by d at most, and linear interpolation of the map R(τζ) C(u) over a
-// triangle with legs a and h errs by at most (a²|C_uu| + 2ah|C_uζ| + h²|C_ζζ|)/8 (Filip, Magedson
-// and Markot, 1986), where C_uu = 0, |C_uζ| = |τ|, |C_ζζ| ≤ ρτ². Both diagonals obey (M1).
+// because P deviates from its chord C by d at most, and linear interpolation of the map R(τζ) C(u)
+// over a triangle with legs a and h errs by at most (a²|C_uu| + 2ah|C_uζ| + h²|C_ζζ|)/8 (Filip,
+// Magedson and Markot, 1986), where C_uu = 0, |C_uζ| = |τ|, |C_ζζ| ≤ ρτ². Both diagonals obey (M1).
 //
-// One half tooth is meshed; mirrored and turned by sincos_turn it makes the others, so that tooth k
-// is the turned tooth 0 bit for bit, and time and size grow in proportion to |z|.
+// One half tooth is meshed. Mirrored and turned by sincos_turn, it gives the others, so that tooth
+// k is tooth 0 turned, bit for bit, and time and size are proportional to |z|.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -43,7 +44,7 @@ struct TriangleMesh {
   std::vector<Vec3> vertices;       ///< mm, each corner of the body once
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
 
-  // The same surface for shading: a vertex on a crease appears once per smooth face.
+  // The same surface for shading. A vertex on a crease appears once per smooth face.
   std::vector<std::uint32_t> shaded_vertices;  ///< index into `vertices`
   std::vector<Vec3> normals;                   ///< unit, outward, of the exact surface there
   std::vector<Triangle> shaded_triangles;      ///< index into `shaded_vertices`
@@ -54,7 +55,7 @@ struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< in the gear frame
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to the file's frame
-  std::optional<std::size_t> colour{};                     ///< of part_colour(); none: by its place
+  std::optional<std::size_t> colour{};                     ///< of part_colour(); none: by its index
   std::optional<std::size_t>
       same_as{};  ///< an earlier part that has the mesh; then `mesh` is empty
 };
@@ -62,12 +63,12 @@ struct MeshPart {
 /// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied.
 ///
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
-///           the caps are plane. Where bore (or rim) and root are closer than four tolerances, a
+///           the caps are plane. If bore (or rim) and root are closer than four tolerances, a
 ///           quarter of their distance replaces the tolerance
-/// Errors    bore.diameter_mm (names the largest that fits), bore.keyway_*, teeth when the outline
-///           bounds no body (severed tooth, root beyond the axis), chord_tolerance_mm when the mesh
+/// Errors    bore.diameter_mm (names the largest that fits), bore.keyway_*, teeth if the outline
+///           bounds no body (severed tooth, root beyond the axis), chord_tolerance_mm if the mesh
 ///           would have more than 2·10⁶ vertices or 20 000 points on half a tooth
-/// Domain    face width, tolerances > 0, teeth ≠ 0, an outline that obeys its laws (contract)
+/// Domain    face width and tolerances > 0, teeth ≠ 0, an outline that obeys its laws (contract)
 Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& options = {});
 
 /// Volume enclosed, mm³.   Accuracy  rounding: about 1e-15 times the volume times √triangles

@@ -8,21 +8,22 @@ namespace gearwright {
 
 namespace {
 
-// A normal that jumps by more than this (rad) makes a crease; tangent arcs meet within rounding.
+// A jump of the normal by more than this (rad) forms a crease. Tangent arcs meet within rounding.
 constexpr double kCrease = 1e-3;
 
 bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
 
 SinCos sincos(double angle) { return {std::sin(angle), std::cos(angle)}; }
 
-// Normal of the screw surface, perpendicular to the section's tangent and to the screw's, (τJP, 1).
+// Normal of the screw surface: perpendicular to the tangent of the section and to that of the
+// screw, (τJP, 1).
 Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
   return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
 }
 
-// True if the rising one of the two diagonals of the quad between two columns (this column at the
-// bottom, the next at the top) is nearer to the surface. The section bulges from its chord by
-// chord·(n_2 − n_1)/8 along its normal.
+// Returns true if the rising diagonal of the quad between two columns (this column at the bottom,
+// the next at the top) is nearer to the surface than the falling one. The section bulges from its
+// chord by chord·(n_2 − n_1)/8 along its normal.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
   const double turn = levels.twist * levels.width / levels.steps;
   const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;
@@ -35,8 +36,8 @@ bool rising_diagonal(const Column& one, const Column& two, const Levels& levels)
   return std::abs(rising.dot(normal) - bulge) <= std::abs(falling.dot(normal) - bulge);
 }
 
-// The diagonals are chosen once per part, because the screw carries the choice to every level and
-// tooth.
+// The diagonals are chosen once per part, because the screw motion carries the choice to every
+// level and tooth.
 std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
                                    const Levels& levels) {
   Column beyond = part.front();
@@ -72,7 +73,7 @@ void MeshBuilder::add_rings(const std::vector<Column>& part, int copies, const L
   for (int level = 0; level <= levels.steps; ++level) {
     const double z = levels.z(level);
     const SinCos screw = sincos(levels.twist * z);
-    // The level of copy 0, followed by its turned copies.
+    // The level of copy 0 is followed by its turned copies.
     struct Placed {
       Vec2 point;
       Vec3 before, after;
@@ -146,8 +147,8 @@ WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, cons
 
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,
                            const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward) {
-  // Corners counter-clockwise from the lower one, seen with the material behind them, if not
-  // inward.
+  // The corners are counter-clockwise from the lower one, seen from outside the material, unless
+  // `inward`.
   const std::array<std::size_t, 6> order = rising ? std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3}
                                                   : std::array<std::size_t, 6>{0, 1, 3, 1, 2, 3};
   for (std::size_t t = 0; t < order.size(); t += 3) {

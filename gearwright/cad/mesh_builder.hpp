@@ -2,7 +2,7 @@
 //
 //   τ  twist, rad/mm     ζ  height, mm     column  a vertex per level     ring  a level's vertices
 //
-// A wall is one part of a section, repeated around the axis and screwed along it; a cap is plane
+// A wall is one part of a section, repeated around the axis and screwed along it. A cap is plane
 // and uses the end rings of walls. A vertex where the normal jumps is shaded once per side.
 #pragma once
 
@@ -19,8 +19,9 @@ namespace gearwright {
 /// One column of a wall.
 struct Column {
   Vec2 point;   ///< mm, in the section ζ = 0 of the first copy
-  Vec2 before;  ///< unit section normal, out of the material, towards the column before (clockwise)
-  Vec2 after;   ///< the same towards the column after (counter-clockwise)
+  Vec2 before;  ///< unit section normal, out of the material, on the side of the previous column
+                ///< (clockwise)
+  Vec2 after;   ///< the same on the side of the next column (counter-clockwise)
 };
 
 struct Levels {
@@ -43,18 +44,19 @@ inline Vec2 turned(const Vec2& v, const SinCos& a) {
 
 class MeshBuilder {
  public:
-  /// A closed wall of `copies` equal parts; `inward`: the material lies outside of it.
-  /// Copy k is copy 0 turned by sincos_turn(k, copies), bit for bit.
+  /// Adds a closed wall of `copies` equal parts. If `inward`, the material lies outside of it. Copy
+  /// k is copy 0 turned by sincos_turn(k, copies), bit for bit.
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward);
 
-  /// Vertices inside a cap, `copies` turned copies of `part`; returns the first one's index.
+  /// Adds vertices inside a cap, `copies` turned copies of `part`, and returns the index of the
+  /// first one.
   std::uint32_t add_points(const std::vector<Vec2>& part, int copies, double z);
 
   /// Begins a cap that faces up (+z) or down.
   void begin_cap(bool up);
-  /// The vertices first … first + count − 1 may be corners of this cap.
+  /// Permits the vertices first … first + count − 1 as corners of this cap.
   void use_in_cap(std::uint32_t first, std::size_t count);
-  /// A triangle of the cap, counter-clockwise seen from +z, also if the cap faces down.
+  /// Adds a triangle of the cap, counter-clockwise seen from +z, even if the cap faces down.
   void add_cap_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   TriangleMesh take() && { return std::move(mesh_); }
@@ -66,7 +68,7 @@ class MeshBuilder {
     std::size_t count;
     std::uint32_t shaded;
   };
-  // Shaded columns of one part. `before` of a column belongs to the quad that ends at it.
+  // Shaded columns of one part. `before` belongs to the quad that ends at the column.
   struct Shades {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> after;

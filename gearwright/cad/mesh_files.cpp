@@ -25,7 +25,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// The normal of the rounded triangle, which is the one in the file.
+// The file contains the normal of the rounded triangle.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();
@@ -103,7 +103,7 @@ std::string json_string(const std::string& text) {
   return out + "\"";
 }
 
-// Shortest decimal of the float itself, from which a reader obtains the same float.
+// Shortest decimal from which a reader obtains the same float.
 std::string json_vector(const Eigen::Vector3f& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
@@ -218,7 +218,8 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
 
   std::string out;
   out.reserve(kHeaderBytes + 4 + kTriangleBytes * count);
-  out = "Gearwright, binary STL, mm:";  // must not begin with "solid", which marks a text STL
+  // the text must not begin with "solid", which marks a text STL
+  out = "Gearwright, binary STL, mm:";
   for (const MeshPart& part : parts) out += " " + part.name;
   out.resize(kHeaderBytes, ' ');
   append_u32(out, static_cast<std::uint32_t>(count));

@@ -9,33 +9,35 @@
 
 namespace gearwright {
 
-/// The bytes of a binary STL file: an unordered list of triangles that every printer and mesh tool
-/// reads.
+/// Returns the bytes of a binary STL file, an unordered list of triangles that every printer and
+/// mesh tool reads.
 ///
-/// 80 bytes of text, a count, then 50 bytes per triangle: normal, three corners, all float32 in mm,
-/// and two zero bytes. All parts are written into one list at their poses. Corners that are one
-/// vertex of the mesh are the same twelve bytes, so readers can restore the edges of the mesh.
+/// The file has 80 bytes of text, a count, and then 50 bytes per triangle: normal, three corners,
+/// all float32 in mm, and two zero bytes. All parts are written into one list at their poses.
+/// Corners that share a vertex of the mesh have the same twelve bytes, so readers can restore the
+/// edges of the mesh.
 ///
-/// Units     mm, in the frame the poses lead to
+/// Units     mm, in the frame to which the poses lead
 /// Accuracy  coordinates rounded to float32: 2 nm at a radius of 50 mm
 /// Domain    fewer than 2³² triangles in all (contract)
 std::string stl_bytes(const std::vector<MeshPart>& parts);
 
-/// The bytes of a 3MF file, the printers' format: XML in a ZIP, with units, names and places.
+/// Returns the bytes of a 3MF file, the format of 3D printers: XML in a ZIP archive, with units,
+/// names and positions.
 ///
-/// Core specification 1.2: one mesh object per part in mm, and a build item that places it by its
-/// pose. Vertices are shared, so a reader need not guess which ones are equal.
+/// The file follows core specification 1.2. Each part is one mesh object in mm, and a build item
+/// places it by its pose. Vertices are shared, so a reader need not guess which ones are equal.
 ///
 /// Units     mm
 /// Accuracy  9 significant digits: 0.05 nm at a radius of 50 mm
 /// Domain    at least one part, an XML text below 2³² bytes (contract)
 std::string threemf_bytes(const std::vector<MeshPart>& parts);
 
-/// The bytes of a GLB file, glTF 2.0 in one binary file, for browsers and viewers.
+/// Returns the bytes of a GLB file, glTF 2.0 in one binary file, for browsers and viewers.
 ///
-/// One node per part with its pose as matrix, one mesh with smooth normals, one material of its own
-/// colour. Lengths are in metres, as glTF requires. The gear axis remains z, which in glTF points
-/// at the viewer, so a gear is seen from its face.
+/// Each part has one node with its pose as matrix, one mesh with smooth normals, and one material
+/// of its own colour. Lengths are in metres, as glTF requires. The gear axis remains z, which in
+/// glTF points at the viewer, so a gear is seen from its face.
 ///
 /// Accuracy  coordinates rounded to float32 metres: 2 nm at a radius of 50 mm
 /// Domain    at least one part, rigid poses, fewer than 2³² bytes in all (contract)

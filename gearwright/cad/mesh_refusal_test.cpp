@@ -1,4 +1,4 @@
-// The inputs that tessellate rejects, with the key and the remedy in the error.
+// Tests the inputs that tessellate rejects, and the key and the remedy in each error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +70,7 @@ TEST(MeshRefusal, WhatIsNoBody) {
 
   EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().field,
             "chord_tolerance_mm");
-  // Without a helix the number of levels is never too large, and an earlier version added points to
+  // Without a helix, the number of levels is never too large. An earlier version added points to
   // the section endlessly.
   for (const double tolerance : {1e-12, 1e-100, 1e-300, 5e-324})
     EXPECT_EQ(tessellate(sample_body({}), {.chord_tolerance_mm = tolerance}).error().field,

@@ -25,7 +25,7 @@ using testing::sample_body;
 using testing::undercut_body;
 
 struct Topology {
-  bool closed = true;  // each directed edge once, and its opposite once
+  bool closed = true;  // each directed edge occurs once, and its opposite once
   int euler = 0;
   int parts = 0;
   std::size_t unused = 0;  // vertices without a triangle
@@ -169,7 +169,7 @@ TEST(Mesh, VolumeConvergesAsTheTolerance) {
   EXPECT_LT(coarse / fine, 200.0);
 }
 
-// Greatest distance of the triangles of the walls, turned back by the screw, from the exact section
+// Greatest distance of the wall triangles, turned back by the screw motion, from the exact section
 // in its plane. It is at least the distance from the exact surface. Tooth 0 and the adjacent halves
 // of both spaces are measured.
 double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
@@ -223,12 +223,12 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
 
 TEST(Mesh, StaysWithinTheChordToleranceAndUsesIt) {
   for (const auto& [name, body] : mesh_cases()) {
-    if (name.find("bore") != std::string::npos) continue;  // the same walls again
+    if (name.find("bore") != std::string::npos) continue;  // the walls are the same
     const double tolerance = body.twist == 0.0 ? 0.005 : 0.02;
     const double deviation = wall_deviation(body, mesh_of(body, tolerance));
     EXPECT_LE(deviation, tolerance) << name;
-    // The mesh is not finer than necessary either. On helical walls the bound is valid for both
-    // diagonals, and the mesh has the better one.
+    // The mesh is not finer than necessary either. On helical walls the bound holds for both
+    // diagonals, and the mesh uses the better one.
     EXPECT_GE(deviation, 0.25 * tolerance) << name;
   }
 }
@@ -262,7 +262,7 @@ TEST(Mesh, BoreKeepsItsTolerance) {
 TEST(Mesh, ToothKIsToothZeroTurned) {
   const ToothedBody body = sample_body({.teeth = 23, .beta = 0.3});
   const TriangleMesh mesh = mesh_of(body);
-  // The first ring: 23 equal runs.
+  // the first ring consists of 23 equal runs
   std::size_t ring = 0;
   while (mesh.vertices[ring].z() == mesh.vertices[0].z()) ++ring;
   ASSERT_EQ(ring % 23, 0u);
@@ -278,7 +278,7 @@ TEST(Mesh, ToothKIsToothZeroTurned) {
 }
 
 TEST(Mesh, GrowsInProportionToTheTeeth) {
-  // The same half tooth occurs 20 and 40 times. The counts are fixed: 2 n columns per tooth and 2
+  // The same half tooth occurs 20 and 40 times. The numbers are fixed: 2 n columns per tooth and 2
   // triangles per column.
   const auto counts = [](int copies) {
     ToothedBody body = few_tooth_body(3, 4, 0.0, 10);
@@ -290,14 +290,15 @@ TEST(Mesh, GrowsInProportionToTheTeeth) {
     return mesh_of(body, 0.005);
   };
   EXPECT_EQ(mesh_of(sample_body({.teeth = 20})).triangles.size() % 40, 0u);
-  // The number of points of a plain cylinder follows from 8ε/κ, √(8·0.9·0.005·20) = 0.8485 mm of
-  // 2π·20 mm.
+  // The number of points of a plain cylinder follows from the step √(8ε/κ) = √(8·0.9·0.005·20) =
+  // 0.8485 mm on the circumference 2π·20 mm.
   for (const int copies : {20, 40}) {
     const std::size_t n = static_cast<std::size_t>(std::ceil(kPi * 20 / copies / 0.848528));
     const std::size_t z = static_cast<std::size_t>(copies);
     const TriangleMesh mesh = counts(copies);
     const std::size_t walls = 2 * 2 * n * z;
-    const std::size_t ring = 2 * n * z + 2 * z;  // between the outline and the hub's 2z points
+    // the points between the outline and the 2z points of the hub
+    const std::size_t ring = 2 * n * z + 2 * z;
     const std::size_t fan = 2 * z;
     EXPECT_EQ(mesh.triangles.size(), walls + 2 * (ring + fan)) << copies;
   }
@@ -336,8 +337,8 @@ TEST(Mesh, ShadedTwinHasTheExactNormals) {
         worst = std::min(worst, facet.dot(mesh.normals[s[j]]));
       }
     }
-    // The normal of a facet and those of the surface at its corners differ at most by the turn
-    // across the facet, 0.26 rad along the section and the same over its level.
+    // The normal of a facet and the surface normals at its corners differ at most by the turn
+    // across the facet: 0.26 rad along the section and the same over its level.
     EXPECT_GT(worst, std::cos(2 * 0.26)) << name;
   }
 }

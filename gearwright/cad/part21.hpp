@@ -1,14 +1,14 @@
-// Part 21 (ISO 10303-21), the text of a STEP file: numbered instances of entities.
+// Part 21 (ISO 10303-21), the text format of a STEP file: numbered instances of entities.
 //
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
-// An instance refers to others by their numbers. Here every instance is written after those that it
-// names, so a file is written in one pass over the gears and needs no memory except its text.
+// An instance refers to others by their numbers. Every instance is written after those to which it
+// refers, so a file is written in one pass over the gears and needs no memory except its text.
 // Internal to cad/.
 //
-//   Laws  (1) a real reads back to the same double and has the fewest digits that do (2) text reads
-//         back, because other characters than printable ASCII are escaped by the rules of the
-//         standard
+//   Laws  (1) a real has the fewest digits that read back to the same double
+//         (2) text reads back unchanged, because characters other than printable ASCII are escaped
+//             by the rules of the standard
 #pragma once
 
 #include <cstdint>
@@ -20,25 +20,26 @@
 
 namespace gearwright {
 
-/// Number of an instance; 0 is none.
+/// Number of an instance. 0 means none.
 using Part21Id = std::uint32_t;
 
-/// A real in the form of the standard: always with a point, and with a capital E before the
+/// Returns a real in the form of the standard, always with a point and with a capital E before the
 /// exponent. −0 is written as 0.   Domain    finite (contract)
 void append_real(std::string& text, double value);
 
-/// A string in its apostrophes: ' and \ doubled, everything else outside ASCII 32 to 126 as
-/// \X2\03B1\X0\ (code points of 16 bits) or \X4\0001F600\X0\ (the others).
+/// Returns a string in apostrophes. The characters ' and \ are doubled. All characters outside
+/// ASCII 32 to 126 are written as \X2\03B1\X0\ (code points of 16 bits) or \X4\0001F600\X0\ (other
+/// code points).
 ///
 /// Domain    any bytes; each byte that is not UTF-8 becomes U+FFFD
 std::string part21_string(std::string_view utf8);
 
-/// A file: its header, then the instances of its data section, one a line.
+/// A file: its header, then the instances of its data section, one per line.
 class Part21 {
  public:
   explicit Part21(std::string_view header);
 
-  /// Writes `#n=` … `;` round an entity and its arguments.
+  /// Writes `#n=` … `;` around an entity and its arguments.
   Part21Id add(std::string_view entity);
 
   Part21Id point(const Vec3& p);
@@ -59,7 +60,7 @@ class Part21 {
 
 /// "#4"
 void append_id(std::string& text, Part21Id id);
-/// "(#4,#5)", broken into lines of twelve.
+/// "(#4,#5)", broken into lines of twelve references
 void append_ids(std::string& text, const std::vector<Part21Id>& ids);
 /// "(0.,0.25,1.)"
 void append_reals(std::string& text, const std::vector<double>& values);

@@ -15,7 +15,8 @@ namespace {
 
 using Id = Part21Id;
 
-// Display values of STEP colours are sRGB; three decimals are finer than a display's 256 levels.
+// Display values of STEP colours are sRGB. Three decimals are finer than the 256 levels of a
+// display.
 double srgb(double linear) {
   const double value =
       linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
@@ -44,7 +45,7 @@ class ProductWriter {
 
   struct Product {
     Id definition;
-    Id shape;  // its representation
+    Id shape;  // the representation of the shape
   };
 
   Product part(const StepPart& part, const std::array<double, 3>& colour) {
@@ -79,7 +80,7 @@ class ProductWriter {
     return out_.placement(origin, z, out_.direction(pose.linear().col(0)));
   }
 
-  // A relationship with a transformation joins representations of different contexts.
+  // A relationship with a transformation joins representations that have different contexts.
   Id representation_context(const std::string& name) {
     return add(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{}))"

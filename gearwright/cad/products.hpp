@@ -1,11 +1,11 @@
-// Products of a STEP file: the tree in a CAD system, and the position of each solid.
+// Products of a STEP file: the tree that a CAD system shows, and the position of each solid.
 // Internal to cad/.
 //
-// A single solid in its own frame is one product, a part. Otherwise there is an assembly, whose
-// components are the parts, each placed by its pose: product structure and geometry both contain
-// the pose, as the application protocols require (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
-// ITEM_DEFINED_TRANSFORMATION). Every representation has a context of its own, all with the same
-// units: mm, rad.
+// A single solid in its own frame is one product, a part. Otherwise the file describes an assembly,
+// whose components are the parts, each placed by its pose. Both the product structure and the
+// geometry contain the pose, as the application protocols require (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
+// ITEM_DEFINED_TRANSFORMATION). Every representation has a context of its own. All contexts use the
+// same units, mm and rad.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,15 +22,15 @@ struct StepProtocol {
   const char* schema;   ///< for the header
   const char* name;     ///< of the protocol's definition
   int year;             ///< of its publication
-  const char* context;  ///< what it is about
+  const char* context;  ///< the subject of the protocol
 };
 
 struct StepPart {
   std::string name;
   Eigen::Isometry3d pose;  ///< mm
   Part21Id solid;
-  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place
-  std::optional<std::size_t> same_as{};  ///< an earlier part that it is another copy of
+  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its index
+  std::optional<std::size_t> same_as{};  ///< an earlier part of which it is a copy
 };
 
 /// Domain    at least one part (contract)

@@ -1,9 +1,10 @@
-// Racks as bodies: contour, area, mesh. Their STEP solids are cases of cad/step_solid_test.cpp.
+// Tests racks as bodies: contour, area and mesh. Their STEP solids are cases of
+// cad/step_solid_test.cpp.
 //
-// (1) The contour is a chain that closes; straight pieces and chords of the fillets enclose the area.
-// (2) The mesh is closed, every edge twice; its volume is area times width but for the chords of the
-//     fillets; each vertex lies on the teeth, and all of the bar is inside its box.
-// (3) A drawing shows the bar, teeth towards +x, and moves with its pose.
+// (1) The contour is a closed chain. Straight pieces and chords of the fillets enclose the area.
+// (2) The mesh is closed and every edge occurs twice. Its volume is area times width, except for
+//     the chords of the fillets. Each vertex lies on the teeth, and the whole bar is inside its box.
+// (3) A drawing shows the bar with its teeth towards +x, and moves with its pose.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,14 +33,15 @@ std::vector<ToothedBody> racks() {
           rack_bar(1, 45.0), rack_bar(3, 10.0, 0.4), rack_bar(2, -0.001)};
 }
 
-// Height of the teeth of rack_bar() at s by the numbers of ISO 53-A, module 2, without the outline.
+// Height of the teeth of rack_bar() at s from the values of ISO 53-A, module 2, without using the
+// outline.
 double height_of(double s, int teeth, double beta_deg, double allowance) {
   const double beta = beta_deg * std::numbers::pi / 180, tangent = std::tan(std::numbers::pi / 9);
   const double pitch = 2 * std::numbers::pi;
   const double along = s * std::cos(beta) + (teeth - 1) * pitch / 2;
   const double n = std::abs(std::remainder(along, pitch));
   const double flank = ((pitch / 2 + allowance) / 2 - n) / tangent;
-  // The fillet's circle touches the land and the flank. A sharp corner lies at −2.5.
+  // The circle of the fillet touches the land and the flank. A sharp corner would lie at −2.5.
   const double sine = std::sin(std::numbers::pi / 9), cosine = std::cos(std::numbers::pi / 9);
   const double space = (pitch / 2 - allowance) / 2 - 2.5 * tangent;
   const double rho = std::min(0.76, space * cosine / (1 - sine));
@@ -62,12 +64,13 @@ TEST(RackBody, contour_is_closed_and_encloses_the_area) {  // (1)
       for (std::size_t j = 0; j + 1 < points.size(); ++j)
         area += 0.5 * (points[j].x() * points[j + 1].y() - points[j].y() * points[j + 1].x());
     }
-    // A chord of a fillet adds ρ² Δ³/12 in the normal section, Δ = (π/2 − α)/399 each.
+    // The chord of a fillet adds ρ² Δ³/12 in the normal section, with Δ = (π/2 − α)/399 for each.
     const double turn = 7 * std::numbers::pi / 18, rho = body.rack->fillet_radius;
     const double chords = 2 * body.outline.teeth * std::hypot(1.0, body.rack->slope) * rho * rho *
                           std::pow(turn, 3) / (12 * 399.0 * 399.0);
     EXPECT_NEAR(area - metal_area(body), chords, 1e-3 * chords);
-    // Without fillets, the space has the depth 2.5 mm. They fill less than 0.2 mm² at each corner.
+    // Without fillets, the space has the depth 2.5 mm. The fillets fill less than 0.2 mm² at each
+    // corner.
     const double sharp = body.outline.teeth * body.rack->pitch * 12.0;
     EXPECT_NEAR(metal_area(body) / sharp, 1.0, 0.1);
   }
@@ -90,7 +93,7 @@ TEST(RackBody, mesh_is_closed_and_on_the_teeth) {  // (2)
     }
     EXPECT_EQ(mesh->vertices.size() + mesh->triangles.size(), uses.size() / 2 + 2) << i;
     const double exact = metal_area(body) * 20.0;
-    // Chords of the fillets add material: their length is below 1.1 mm on each side of a tooth.
+    // Chords of the fillets add material. They are shorter than 1.1 mm on each side of a tooth.
     const double most = 0.002 * 2.2 * body.outline.teeth * 20.0 * std::hypot(1.0, body.rack->slope);
     EXPECT_GE(mesh_volume(*mesh), exact * (1 - 1e-12)) << i;
     EXPECT_LE(mesh_volume(*mesh), exact + most) << i;
@@ -100,7 +103,8 @@ TEST(RackBody, mesh_is_closed_and_on_the_teeth) {  // (2)
       EXPECT_LE(std::abs(p.z()), 10.0);
       if (p.x() == -12.0) continue;
       const double s = p.y() - p.z() * body.rack->slope;
-      // Vertices inside a fillet's facet lie on its chord, at most the tolerance above the circle.
+      // Vertices inside a facet of a fillet lie on its chord, at most the tolerance above the
+      // circle.
       const double x = height_of(s, static_cast<int>(numbers[i][0]), numbers[i][1], numbers[i][2]);
       EXPECT_NEAR(p.x(), x + 0.001, 0.0011 + 0.001) << i << " " << s;
     }

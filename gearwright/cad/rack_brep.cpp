@@ -21,7 +21,7 @@ struct RackNode {
   RackId point, vertex;
 };
 
-// An edge as a face uses it.
+// An oriented edge as it is used by a face.
 struct RackUse {
   RackId edge;
   bool forward;
@@ -48,7 +48,7 @@ class RackShell {
     RackLoop low, high;  // along the border from the first line of constant s to the last
     std::optional<RackUse> first_line, line;
     if (spur) first_line = line = straight(before.low, before.high);
-    // The corners of the bar other than those of the first and the last line.
+    // The corners of the bar except those of the first and the last line.
     std::size_t low_cut = 0, high_cut = 0;
     std::optional<RackNode> low_corner, high_corner;
     for (const RackStrip& strip : plan_.strips()) {
@@ -142,7 +142,7 @@ class RackShell {
     return {at, point, out_.add(fmt::format("VERTEX_POINT('',#{})", point))};
   }
 
-  // The height at a line of constant s is that of the strip which ends there.
+  // The height at a line of constant s is that of the strip that ends there.
   Station station(double s) {
     const auto& strips = plan_.strips();
     const auto strip = std::find_if(strips.begin(), strips.end() - 1,
@@ -172,7 +172,8 @@ class RackShell {
     if (strip.name != ArcName::root_fillet) return straight(from, to);
     const Vec2 c = axis_of(strip);
     const bool on_side = from.at.z() == to.at.z();
-    // The cylinder cut by z = const or by y = const: an ellipse, one of whose axes is along x.
+    // The cylinder is cut by z = const or by y = const. The section is an ellipse with one axis
+    // along x.
     const double across = on_side ? stretch() * rho() : stretch() * rho() / std::abs(q_);
     const Vec3 center = on_side ? Vec3(c.x(), c.y() + q_ * from.at.z(), from.at.z())
                                 : Vec3(c.x(), from.at.y(), (from.at.y() - c.y()) / q_);
@@ -230,10 +231,10 @@ class RackShell {
         out_.add(fmt::format("ADVANCED_FACE('',(#{}),#{},{})", bound, surface, sense)));
   }
 
-  // A wall below the part of the border that runs from `a` to `b`, with the metal on its left.
+  // A wall below the part of the border from `a` to `b`, with the metal on its left.
   struct Foot {
     RackNode at;
-    RackUse down;  // from the teeth to the back
+    RackUse down;  // runs from the teeth to the back
   };
   Foot foot(const RackNode& top) {
     const RackNode at = node({-body_.rack->height, top.at.y(), top.at.z()});
@@ -261,12 +262,13 @@ class RackShell {
               add_wall({first.reversed()}, d, a, {0, -1, 0})});
   }
 
-  // The border counter-clockwise seen from the teeth: along the low chain and back along the high.
+  // The border is counter-clockwise seen from the teeth: along the low chain and back along the
+  // high one.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);
     const Vec3 y(0, 1, 0), z(0, 0, 1);
-    const bool up = q_ > 0.0;  // then the low chain begins along the end y = −l/2
+    const bool up = q_ > 0.0;  // if true, the low chain begins along the end y = −l/2
     add_back({add_wall(low.first, a, b, up ? -y : -z), add_wall(low.second, b, c, up ? -z : y),
               add_wall(reversed(high.second), c, d, up ? y : z),
               add_wall(reversed(high.first), d, a, up ? z : -y)});

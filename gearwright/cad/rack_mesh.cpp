@@ -16,15 +16,15 @@ namespace {
 constexpr double kMostVertices = 2e6;  // as in cad/mesh.cpp
 constexpr double kSameStation_mm = 1e-6;
 
-// A line of constant s: where it ends on the border, and how high the teeth are there.
+// A station: a line of constant s, with its ends on the border and the height of the teeth there.
 struct Station {
   double s, x;
   std::uint32_t low, high, back_low, back_high;  // vertices
 };
 
-// A plane strip between two stations, with the normals of the exact surface at both.
+// A plane strip between two stations, with the exact surface normals at both.
 struct Facet {
-  double s, x;  // of its end
+  double s, x;  // of the end of the strip
   Vec3 normal_begin, normal_end;
 };
 
@@ -88,7 +88,8 @@ class RackMesher {
     return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
   }
 
-  // Height on the fillet's circle at the distance y from the middle of its tooth, and the slope dx/dy.
+  // Height on the circle of the fillet at the distance y from the middle of its tooth, and the
+  // slope dx/dy.
   std::pair<double, double> circle(const RackStrip& strip, double y) const {
     const double rho = body_.rack->fillet_radius;
     const double n = std::clamp((y - strip.arc->begin_point.y()) * cosine_, -rho, rho);
@@ -142,7 +143,7 @@ class RackMesher {
     return made;
   }
 
-  // A wall of the border, whose normal follows from its position.
+  // A wall of the border. Its normal follows from its position.
   void border(std::uint32_t a, std::uint32_t b, std::uint32_t back_b, std::uint32_t back_a) {
     const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b];
     const bool side = p.z() == q.z() && std::abs(p.z()) == plan_.width() / 2;
@@ -155,7 +156,8 @@ class RackMesher {
     face({b, a, back_a, back_b}, {out, out, out, out});
   }
 
-  // A quadrilateral, counter-clockwise seen from outside, or a triangle if two corners are one.
+  // A quadrilateral, counter-clockwise seen from outside, or a triangle if two of its corners
+  // coincide.
   void face(const std::array<std::uint32_t, 4>& corners, const std::array<Vec3, 4>& normals) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < 4; ++i)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNarrow_mm = 1e-6;  // a hundredth of what any machine resolves
 
-// All strips of the teeth k_0 … k_1 of an endless rack, numbered as those of the bar.
+// All strips of the teeth k_0 … k_1 of an infinite rack, numbered as those of the bar.
 std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   const std::vector<Arc>& arcs = body.outline.arcs;
   const double pitch = body.rack->pitch;
@@ -28,7 +28,7 @@ std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   for (int k = k_0; k <= k_1; ++k) {
     const double middle = body.rack->middle_of(k, body.outline.teeth);
     for (const Arc& arc : arcs) {
-      // The middle of the space has the same s from both sides.
+      // The middle of the space has the same s for both adjacent teeth.
       const double begin =
           &arc == &arcs.front() ? middle - pitch / 2 : middle - arc.begin_point.y();
       add({arc.name, begin, middle - arc.end_point.y(), &arc, middle, true});
@@ -83,8 +83,9 @@ Vec2 RackPlan::at(double s, double z) const {
   return {std::clamp(s + slope_ * z, -length_ / 2, length_ / 2), z};
 }
 
-// The end of a line on the side z: there, or before it passes its corner (spur: never) or after, on
-// the end y of the bar. Corners are exact.
+// Returns the end of a line of constant s on the side z. If the line has not yet passed the corner
+// of that side or has already left it (never for a spur rack), its end lies on an end y of the bar.
+// Corners are exact.
 Vec2 RackPlan::end_of_line(double s, double z, double corner, double y) const {
   if (slope_ == 0.0) return at(s, z);
   const double top = std::copysign(width_ / 2, slope_);

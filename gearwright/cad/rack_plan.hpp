@@ -1,13 +1,13 @@
-// The bar of a rack in plan, a rectangle that the lines of its teeth cross. Internal to cad/.
+// Plan view of the bar of a rack: a rectangle crossed by the lines of its teeth. Internal to cad/.
 //
 //   y, z    along the travel and along the face, −l/2 ≤ y ≤ l/2, −b/2 ≤ z ≤ b/2, mm
 //   q       tan β, slope of the teeth        s   y − q z, constant along a tooth, mm
 //   strip   the part of one arc of the section: s_0 ≤ s ≤ s_1, cut off by the rectangle
 //
 // The surface of the teeth is x = h(s), so each of its faces is a strip, bounded by two lines of
-// constant s and by the border of the rectangle. With growing s a line of constant s moves over the
-// rectangle from one corner (spur: from one end) to the opposite one; its ends run along the border,
-// one on the low side, one on the high side of z, and each passes one corner.
+// constant s and by the border of the rectangle. As s increases, a line of constant s moves over
+// the rectangle from one corner (spur: from one end) to the opposite one. Its two ends run along
+// the border, one on the low side and one on the high side of z, and each passes one corner.
 #pragma once
 
 #include <array>
@@ -36,19 +36,20 @@ class RackPlan {
   double slope() const { return slope_; }    ///< q
   double first() const { return corners_[0]; }
   double last() const { return corners_[3]; }
-  /// s of the corner that the low end passes, and of that which the high end passes. Spur: first().
+  /// s of the corner that the low end passes, and s of the corner that the high end passes. Spur:
+  /// first().
   double low_corner() const { return low_corner_; }
   double high_corner() const { return high_corner_; }
 
-  /// The corner that is closer to s than 1e-6 mm, or s.
+  /// Returns s, or the s of a corner that is within 1e-6 mm of it.
   double snapped(double s) const;
 
-  /// The ends of a line of constant s: (y, z) mm, on the border to the last bit.
+  /// Returns the ends of a line of constant s: (y, z) in mm, exactly on the border.
   Vec2 low(double s) const;
   Vec2 high(double s) const;
 
-  /// In the order of s, from first() to last(); neighbours share their bounds to the last bit.
-  /// Strips narrower than 1e-6 mm are part of their neighbours.
+  /// Strips in the order of s, from first() to last(). Neighbours share their bounds exactly.
+  /// Strips narrower than 1e-6 mm are merged into their neighbours.
   const std::vector<RackStrip>& strips() const { return strips_; }
 
  private:

@@ -16,7 +16,8 @@ namespace {
 constexpr int kDegree = 5;
 constexpr int kChecksPerSpan = 24;
 constexpr double kShortestSpan = 1e-9;
-constexpr double kSlowest = 0.01;  // relative to the mean speed, for the curve's own parameter
+// slowest speed of the curve's own parameter, relative to the mean speed
+constexpr double kSlowest = 0.01;
 
 using ParameterAt = std::function<double(double)>;  // u in [0, 1] to the curve's parameter
 
@@ -56,10 +57,10 @@ std::vector<std::vector<double>> checks(const BSplineBasis& basis) {
   return spans;
 }
 
-// Normal distance from q to the curve near its parameter t: the remainder of q − W after the foot
-// point has moved along the tangent, on the osculating circle. The error is of third order in that
-// movement. If the movement is not short compared with the radius of curvature, the whole distance
-// is returned, which is larger.
+// Returns the normal distance from q to the curve near its parameter t. It is the remainder of q −
+// W after the foot point has moved along the tangent, on the osculating circle. The error is of
+// third order in that movement. If the movement is not short compared with the radius of curvature,
+// the function returns the whole distance, which is larger.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
   const Vec2 d = Vec2(q.real(), q.imag()) - w.point;
@@ -100,8 +101,9 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// Knots of `old`, with every span halved that misses the target. None if all of those are already
-// shorter than kShortestSpan, because the arc is torn there and more knots do not help.
+// Returns the knots of `old` with every span halved that misses the target, or nothing if all of
+// those spans are already shorter than kShortestSpan. In that case the arc is torn there and more
+// knots do not help.
 std::optional<BSplineBasis> refined(const Candidate& old, double target) {
   std::vector<double> knots = old.basis.knots();
   const std::size_t before = knots.size();
@@ -116,8 +118,8 @@ std::optional<BSplineBasis> refined(const Candidate& old, double target) {
   return BSplineBasis(kDegree, std::move(knots));
 }
 
-// The fewest poles are tried first: uniform knots up to 40 poles, then halved spans from 16 poles
-// on.
+// Splines with few poles are tried first: uniform knots up to 40 poles, then halved spans from 16
+// poles on.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;

@@ -1,16 +1,16 @@
-// A screw surface as a tensor-product B-spline that is a product:
-// section spline times helix spline.
+// A screw surface as a tensor-product B-spline that is a product: section spline times helix
+// spline.
 //
 //   W(u)   arc of the transverse outline, a complex number x + iy, mm; u in [0, 1]
 //   φ      angle by which the section has turned, rad; over one slice φ runs from −Δ/2 to Δ/2
 //   C(u)   spline of the section, C ≈ W        H(v)   spline of the turn, H ≈ e^{iφ}, φ linear in v
 //   S      the surface: S_xy(u, v) = H(v) C(u), z linear in v; its poles are the products h_j c_i
 //
-// The exact surface is e^{iφ} W, so interpolating it on the grid of Greville points gives exactly
-// the product of the two interpolants. The section is fitted once for every helix, and the distance
-// to the exact surface is that of two plane curves. With H = e^{iφ}(1 + ε) a point of S, turned
-// back by φ, is C(1 + ε): its distance from W is at most e + |C||ε|, e the normal distance from C
-// to W; in space the distance is smaller, because the surface is steeper than its section.
+// The exact surface is e^{iφ} W, so interpolation on the grid of Greville points gives exactly the
+// product of the two interpolants. The section is fitted once for every helix, and the distance to
+// the exact surface is that of two plane curves. With H = e^{iφ}(1 + ε), a point of S, turned back
+// by φ, is C(1 + ε). Its distance from W is at most e + |C||ε|, where e is the normal distance from
+// C to W. The distance in space is smaller, because the surface is steeper than its section.
 #pragma once
 
 #include <complex>
@@ -27,31 +27,32 @@ using Complex = std::complex<double>;
 /// in profile measurement of gears (1 µm). A surface beyond the greatest value is an error.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
-/// Target of R|ε|, mm: half of 1e-7, the tolerance of every edge and vertex, because the spline of
-/// a helix is the common edge of a flank and of a true cylinder.
+/// Target of R|ε|, mm. It is half of 1e-7, the tolerance of every edge and vertex, because the
+/// spline of a helix is the common edge of a flank and of a true cylinder.
 inline constexpr double kHelixTarget_mm = 5e-8;
 
 struct SectionSpline {
   BSplineBasis basis;
   std::vector<Complex> poles;  ///< c_i  mm; the first and the last are the ends of the arc
   double deviation_mm;         ///< e, greatest of 24 points between neighbouring knots
-  bool by_length;              ///< u is the relative arc length; otherwise the curve's parameter
+  bool by_length;  ///< if true, u is the relative arc length; otherwise the curve's parameter
 
   Complex at(double u) const;
 };
 
-/// Spline of degree 5 through the arc from `begin` to `end`, with the fewest poles that reach the
+/// Fits a spline of degree 5 to the arc from `begin` to `end`, with the fewest poles that reach the
 /// target.
 ///
-/// Both the curve's own parameter and its arc length are tried (a trochoid needs fewer poles by
-/// length, an involute near its base circle by roll angle), and the one with fewer poles is used;
-/// the own parameter only where its slowest speed is above 1/100 of the mean, so that no corner
-/// loses its normal. Where uniform knots do not converge, spans that miss the target are halved.
+/// Both the curve's own parameter and its arc length are tried, and the one with fewer poles is
+/// used. A trochoid needs fewer poles by length, an involute near its base circle by roll angle.
+/// The own parameter is used only if its slowest speed is above 1/100 of the mean, so that no
+/// corner loses its normal. If uniform knots do not converge, spans that miss the target are
+/// halved.
 ///
 /// Units     mm
 /// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
 /// Accuracy  deviation_mm ≤ target, or the best that kMaxPoles gave, which the caller must check.
-///           The error has at most 5 lobes between two knots; 24 points miss the top of a lobe by a
+///           The error has at most 5 lobes between two knots. 24 points miss the top of a lobe by a
 ///           half step of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
 SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
                           double target_mm = kSectionTarget_mm);
@@ -66,8 +67,8 @@ struct HelixSpline {
   Complex at(double v) const;
 };
 
-/// Spline of the turn by Δ over one slice, with an error of at most `target_mm` at the radius
-/// `radius`.
+/// Computes the spline of the turn by Δ over one slice, with an error of at most `target_mm` at the
+/// radius `radius`.
 ///
 /// Units     Δ in rad, signed; mm
 /// Domain    |Δ| ≤ π, radius > 0 (contract)

@@ -16,7 +16,7 @@ SectionSpline fit(const Arc& arc) {
   return fit_section(arc, as_complex(arc.begin_point), as_complex(arc.end_point));
 }
 
-// Greatest distance of 1000 points of the spline, none used by the fit, to the arc.
+// Greatest distance from the arc of 1000 points of the spline, none of which the fit used.
 double measured(const SectionSpline& spline, const Arc& arc) {
   const testing::OutlineDistance distance({1, {arc}});
   double worst = 0.0;
@@ -41,7 +41,7 @@ TEST(ScrewSpline, SectionIsAsNearAsItSays) {
          testing::sample_body({.teeth = teeth, .beta = 0.5, .chamfer = 0.3}).outline.arcs) {
       const SectionSpline spline = fit(arc);
       EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
-      // 1e-11: the resolution of the ternary search of the oracle.
+      // 1e-11 is the resolution of the ternary search of the oracle.
       EXPECT_LE(measured(spline, arc), 1.06 * spline.deviation_mm + 1e-11)
           << teeth << " " << to_string(arc.name);
     }
@@ -67,7 +67,8 @@ TEST(ScrewSpline, InvoluteFromNearItsBaseCircleKeepsTheRollAngle) {
   EXPECT_LE(measured(spline, outline.arcs[0]), 1.06 * spline.deviation_mm + 1e-11);
 }
 
-// An arc of a circle, then a straight line: the curvature jumps in the middle of the arc.
+// The curve is an arc of a circle followed by a straight line, so the curvature jumps in its
+// middle.
 class Hook final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override {

@@ -60,7 +60,7 @@ double panel_area(const Rule& rule, const Arc& arc, double u0, double u1) {
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes; ++i) {
     Vec2 d = Vec2::Zero();
-    // The constant p_i drops out of a derivative. It is omitted to avoid cancellation.
+    // The constant p_i has no derivative. It is omitted to avoid cancellation.
     for (std::size_t j = 0; j < kNodes; ++j) d += rule.derivative[i][j] * (p[j] - p[i]);
     sum += rule.weight[i] * (p[i].x() * d.y() - p[i].y() * d.x());
   }
@@ -104,9 +104,8 @@ double bore_area(const Bore& bore) {
 
 double metal_area(const ToothedBody& body) {
   if (body.rack) {
-    // ∫ x dy over the half outline is the area above the datum line. Below it lies a rectangle. The
-    // teeth that slope out of the bar at one end enter it at the other, so every section has this
-    // area.
+    // ∫ x dy over the half outline is the area above the datum line. A rectangle lies below it. The
+    // teeth that leave the bar at one end enter it at the other, so every section has this area.
     static const Rule rule = make_rule();
     double half = 0.0;
     for (const Arc& arc : body.outline.arcs) {

@@ -1,14 +1,14 @@
-// Areas of the transverse section, which give the volume of the exact solid independently of any
+// Areas of the transverse section. They give the volume of the exact solid independently of any CAD
 // kernel.
 //
 //   A    area enclosed by the outline of all teeth, mm²
 //   r    bore radius, w keyway width, t keyway depth from the bore circle, mm
 //
-// Green's theorem, A = ½ ∮ (x dy − y dx): the two rays that bound half a tooth pass through the
-// axis and contribute nothing, so A = 2|z| times the integral over the half outline. A curve
-// provides points but no speed. dy/dt and dx/dt are those of the polynomial through the points at
-// 16 Gauss nodes, for which the quadrature is exact, and the panels are halved until the sum
-// converges.
+// The area follows from Green's theorem, A = ½ ∮ (x dy − y dx). The two rays that bound half a
+// tooth pass through the axis and contribute nothing, so A = 2|z| times the integral over the half
+// outline. A curve provides points but no speed. Therefore dy/dt and dx/dt are those of the
+// polynomial through the points at 16 Gauss nodes, for which the quadrature is exact, and the
+// panels are halved until the sum converges.
 #pragma once
 
 #include "gearwright/cad/toothed_body.hpp"
@@ -16,7 +16,8 @@
 
 namespace gearwright {
 
-/// Area enclosed by the closed outline of |z| teeth; of an internal gear: the area of its hole.
+/// Area enclosed by the closed outline of |z| teeth. For an internal gear it is the area of its
+/// hole.
 ///
 /// Formula   2|z| Σ_arcs ½ ∫ (x dy − y dx)
 /// Units     mm²
@@ -31,11 +32,11 @@ double section_area(const Outline& outline);
 /// Domain    0 ≤ w < 2r, t ≥ 0 (contract)
 double bore_area(const Bore& bore);
 
-/// Area of the metal in a transverse section: outline minus bore, or rim minus outline for an
-/// internal gear.
+/// Area of the metal in a transverse section: outline minus bore, or for an internal gear rim minus
+/// outline.
 ///
 /// Units     mm²
-/// Domain    an internal gear has a bore, its rim (contract)
+/// Domain    an internal gear has a bore, which is its rim (contract)
 double metal_area(const ToothedBody& body);
 
 }  // namespace gearwright

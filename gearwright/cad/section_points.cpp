@@ -11,13 +11,13 @@ namespace gearwright {
 
 namespace {
 
-// Shares of ε. The density aims at 0.90, so most segments pass the check at 0.95 without being
-// split. The five points of the check detect at least 0.97 of a parabola's height, and joining
-// takes 0.02.
+// Shares of ε. The density uses 0.90, so most segments pass the check at 0.95 without being split.
+// The five points of the check detect at least 0.97 of a parabola's height, and joining uses 0.02.
 constexpr double kDensityShare = 0.90;
 constexpr double kCheckShare = 0.95;
 constexpr double kJoinShare = 0.02;
-// Cells of the density integral per arc: one arc turns by 2 rad at most, 0.03 rad a cell.
+// Cells of the density integral per arc. One arc turns by 2 rad at most, which is 0.03 rad per
+// cell.
 constexpr int kCells = 64;
 
 double bound(const Arc& arc, double u_0, double u_1, const SectionTolerance& tolerance) {
@@ -53,7 +53,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
   const double slack = 8.0 * kDensityShare * tolerance.chord - tolerance.radius * turn * turn;
   GW_EXPECTS(slack > 0.0);
 
-  std::vector<double> count(kCells + 1, 0.0);  // integral of the density up to each cell's end
+  std::vector<double> count(kCells + 1, 0.0);  // integral of the density up to the end of each cell
   Vec2 before = arc.point(0.0);
   for (int i = 0; i < kCells; ++i) {
     const Vec2 after = arc.point((i + 1.0) / kCells);
@@ -67,7 +67,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
     before = after;
   }
 
-  // A number that is whole up to rounding is not rounded up.
+  // A number that exceeds an integer only by rounding is not rounded up.
   const double wanted = std::min(std::ceil(count.back() - 1e-9), static_cast<double>(most) + 1.0);
   const int segments = std::max(1, static_cast<int>(wanted));
   std::vector<double> parameters{0.0};
@@ -85,7 +85,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
   return parameters;
 }
 
-// Joins neighbours that are closer than `nearest`; the two ends stay.
+// Joins neighbouring points that are closer than `nearest`. The two ends remain.
 std::vector<SectionPoint> join_near(const std::vector<SectionPoint>& points, double nearest) {
   std::vector<SectionPoint> kept{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -108,7 +108,7 @@ std::vector<SectionPoint> section_points(const Outline& outline, const SectionTo
                                          std::size_t most) {
   GW_EXPECTS(!outline.arcs.empty() && outline.teeth != 0);
   GW_EXPECTS(tolerance.chord > 0.0 && tolerance.facet_turn > 0.0 && tolerance.level_turn >= 0.0);
-  const double side = outline.side();  // arcs run clockwise: material on the right
+  const double side = outline.side();  // arcs run clockwise, with the material on their right
 
   std::vector<SectionPoint> points;
   for (const Arc& arc : outline.arcs) {

@@ -1,11 +1,13 @@
-// Points on half a tooth's section, as few as a chord tolerance allows.
+// Places the fewest points on the section of half a tooth that a chord tolerance permits.
 //
-//   κ   curvature, 1/mm      a   chord of a segment, mm     Δ   turn of the grid's next level, rad
+//   κ   curvature, 1/mm      a   chord of a segment, mm     Δ   turn between adjacent levels of the
+//       grid, rad
 //   ε   chord tolerance, mm  ρ   largest radius, mm
 //
 // The density of points solves (M1) of mesh.hpp for equality with d = κa²/8:
 //     κa² + 2a|Δ| + ρΔ² = 8ε   =>   1/a = (|Δ| + √(Δ² + κE)) / E,   E = 8ε − ρΔ².
-// Its integral along an arc counts the segments; equal parts of the integral place the points.
+// The integral of the density along an arc is the number of segments. Equal parts of the integral
+// give the positions of the points.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +20,7 @@ namespace gearwright {
 struct SectionPoint {
   Vec2 point;        ///< mm
   Vec2 root_normal;  ///< unit, out of the material, on the side of the root
-  Vec2 tip_normal;   ///< the same on the side of the tip; differs at a corner of the outline
+  Vec2 tip_normal;   ///< the same on the side of the tip; the two differ at a corner of the outline
 };
 
 struct SectionTolerance {
@@ -28,13 +30,13 @@ struct SectionTolerance {
   double radius;      ///< ρ  mm
 };
 
-/// Points from the middle of the space to the middle of the tooth. The first lies on the ray π/|z|
-/// and the last on the x axis to the last bit. No two neighbours are closer than chord/50: nearer
-/// ones are joined, which moves the boundary by less than that. Points beyond the number `most` are
-/// omitted.
+/// Returns the points from the middle of the space to the middle of the tooth. The first lies
+/// exactly on the ray π/|z| and the last exactly on the x axis. Neighbours that are closer than
+/// chord/50 are joined, which moves the boundary by less than that distance. Points beyond the
+/// number `most` are omitted.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
-/// Domain    ρΔ² < 8ε, ends on their rays to 1e-6 ρ (contract)
+/// Domain    ρΔ² < 8ε, the ends lie on their rays within 1e-6 ρ (contract)
 std::vector<SectionPoint> section_points(const Outline& outline, const SectionTolerance& tolerance,
                                          std::size_t most);
 

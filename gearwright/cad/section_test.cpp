@@ -10,8 +10,8 @@ namespace {
 
 using testing::append;
 
-// Polygon areas at n, 2n, 4n … points per arc, extrapolated: the error of an inscribed polygon has
-// an expansion in even powers of 1/n (Romberg). This shares no code with the quadrature.
+// Polygon areas at n, 2n, 4n … points per arc are extrapolated. The error of an inscribed polygon
+// has an expansion in even powers of 1/n (Romberg). This shares no code with the quadrature.
 double polygon_oracle(const Outline& outline) {
   constexpr int kLevels = 9;
   double table[kLevels][kLevels] = {};
@@ -68,7 +68,8 @@ TEST(Section, ScalesWithTheSquare) {
 
 TEST(Section, BoreWithKeyway) {
   EXPECT_DOUBLE_EQ(bore_area({20.0}), kPi * 100.0);
-  // The slot between the circle y = √(r² − x²) and y = r + t, in strips by the midpoint rule.
+  // The area of the slot between the circle y = √(r² − x²) and y = r + t is computed in strips by
+  // the midpoint rule.
   const Bore bore{20.0, 6.0, 2.8};
   double slot = 0.0;
   constexpr int kStrips = 2000;

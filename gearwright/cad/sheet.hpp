@@ -1,8 +1,9 @@
-// A drawing on paper: lines, arcs, circles and words on named layers, in mm, the corner of the sheet
-// at (0, 0), x to the right, y up. PDF, SVG and DXF are written from it (sheet_files.hpp).
+// A drawing on paper: lines, arcs, circles and words on named layers, in mm. The corner of the
+// sheet is (0, 0), with x to the right and y up. PDF, SVG and DXF files are written from it
+// (sheet_files.hpp).
 //
-//   h    height of capitals, mm (ISO 3098); the letters are Helvetica's, whose widths are known
-//        (sheet_font.hpp), so that a layout can keep words and lines apart
+//   h    height of capitals, mm (ISO 3098). The letters are those of Helvetica, whose widths are
+//        known (sheet_font.hpp), so that a layout can keep words and lines apart.
 //   b    bulge of a piece of a path: tan(sweep/4), > 0 counter-clockwise, 0 a line
 #pragma once
 
@@ -21,7 +22,7 @@ inline constexpr int kSheetLayers = 6;
 struct LayerStyle {
   const char* name;   ///< in a DXF file
   double line_width;  ///< mm, ISO 128
-  bool chain;         ///< long dashes and dots, of axes and reference circles
+  bool chain;         ///< long dashes and dots, for axes and reference circles
   int dxf_color;      ///< AutoCAD colour index
 };
 const LayerStyle& style_of(SheetLayer layer);
@@ -31,10 +32,10 @@ inline constexpr double kChain_mm[] = {6.0, 1.0, 0.5, 1.0};
 struct SheetPath {
   SheetLayer layer;
   std::vector<Vec2> points;    ///< mm
-  std::vector<double> bulges;  ///< bulges[i] leads to points[i + 1]; of a closed path the last to
-                               ///< the first
+  std::vector<double> bulges;  ///< bulges[i] leads to points[i + 1]; the last bulge of a closed
+                               ///< path leads to points[0]
   bool closed = false;
-  bool filled = false;  ///< a triangle, black: an arrow
+  bool filled = false;  ///< a black triangle: an arrow head
 };
 
 struct SheetCircle {
@@ -71,17 +72,17 @@ struct Sheet {
   void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
   void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
             Along along = Along::start);
-  /// Text to be read from the right; `along` refers to the upward direction.
+  /// Adds text to be read from the right. `along` refers to the upward direction.
   void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
                     Along along = Along::start);
-  /// "α_n" with its index.
+  /// Adds a symbol with an index, such as "α_n".
   void symbol(SheetLayer layer, const Vec2& at, std::string_view symbol, double height);
 };
 
 /// Units  mm
 double symbol_width(std::string_view symbol, double height);
 
-/// The box of the words: capitals and descenders.
+/// Returns the box of the words, with capitals and descenders.
 SheetBox box_of(const SheetText& text);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// PDF 1.4 (Adobe, PDF Reference, third edition): the operators that a drawing needs.
+// Writes PDF 1.4 (Adobe, PDF Reference, third edition) with the operators that a drawing needs.
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <fmt/format.h>
@@ -19,13 +19,13 @@ namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr int kDecimals = 4;  // of a mm
-// An arc of at most an eighth of π is a cubic within 4e-8 of its radius.
+// A cubic approximates an arc of at most π/8 within 4e-8 of its radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
 std::string number(double mm) { return short_decimals(mm, kDecimals); }
 std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
 
-// Draws from a to b, with the pen at a.
+// Draws from a to b. The pen is already at a.
 void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
   const Vec2 chord = b - a, left(-chord.y(), chord.x());
   if (bulge == 0.0) {
@@ -36,7 +36,7 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
     append_arc(out, a, middle, half);
     append_arc(out, middle, b, half);
   } else {
-    // A third of the way along the tangents, c (1 + b²)/3 long.
+    // The handle lies a third of the way along the tangents, which are c (1 + b²)/3 long.
     const Vec2 along = (1 - bulge * bulge) * chord / 3, across = 2 * bulge * left / 3;
     out +=
         fmt::format("{} {} {} c\n", point(a + along - across), point(b - along - across), point(b));
@@ -104,7 +104,7 @@ class Content {
   bool chain_ = false;
 };
 
-// Text of the document information: UTF-16 with byte order mark, in hexadecimal.
+// Text of the document information, in UTF-16 with byte order mark, in hexadecimal.
 std::string information(const std::string& utf8) {
   std::string text = "<FEFF";
   for (const char32_t code : code_points(utf8)) {

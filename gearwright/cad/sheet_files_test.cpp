@@ -1,4 +1,5 @@
-// The writers of sheets: letters and their widths, arcs as Bézier curves, the table of a PDF's objects.
+// Tests the writers of sheets: letters and their widths, arcs as Bézier curves, and the object
+// table of a PDF.
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ TEST(SheetFont, widths_are_those_of_the_fonts) {
 }
 
 TEST(SheetFiles, arcs_are_within_a_tenth_of_a_micrometre_on_paper) {
-  // Arcs of every sweep about (100, 150). Points along each Bézier curve are compared.
+  // Arcs of every sweep about (100, 150). Points along each Bézier curve are compared with the arc.
   for (const double sweep : {0.01, 0.5, 1.5, 3.0, 3.3, 6.0, -2.0}) {
     const double r = 80;
     Sheet sheet = blank();

@@ -1,8 +1,9 @@
-// The letters of a sheet: Helvetica, and Symbol for Greek and a few signs, of the 14 fonts that every
-// reader of PDF has (PDF 1.4, 5.5.1); their widths are published with them (Adobe, Core 14 AFM files).
+// The letters of a sheet: Helvetica, and Symbol for Greek and a few signs. They belong to the 14
+// fonts that every PDF reader provides (PDF 1.4, 5.5.1). Their widths are published (Adobe, Core 14
+// AFM files).
 //
-// A letter of a title that neither font contains is a question mark in PDF. SVG and DXF contain the
-// text itself, and the widths here are used for the layout only.
+// In PDF, a letter that neither font contains is written as a question mark. SVG and DXF contain
+// the text itself, and the widths are used only for the layout.
 #pragma once
 
 #include <string_view>
@@ -13,9 +14,9 @@ enum class SheetFont { helvetica, symbol };
 
 struct SheetLetter {
   SheetFont font;
-  unsigned char code;  ///< WinAnsi of Helvetica, Symbol's own
+  unsigned char code;  ///< WinAnsi code in Helvetica, or Symbol's own code
   int width;           ///< thousandths of the size
-  bool known;          ///< false: a question mark replaces it
+  bool known;          ///< if false, a question mark replaces it
 };
 
 SheetLetter letter_of(char32_t code);

@@ -9,15 +9,15 @@ namespace gearwright {
 
 namespace {
 
-// mm: gap between extension line and edge, projection beyond the dimension line, distance of words
-// from their line, tail of outside arrows.
+// All in mm: gap between extension line and edge, projection beyond the dimension line, distance of
+// words from their line, tail of outside arrows.
 constexpr double kOff = 1, kPast = 1.5, kOverLine = 1.3, kTail = 6;
 constexpr double kInside = 10;  // between two arrows that point outward
 constexpr double kHatch = 2.5;
 
-constexpr double kLine = 1.5;  // from line to line, in heights of capitals
+constexpr double kLine = 1.5;  // distance between lines, in heights of capitals
 
-// Lines broken at spaces. A single word may be wider than `width`.
+// Breaks text into lines at spaces. A single word may be wider than `width`.
 std::vector<std::string> broken(std::string_view words, double height, double width) {
   std::vector<std::string> lines;
   while (!words.empty()) {
@@ -47,7 +47,7 @@ std::string cut(std::string text, double height, double width) {
 struct Lines {
   std::vector<std::string> lines;
   double height;  // h  mm
-  bool whole;     // they fit
+  bool whole;     // true if the lines fit
 };
 
 Lines laid_out(const Vec2& size, std::string_view words, double largest) {
@@ -83,7 +83,7 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const Vec2 forward = at(1, 0);
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
-  // Upright words are to the left of their line, which is above it when read from the right.
+  // Upright words are to the left of their line. Read from the right, they are above it.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)
@@ -104,8 +104,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
 }
 
 void hatch(Sheet& sheet, const SheetBox& box) {
-  // Lines y = x + c. The steps of c do not depend on the box, so the hatching of all parts of a
-  // body agrees.
+  // Hatching lines y = x + c. The steps of c do not depend on the box, so the hatching of all parts
+  // of a body agrees.
   const double step = kHatch * std::sqrt(2.0);
   const double least = box.lo.y() - box.hi.x(), most = box.hi.y() - box.lo.x();
   for (double n = std::ceil(least / step); n * step < most; ++n) {

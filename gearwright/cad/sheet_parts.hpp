@@ -1,7 +1,7 @@
 // The parts of a workshop drawing: frame, title block, table of data, dimensions. Internal to cad/.
 //
-// Frame and margins follow ISO 5457, the fields of the title block ISO 7200, dimensions ISO 129-1:
-// words are above their line and are read from below or from the right.
+// Frame and margins follow ISO 5457, the fields of the title block ISO 7200 and dimensions ISO
+// 129-1. Words are above their line and are read from below or from the right.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace gearwright {
 /// Heights of capitals, mm (ISO 3098-1).
 inline constexpr double kSmall = 1.8, kUsual = 2.5, kLarge = 3.5;
 
-/// Frame and centring marks of a sheet; returns the room within the frame.
+/// Draws the frame and the centring marks of a sheet and returns the room within the frame.
 SheetBox draw_frame(Sheet& sheet);
 
 struct TitleBlock {
@@ -28,7 +28,7 @@ struct TitleBlock {
 /// it covers.
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
 
-/// Size of the data table with this number of columns, mm.
+/// Returns the size in mm of the data table with this number of columns.
 Vec2 data_size(const std::vector<DataGroup>& groups, int columns);
 /// Draws the table with its upper left corner at `corner`.
 void draw_data(Sheet& sheet, const Vec2& corner, const std::vector<DataGroup>& groups, int columns);
@@ -44,19 +44,19 @@ struct Dimension {
   std::string words;
 };
 
-/// The words are on the line or, if there is no room between the edges, beyond it: after the
-/// end of a line that runs across, below one that runs up.
+/// The words are on the line if there is room between the edges. Otherwise they are beyond it:
+/// after the end of a horizontal line, below a vertical one.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
-/// Words within a box, from the top. They are as large as fits, in several lines if necessary, and
-/// words that do not fit end in an ellipsis.
+/// Words within a box, from the top. They are as large as possible, in several lines if necessary.
+/// Words that do not fit end in an ellipsis.
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 
-/// True if the words fit completely into a box of that size.
+/// Returns true if the words fit completely into a box of that size.
 bool words_fit(const Vec2& size, std::string_view words, double largest);
 
-/// Lines of 45° through a box, which mark the section of a body.
+/// Draws lines at 45° through a box, which mark the section of a body.
 void hatch(Sheet& sheet, const SheetBox& box);
 
 }  // namespace gearwright

@@ -9,16 +9,16 @@ namespace gearwright {
 
 namespace {
 
-// mm: height of a row; widths of its columns of words, symbol and value; distance between two
-// columns of the table.
+// All in mm: height of a row; widths of the columns for words, symbol and value; distance between
+// two columns of the table.
 constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
-constexpr double kInset = 1.2, kBase = 1.4;  // distance of words from the left, of the base line
-                                             // from below
+// Distance of words from the left edge, and of the base line from the lower edge.
+constexpr double kInset = 1.2, kBase = 1.4;
 
 double rows_of(const DataGroup& group) { return 1.0 + static_cast<double>(group.rows.size()); }
 
-// The number of groups in the first column, for the split whose longest column is shortest.
+// The number of groups in the first column that makes the longest column shortest.
 std::size_t second_column(const std::vector<DataGroup>& groups) {
   double all = 0.0, before = 0.0, best = std::numeric_limits<double>::infinity();
   for (const DataGroup& g : groups) all += rows_of(g);
@@ -43,7 +43,7 @@ Columns split(const std::vector<DataGroup>& groups, int columns) {
   return result;
 }
 
-// Height at which the words fit in one line, reduced if they are too long.
+// Height at which the words fit into one line. It is reduced if they are too long.
 double fitted(double natural_width, double width) {
   return kUsual * std::min(1.0, width / natural_width);
 }
@@ -71,9 +71,9 @@ void draw_group(Sheet& sheet, double x, double& y, const DataGroup& group) {
     sheet.line(SheetLayer::data, {x + column, top}, {x + column, y});
 }
 
-// mm, ISO 5457: the left margin is for filing.
+// mm, ISO 5457; the left margin is wider for filing
 constexpr double kFiling = 20, kMargin = 10, kMark = 5;
-constexpr double kWidth = 180;  // of a title block, ISO 7200
+constexpr double kWidth = 180;  // width of a title block, ISO 7200
 constexpr double kFieldRow = 9, kTitle = 16;
 constexpr double kFieldInset = 1.5;
 
@@ -89,7 +89,7 @@ SheetBox room(const SheetBox& cell) {
           cell.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
 }
 
-// Height of a row, increased within limits if words do not fit.
+// Height of a row. It is increased within limits if words do not fit.
 double height_for(const std::vector<Cell>& cells, double height, double largest) {
   constexpr double kStep = 1, kMost = 24;
   const auto fits = [&](const Cell& cell) {
@@ -100,7 +100,7 @@ double height_for(const std::vector<Cell>& cells, double height, double largest)
   return height;
 }
 
-// One row of cells from `lo` up; the label is above the words.
+// One row of cells from `lo` upwards. The label is above the words.
 void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
               double largest) {
   double x = lo.x();

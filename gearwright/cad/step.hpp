@@ -1,12 +1,13 @@
 // STEP (ISO 10303-242): toothed bodies as exact solids, for CAD systems.
 //
-// One named, coloured solid per body. Tip land, root land and bore are true cylinders, everything else
-// is a B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
-// faces share their edges. One body in its own frame is written as a part; several bodies, or one with
-// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: both the surfaces
-// and the text (cad/part21.hpp) are computed here.
+// Each body becomes one named, coloured solid. Tip land, root land and bore are true cylinders.
+// Every other face is a B-spline within kSectionTarget_mm of the screw surface
+// (cad/screw_spline.hpp), and neighbouring faces share their edges. One body in its own frame is
+// written as a part. Several bodies, or one with a pose, are written as an assembly of parts placed
+// by their poses. No CAD kernel is needed, because both the surfaces and the text (cad/part21.hpp)
+// are computed here.
 //
-//   Laws  (1) same bodies, same file name, same bytes: the header's time is fixed
+//   Laws  (1) the same bodies and file name give the same bytes, because the header's time is fixed
 //         (2) hand and pose change neither the number of faces nor the volume
 #pragma once
 
@@ -20,8 +21,8 @@
 
 namespace gearwright {
 
-/// The application protocol of the file. Solids, names, colours and assemblies are the same in both;
-/// ap214, which ap242 has replaced, is for older systems.
+/// The application protocol of the file. Solids, names, colours and assemblies are the same in
+/// both. ap242 has replaced ap214, which is kept for older systems.
 enum class StepSchema { ap242, ap214 };
 
 /// "AP242"
@@ -31,7 +32,7 @@ struct StepOptions {
   StepSchema schema = StepSchema::ap242;
 };
 
-/// One arc of the half tooth and the face that it became.
+/// One arc of the half tooth and the face that represents it.
 struct StepFace {
   ArcName name;
   std::size_t body;  ///< index into the bodies
@@ -39,17 +40,16 @@ struct StepFace {
   int poles_u;
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
-  double
-      max_deviation_mm;  ///< normal distance to the exact screw surface, between the points of the
-                         ///< fit
+  double max_deviation_mm;  ///< normal distance to the exact screw surface, measured between the
+                            ///< points of the fit
 };
 
 struct StepReport {
   std::vector<StepFace> faces;    ///< root to tip of one half tooth, body by body
   double max_deviation_mm = 0.0;  ///< greatest of all faces
   double volume_mm3 = 0.0;        ///< exact: section area times face width, all bodies
-  std::size_t face_count = 0;     ///< of all solids, each shape once
-  std::size_t edge_count = 0;     ///< each shared edge once
+  std::size_t face_count = 0;     ///< of all solids; each shape counts once
+  std::size_t edge_count = 0;     ///< each shared edge counts once
 };
 
 inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< of one solid: 30 MB of text
@@ -59,7 +59,7 @@ struct StepDocument {
   StepReport report;
 };
 
-/// The text of a STEP file; `file_name` is the name in its header (UTF-8, without folders).
+/// Returns the text of a STEP file. `file_name` is the name in its header (UTF-8, without folders).
 ///
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
@@ -70,9 +70,9 @@ struct StepDocument {
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name, const StepOptions& options = {});
 
-/// Writes the text of step_document to `path`, whole or not at all.
+/// Writes the text of step_document to `path`. If an error occurs, no partial file remains.
 ///
-/// Throws    IoError with the path, if the file cannot be written
+/// Throws    IoError with the path if the file cannot be written
 Result<StepReport> write_step(const std::vector<ToothedBody>& bodies,
                               const std::filesystem::path& path, const StepOptions& options = {});
 

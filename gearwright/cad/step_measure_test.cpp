@@ -18,7 +18,7 @@
 namespace gearwright {
 namespace {
 
-// Permissible distance of the faces from the screw surface, with the tolerance of the kernel.
+// Permissible distance of the faces from the screw surface, including the tolerance of the kernel.
 constexpr double kSolid = 5e-5;  // mm
 
 CylindricalSpec spec_of(int teeth, double module, double beta_deg, double x) {
@@ -41,7 +41,8 @@ TEST(StepMeasured, balls_rest_where_they_are_said_to) {
     ASSERT_TRUE(sizes);
     const BallSeat seat = testing::taken(ball_in_space(gear, sizes->metric));
     const int z = std::abs(spec.teeth);
-    for (const int space : {0, z / 2}) {  // the opposite one, or one of the two nearest to it
+    // The space opposite to it, or one of the two nearest to the opposite position.
+    for (const int space : {0, z / 2}) {
       const double angle = (2 * space + 1) * std::acos(-1.0) / z;
       const double r = seat.center_diameter / 2;
       const gp_Pnt center(r * std::cos(angle), r * std::sin(angle), 0.0);

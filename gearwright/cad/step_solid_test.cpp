@@ -1,5 +1,5 @@
-// The solids of STEP files as another CAD kernel builds them are valid and closed, have the exact
-// volume, and each edge is shared by two faces.
+// Tests the solids that another CAD kernel builds from STEP files. They are valid and closed and
+// have the exact volume, and each edge is shared by two faces.
 
 #include <gtest/gtest.h>
 #include <BRepCheck_Analyzer.hxx>
@@ -61,7 +61,7 @@ std::vector<Case> cases() {
       {"FullRadiusRoot", sample_body({.beta = 0.3, .full_radius_root = true}), 102},
       {"NoLands", sample_body({.pointed = true, .full_radius_root = true}), 82},
       {"Chamfer", sample_body({.beta = 0.2, .chamfer = 0.4}), 162},
-      // τb = 19.7 rad: seven slices of six walls.
+      // τb = 19.7 rad requires seven slices of six walls.
       {"OneTooth",
        sample_body(
            {.teeth = 1, .normal_module = 1, .beta = 80 * kDeg, .face_width = 10, .dedendum = 1.2}),
@@ -83,22 +83,23 @@ std::vector<Case> cases() {
        146},
       {"Many", with_bore(sample_body({.teeth = 120, .beta = 0.2, .face_width = 40}), {150}), 723},
       {"Ring", with_bore(plain_body(-12, 25.0, 0.2, 20.0, 0.08, 10.0, 0.03), {60.0}), 51},
-      // Six walls a tooth where tip and root have no land, τb = 3.4 and 11.5 rad: two and four
-      // slices.
+      // There are six walls per tooth if tip and root have no land. τb = 3.4 and 11.5 rad require
+      // two and four slices.
       {"TwoTeethRoundedTip", testing::two_teeth(), 26},
       {"OneToothRoundedTip", testing::one_tooth(), 26},
       {"WheelCutByTwoTeeth", testing::cut_wheel(), 362},
       {"RingCutByPinion", testing::cut_ring(), 395},
       {"CircularArcs", testing::arc_pinion(), 74},
       {"DoubleCircularArcs", testing::double_arcs(), 138},
-      // Five teeth of six walls and one more root land; back, ends and sides.
+      // There are five teeth of six walls and one more root land, plus back, ends and sides.
       {"Rack", testing::rack_bar(5, 0.0), 36},
-      // At each end the teeth reach 3.64 mm further, past the middle of a tooth: three walls.
+      // At each end the teeth extend 3.64 mm further, past the middle of a tooth, which adds three
+      // walls.
       {"RackRightHand", testing::rack_bar(5, 20.0), 42},
       {"RackLeftHand", testing::rack_bar(5, -20.0), 42},
-      // The full radius leaves no root land; the ends begin in fillets.
+      // The full radius leaves no root land, so the ends begin in fillets.
       {"RackFullRadius", testing::rack_bar(3, 0.0, 0.4), 20},
-      // Its lines cross three whole teeth, and end in the fillets of two more.
+      // The lines cross three whole teeth and end in the fillets of two more.
       {"RackOfOneTooth", testing::rack_bar(1, 44.0), 26},
   };
 }
@@ -131,13 +132,14 @@ TEST_P(StepSolidOf, IsAValidClosedSolidOfTheExactVolume) {
   TopExp::MapShapes(solid(), TopAbs_SHELL, shells);
   ASSERT_EQ(shells.Extent(), 1);
   EXPECT_TRUE(BRep_Tool::IsClosed(shells(1)));
-  // Euler: V − E + F, less one for each loop that is a hole in a cap, is 2 − 2·genus.
+  // Euler: V − E + F, minus one for each loop that is a hole in a cap, equals 2 − 2·genus.
   const int holes = c.body.bore ? 1 : 0;
   EXPECT_EQ(count(solid(), TopAbs_VERTEX) - edges + faces - 2 * holes, 2 - 2 * holes);
 
   EXPECT_TRUE(BRepCheck_Analyzer(solid()).IsValid());
   const double exact = metal_area(c.body) * c.body.face_width;
-  EXPECT_NEAR(volume(solid()) / exact, 1.0, 1e-6);  // positive: the outside is out
+  // A positive volume means that the faces are oriented outwards.
+  EXPECT_NEAR(volume(solid()) / exact, 1.0, 1e-6);
   EXPECT_EQ(report_.volume_mm3, exact);
   BRepClass3d_SolidClassifier classifier(solid());
   classifier.PerformInfinitePoint(1e-6);
@@ -160,8 +162,8 @@ TEST_P(StepSolidOf, UsesEveryEdgeOnceEachWay) {
   }
 }
 
-// Distance of an edge's curve from its two faces, and of its ends from their vertices, is below the
-// tolerance in the file.
+// The distance of an edge's curve from its two faces, and of its ends from their vertices, is below
+// the tolerance in the file.
 TEST_P(StepSolidOf, KeepsItsUncertainty) {
   double worst = 0.0;
   int looked = 0;

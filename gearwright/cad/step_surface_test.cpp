@@ -1,5 +1,5 @@
-// The faces are compared with the exact screw surface, at points that the fit did not use, on the
-// surfaces that another CAD kernel reads from the STEP file.
+// Compares the faces with the exact screw surface at points that the fit did not use. The surfaces
+// are those that another CAD kernel reads from the STEP file.
 
 #include <gtest/gtest.h>
 #include <BRep_Tool.hxx>
@@ -35,8 +35,8 @@ struct Worst {
   int faces = 0;
 };
 
-// 100 × 100 points of each of the first `most` B-spline faces, both halves of teeth among them. The
-// distance in the section bounds the normal distance in space.
+// 100 × 100 points of each of the first `most` B-spline faces, which include both halves of teeth.
+// The distance in the section bounds the normal distance in space.
 Worst look(const ToothedBody& body, const TopoDS_Shape& shape, int most) {
   const testing::OutlineDistance distance(body.outline);
   Worst worst;
@@ -86,8 +86,8 @@ TEST(StepSurface, OneToothThatTurnsThreeTimes) {
               8);
 }
 
-// Every face of the first tooth: circular fillets, an involute, and the flanks that a pinion cuts
-// on a wheel and on an internal gear.
+// The test covers every face of the first tooth: circular fillets, an involute, and the flanks that
+// a pinion cutter generates on an external and on an internal gear.
 TEST(StepSurface, TeethOfFewAndTeethCutByTeeth) {
   expect_near(testing::two_teeth(), 6);
   expect_near(testing::one_tooth(), 6);

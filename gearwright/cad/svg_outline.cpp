@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMarginShare = 0.05;  // of the radius, so that the stroke is not cut off
 
-// The d attribute. Only this class reverses y.
+// Writes the d attribute. Only this class reverses y.
 class Path {
  public:
   explicit Path(const Eigen::Isometry3d* pose) {
@@ -34,7 +34,7 @@ class Path {
     const Vec2 p = pose_ * at;
     add("L{} {}", p.x(), -p.y());
   }
-  // A counter-clockwise arc is counter-clockwise on the screen too: sweep flag 0.
+  // A counter-clockwise arc remains counter-clockwise on the screen, so the sweep flag is 0.
   void arc(double radius, double sweep, const Vec2& at) {
     const Vec2 p = pose_ * at;
     add("A{0} {0} 0 {1} 0 {2} {3}", radius, sweep > std::numbers::pi ? 1 : 0, p.x(), -p.y());
@@ -68,7 +68,8 @@ struct DrawnBody {
   int segments = 0;
   double deviation = 0.0;
   double radius = 0.0;
-  std::optional<Eigen::AlignedBox2d> box{};  // of a rack, with y reversed; none: a circle
+  // of a rack, with y reversed; none if the outline is a circle
+  std::optional<Eigen::AlignedBox2d> box{};
 };
 
 Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool in_place) {

@@ -1,10 +1,10 @@
-// SVG of the transverse section: one path, in millimetres.
+// Writes the transverse section as SVG: one path, in millimetres.
 //
-// The profile is the first subpath, bore or rim the second, filled by the even-odd rule: a gear
-// shows its bore, an internal gear its rim. Lands are elliptical arc commands (A), true circles;
-// other arcs cubic Bézier curves (C). SVG's y axis points down, so y is written with the opposite
-// sign. The picture is then upright like the gear frame, without a transformation that some readers
-// ignore.
+// The profile is the first subpath and the bore or rim the second. The path is filled by the
+// even-odd rule, so a gear shows its bore and an internal gear its rim. Lands are elliptical arc
+// commands (A), which are true circles. Other arcs are cubic Bézier curves (C). The y axis of SVG
+// points down, so y is written with the opposite sign. The picture is then upright like the gear
+// frame, without a transformation that some readers ignore.
 #pragma once
 
 #include "gearwright/cad/drawing.hpp"
@@ -23,8 +23,8 @@ struct SvgOptions {
 /// Accuracy  deviation_mm ≤ tolerance_mm
 Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options = {});
 
-/// Several bodies in one picture, each at its pose (a turn about z and a shift), a path each; a
-/// single body is in its own frame.
+/// Writes several bodies into one picture, each at its pose (a turn about z and a shift) as one
+/// path. A single body is drawn in its own frame.
 Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOptions& options = {});
 
 }  // namespace gearwright

@@ -28,7 +28,8 @@ std::string attribute(const std::string& text, const std::string& name) {
   return text.substr(at, text.find('"', at) - at);
 }
 
-// Reads the d attribute as a renderer does; area by Green's theorem, exact for arcs and cubics.
+// Reads the d attribute as a renderer does. The area follows from Green's theorem, exact for arcs
+// and cubics.
 std::vector<Subpath> subpaths_of(const std::string& text) {
   std::vector<Subpath> paths;
   std::istringstream in(attribute(text, "d"));
@@ -102,7 +103,7 @@ TEST(Svg, AreaIsThatOfTheGear) {
       const std::vector<Subpath> paths = subpaths_of(drawing.text);
       ASSERT_EQ(paths.size(), body.bore ? 2U : 1U);
       const double exact = section_area(body.outline);
-      // The tenth decimal moves the boundary by no more than 1e-10 mm at a point.
+      // Rounding to ten decimals moves a point of the boundary by no more than 1e-10 mm.
       EXPECT_NEAR(paths[0].area, exact, (drawing.deviation_mm + 2e-10) * paths[0].length)
           << body.name;
       if (body.bore) {

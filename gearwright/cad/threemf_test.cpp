@@ -73,7 +73,7 @@ TEST(Zip, ReturnsWhatWasPutIn) {
   std::string noise;
   for (std::uint32_t i = 0, x = 1; i < 100000; ++i) {
     x = x * 1664525U + 1013904223U;
-    noise += static_cast<char>(x >> 24U);  // does not shrink
+    noise += static_cast<char>(x >> 24U);  // incompressible
   }
   const std::string text(1000000, 'g');
   ZipWriter zip;

@@ -6,7 +6,7 @@
 //
 // The section at height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
 //
-// A rack is a bar, whose teeth are straight: the section at height z is that of z = 0 with the teeth
+// A rack is a bar with straight teeth. Its section at height z is that of z = 0 with the teeth
 // shifted by z tan β along y, between two ends that are perpendicular to y (`RackBlock`).
 #pragma once
 
@@ -22,7 +22,7 @@
 
 namespace gearwright {
 
-/// What makes the teeth of an outline a rack, in the frame of pair/rack_outline.hpp: x is the height
+/// The data that make an outline a rack, in the frame of pair/rack_outline.hpp: x is the height
 /// above the datum line, and n pitches lie between the ends, with the origin in the middle.
 struct RackBlock {
   double pitch;          ///< p_t    mm, along y
@@ -41,14 +41,14 @@ struct ToothedBody {
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
-  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
-  std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
-  std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
+  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its index among the bodies
+  std::optional<std::size_t> same_as{};  ///< an earlier body of the same file with the same shape
+  std::optional<RackBlock> rack{};  ///< the data of a rack, which has no bore and ignores the twist
 };
 
-/// Colours that distinguish gears in contact wherever their file is opened.
-/// Linear RGB, far apart in lightness as well as hue: steel, bronze, blue, green, then ochre, purple,
-/// teal and dark grey for larger drives.
+/// Colours that distinguish gears in contact in every viewer. The values are linear RGB, far apart
+/// in lightness as well as hue: steel, bronze, blue, green, then ochre, purple, teal and dark grey
+/// for larger drives.
 inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49, 0.53},
                                                                     {0.55, 0.34, 0.14},
                                                                     {0.12, 0.26, 0.48},
@@ -58,12 +58,12 @@ inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49,
                                                                     {0.1, 0.4, 0.42},
                                                                     {0.12, 0.13, 0.15}}};
 
-/// The colour of the part with this index; the colours repeat.
+/// Returns the colour of the part with this index. The colours repeat.
 constexpr const std::array<double, 3>& part_colour(std::size_t index) {
   return kPartColours[index % kPartColours.size()];
 }
 
-/// The error of `teeth`, with the reason `why`.
+/// Returns the error of `teeth` with the reason `why`.
 inline Error not_a_body(int teeth, const std::string& why) {
   return {"teeth", std::to_string(teeth),
           "the outline bounds no body, " + why + "; more teeth or more profile shift help"};

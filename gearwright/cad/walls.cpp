@@ -17,9 +17,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRound_mm = 1e-8;  // a land is a circle about the axis
-constexpr double kLaw_mm = 1e-6;    // tolerance for the laws of an outline
-constexpr int kWallLooks = 64;      // points of an arc that are examined for radius and side
+// Variation of radius within which a land is a circle about the axis.
+constexpr double kRound_mm = 1e-8;
+constexpr double kLaw_mm = 1e-6;  // tolerance for the laws of an outline
+constexpr int kWallLooks = 64;    // points of an arc that are examined for radius and side
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
@@ -54,7 +55,7 @@ std::vector<Piece> pieces_of(const Outline& outline) {
   return pieces;
 }
 
-// Puts the first begin on the middle of the space and the last end on the middle of the tooth.
+// Moves the first begin to the middle of the space and the last end to the middle of the tooth.
 void close_ends(std::vector<Piece>& pieces, Complex space) {
   Piece& first = pieces.front();
   const Complex root = std::abs(first.begin) * space;
@@ -62,7 +63,7 @@ void close_ends(std::vector<Piece>& pieces, Complex space) {
   first.begin = root;
   Piece& last = pieces.back();
   const Complex tip = {std::abs(last.end), 0.0};
-  // Slivers at the tip may each have been nearly as long as the shortest arc.
+  // Each sliver at the tip may have been nearly as long as the shortest arc.
   GW_EXPECTS(std::abs(tip - last.end) <= 4.0 * kLaw_mm);
   last.end = tip;
 }
@@ -81,7 +82,7 @@ Extent look_at(const Outline& outline, Complex space) {
       const Complex w = as_complex(arc.point(static_cast<double>(i) / kWallLooks));
       extent.inner = std::min(extent.inner, std::abs(w));
       extent.outer = std::max(extent.outer, std::abs(w));
-      // Distances from the two lines, which for z = 1 are both the x axis.
+      // Distances from the two lines, which coincide with the x axis for z = 1.
       if (w.imag() < -kLaw_mm) extent.tooth_crossed = true;
       if ((w * std::conj(space)).imag() > kLaw_mm) extent.space_crossed = true;
     }
@@ -129,7 +130,7 @@ SplinePair spline_walls(const Piece& piece, const SectionSpline& fit) {
 std::vector<Wall> tooth_walls(const std::vector<Piece>& pieces, const std::vector<ArcFit>& fits,
                               int z) {
   std::vector<Wall> lower;
-  std::vector<Wall> upper;  // still root to tip
+  std::vector<Wall> upper;  // still ordered from root to tip
   const double pitch = 2.0 * pi / z;
   std::optional<Wall> merged_root;
   std::optional<Wall> merged_tip;
@@ -213,7 +214,8 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
   std::vector<ArcFit> fits;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Piece& piece = pieces[i];
-    // A circle can form one wall with its mirror image only at the middle of a tooth or space.
+    // A circle can form one wall together with its mirror image only at the middle of a tooth or
+    // space.
     piece.circle =
         (i == 0 || i + 1 == pieces.size()) && is_circle(*piece.arc, piece.begin, piece.end);
     fits.push_back({piece.arc->name, std::nullopt});

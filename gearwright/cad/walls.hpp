@@ -1,22 +1,24 @@
-// The walls of a toothed body: its closed loops cut into pieces, each of which becomes one face.
+// The walls of a toothed body: its closed loops divided into pieces, each of which becomes one
+// face.
 //
 //   wall      a piece of a loop, counter-clockwise: a spline, a circle about the axis, or a line
-//   loop      walls in order, the end of each is the begin of the next, and the last closes on the
-//             first
-//   slice     a layer of the body: loops that turn far are cut across into slices of equal height
+//   loop      walls in order: the end of each is the begin of the next, and the loop is closed
+//   slice     a layer of the body: a body with a large twist is divided into slices of equal height
 //
-// Tooth 0 is symmetric about the x axis: its lower half is the mirrored outline (root to tip), its
-// upper
-// half the outline itself (tip to root); tooth k is tooth 0 times e^{2πik/z}, exact by quarters.
+// Tooth 0 is symmetric about the x axis. Its lower half is the mirrored outline (root to tip), its
+// upper half the outline itself (tip to root). Tooth k is tooth 0 times e^{2πik/z}, exact for
+// quarter turns.
 //
-// Rules that keep faces honest
-//   lands     an arc named a land is a true circle if its radius is one number within 1e-8 mm; the
-//             two halves of a tip land, and of a root land, then are one wall, unless it spans more
-//             than half a turn (z = 1). Any other arc is a spline, its mirror image another one.
-//   slivers   an arc shorter than kShortestArc_mm gives no wall: the next wall begins where the
-//             short one began. The two walls at the middle of tooth or space end on that line.
-//   slices    as few as keep the turn of a slice ≤ π and turn plus widest circle ≤ 3π/2, so that no
-//             face meets itself and a cylinder's u range never reaches a whole turn.
+// Rules that keep faces valid
+//   lands     an arc named a land is a true circle if its radius is constant within 1e-8 mm. The
+//             two halves of a tip land, and of a root land, form one wall unless it spans more
+//             than half a turn (z = 1). Any other arc is a spline, and its mirror image another
+//             one.
+//   slivers   an arc shorter than kShortestArc_mm gives no wall. The next wall begins where the
+//             short one began. The two walls at the middle of a tooth or space end on that line.
+//   slices    the fewest for which the turn of a slice is at most π and turn plus widest circle is
+//             at most 3π/2, so that no face meets itself and the u range of a cylinder is always
+//             less than a whole turn.
 #pragma once
 
 #include <memory>
@@ -74,9 +76,9 @@ struct BodyWalls {
 
 /// Cuts a body into walls.
 ///
-/// Errors    errors: a bore that bore_error rejects (`bore.diameter_mm` and the keys of its
-///           keyway); a ring without a rim around its roots (its bore is the rim) or with a keyway;
-///           flanks that cross or a root beyond the axis (`teeth`); an arc that no spline meets
+/// Errors    a bore that bore_error rejects (`bore.diameter_mm` and the keys of its keyway); an
+///           internal gear without a rim around its roots (its bore is the rim) or with a keyway;
+///           flanks that cross or a root beyond the axis (`teeth`); an arc for which no spline is
 ///           within kSectionMax_mm
 /// Domain    face width > 0, outline.teeth ≠ 0, the outline's laws hold within 1e-6 mm (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
@@ -92,7 +94,7 @@ struct WallLevel {
   Complex turn;  ///< e^{iτz}
 };
 
-/// The layer between two levels; its helix is that of the body, turned to the slice's middle.
+/// The layer between two levels. Its helix is that of the body, turned to the middle of the slice.
 struct WallSlice {
   WallLevel low;
   WallLevel high;
@@ -111,7 +113,7 @@ WallSlice slice_between(const WallLevel& low, const WallLevel& high, const Helix
 
 Vec3 point_at(Complex section_point, const WallLevel& level);
 
-/// The path of a section point: its pole j, 0 ≤ j < helix.size().
+/// Returns pole j of the path of a section point, 0 ≤ j < helix.size().
 Vec3 climbing_pole(Complex section_point, const WallSlice& slice, std::size_t j);
 
 }  // namespace gearwright

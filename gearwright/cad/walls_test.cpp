@@ -69,18 +69,19 @@ TEST(Walls, QuarterTeethAreExactQuarterTurns) {
 }
 
 TEST(Walls, SliversGiveNoWalls) {
-  // Half a tip land is 0.8e-6 mm long, so the flanks meet on the middle of the tooth instead.
+  // Half a tip land would be 0.8e-6 mm long, so it is omitted and the flanks meet on the middle of
+  // the tooth.
   const auto tip = make_walls(plain_body(12, 20.0, 0.2, 25.0, 0.8e-6 / 25.0));
   ASSERT_TRUE(tip);
   EXPECT_EQ(tip->teeth.walls.size(), 36u);  // two flanks and a root land per tooth
   EXPECT_EQ(tip->teeth.walls[0].end.imag(), 0.0);
   expect_closed(tip->teeth, 25.0);
-  // Half a root land is 0.8e-6 mm long.
+  // Half a root land would be 0.8e-6 mm long, so it is omitted.
   const auto root = make_walls(plain_body(12, 20.0, kPi / 12 - 0.8e-6 / 20.0, 25.0, 0.08));
   ASSERT_TRUE(root);
   EXPECT_EQ(root->teeth.walls.size(), 36u);
   expect_closed(root->teeth, 25.0);
-  // Just above the limit both lands remain.
+  // If the length is just above the limit, both lands remain.
   const auto both = make_walls(plain_body(12, 20.0, 0.2, 25.0, 1.2e-6 / 25.0));
   ASSERT_TRUE(both);
   EXPECT_EQ(both->teeth.walls.size(), 48u);
@@ -104,7 +105,7 @@ TEST(Walls, SliverBetweenArcsJoinsItsNeighbours) {
 }
 
 TEST(Walls, SlicesKeepTurnsBelowAHalf) {
-  // The widest circle is 2(π/12 − 0.2), so only the turn decides.
+  // The widest circle is 2(π/12 − 0.2), so only the turn determines the number of slices.
   const double most = kPi;
   for (const double turn : {0.0, 0.99, 1.01, 7.5}) {
     const auto walls = make_walls(plain_body(12, 20.0, 0.2, 25.0, 0.08, 10.0, -turn * most / 10.0));
@@ -166,7 +167,7 @@ TEST(Walls, RefusesWhatIsNoBody) {
   EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");   // space
 }
 
-// A flank that jumps by 0.01 mm halfway. No spline approximates it.
+// A flank jumps by 0.01 mm halfway, so no spline approximates it.
 class Torn final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override {

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::uint16_t kZipVersion = 20;  // 2.0, the first with deflate
+constexpr std::uint16_t kZipVersion = 20;  // 2.0, the first version with deflate
 constexpr std::uint16_t kDeflate = 8;
 constexpr std::uint16_t kMidnight = 0;
 constexpr std::uint16_t kNewYear1980 = (1U << 5U) | 1U;  // year 0 since 1980, month 1, day 1

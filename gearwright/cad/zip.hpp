@@ -1,7 +1,8 @@
 // A ZIP archive in memory, the container of 3MF.
 //
-// Deflated (base/packing.hpp), every entry dated 1 January 1980, the oldest date ZIP knows: same input, same
-// bytes (of one zlib release).     Format: PKWARE APPNOTE 6.3.3, without ZIP64.
+// Entries are deflated (base/packing.hpp) and dated 1 January 1980, the oldest date that ZIP
+// permits. Thus the same input gives the same bytes (for the same zlib release).     Format: PKWARE
+// APPNOTE 6.3.3, without ZIP64.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ class ZipWriter {
   /// Domain    entries and archive below 2³² bytes, fewer than 65535 entries (contract)
   void add(std::string_view name, std::string_view content);
 
-  /// The archive with its directory. The writer cannot be used afterwards.
+  /// Returns the archive with its directory. The writer cannot be used afterwards.
   std::string finish() &&;
 
  private:

@@ -1,5 +1,5 @@
 // The figures of tooth contact: transmission error, its spectrum, developed flanks with their
-// contact, and maps of two errors.
+// contact, and maps over two errors.
 #pragma once
 
 #include <optional>
@@ -14,45 +14,48 @@
 
 namespace gearwright {
 
-/// A run of positions of one tooth pair, of edges or of flanks alone.
+/// A sequence of positions with contact of one tooth pair, either at edges or on the flanks.
 struct TeRun {
   int pair = 0;  ///< k
   bool edge = false;
-  std::vector<double> rotation, te;  ///< rad; ends are shared with the neighbouring runs
+  std::vector<double> rotation, te;  ///< rad; neighbouring runs share their ends
 };
 
-/// The curve over one pitch in runs. Positions without contact end a run. At the handover between
+/// The curve over one pitch in runs. A position without contact ends a run. At the handover between
 /// tooth pairs, both curves are extended to their intersection, but not beyond the greatest and the
 /// least computed value.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
 /// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
-/// `result` is that of the scene, or that of the non-working flanks. None if nothing touches.
+/// `result` is that of the scene or that of the non-working flanks. There is no figure if nothing
+/// touches.
 std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
-/// True if all waves are rounding errors.
+/// Returns true if all harmonics are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
-/// None if contact is lost, because the curve does not repeat, and if there is no wave.
+/// There is no figure if contact is lost, because the curve is then not periodic, or if there is no
+/// harmonic.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
-/// A raster's nodes for contours; its gaps in mm.
+/// The nodes of a raster for contours. Its gaps are in mm.
 ContourField field_of(const FlankRaster& raster);
-/// The regions of a raster's field below a level, in heights along the face and diameters, mm.
+/// The regions in which a field of a raster is below a level, in heights along the face and
+/// diameters, mm.
 std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& field, double level);
 
-/// Share of the flank that a pattern covers at this thickness of the marking, 0 … 1.
+/// Share of the flank, 0 … 1, that a pattern covers at this thickness of the marking compound.
 double pattern_share(const FlankRaster& raster, double marking);
 
 /// One continuous path of the contact point over a flank: positions in the order in which a tooth
-/// passes them, of edges or of flanks alone.
+/// passes them, either at edges or on the flanks.
 struct PathPiece {
   bool edge = false;
   std::vector<const ContactPoint*> points;
 };
 std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 
-/// An empty developed flank: the face from left to right, the root below, the tip above, with the
-/// limits of its usable part and a little of the tooth beyond them.
+/// An empty developed flank with the face from left to right, the root at the bottom and the tip at
+/// the top. It shows the limits of the usable part and a little of the tooth beyond them.
 Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, bool internal,
                    std::size_t which);
 
@@ -60,26 +63,27 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
 struct FlankLayers {
   const FlankRaster* pattern = nullptr;  ///< least gap over a mesh
   const FlankRaster* gap = nullptr;      ///< at one position
-  const ContactPoint* now = nullptr;     ///< that position
-  bool way = true;                       ///< of the contact point, with its ellipses or lines
+  const ContactPoint* now = nullptr;     ///< the contact at that position
+  bool way = true;  ///< shows the path of the contact point, with its ellipses or lines
 };
 /// The flank of gear `which` (0, 1).
 ///
 /// Domain    a pattern or a gap (contract)
 Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLayers& layers);
 
-/// A small flank of gear 1 with the marking alone.
+/// A small flank of gear 1 that shows only the marking.
 Figure small_pattern(std::string id, std::string title, const FlankRaster& pattern, double marking);
 
-/// Peak to peak over two errors.
+/// Peak-to-peak value over two errors.
 struct ContactMap {
   ErrorMap map;                     ///< rad over the units below
   std::array<NamedAmount, 2> axes;  ///< of x and y: names, units and the values of the spec
   bool whole = true;                ///< false if some values have not yet been computed
 };
-/// Round levels over the map's values, arc seconds, ascending; few enough to be distinguished.
+/// Round levels over the values of the map, arc seconds, ascending. They are few enough to be
+/// distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
-/// Peak to peak of the transmission error over two errors, as shaded steps.
+/// Draws the peak-to-peak transmission error over two errors as shaded steps.
 Figure error_map_figure(const ContactMap& map);
 
 }  // namespace gearwright

@@ -1,6 +1,6 @@
 // Data of the contact figures: the gears, their axes as mounted, and the results.
 //
-//   TE   transmission error, rad: lead of gear 2 over the ratio, > 0
+//   TE   transmission error, rad: lead of gear 2, divided by the ratio, > 0
 //   δ    thickness of the marking compound, mm
 #pragma once
 
@@ -19,7 +19,7 @@ struct ContactAxis {
   Vec3 direction = Vec3(0, 0, 1);
 };
 
-/// An error or a modification in plain words.
+/// An error or a modification with its name and value.
 struct NamedAmount {
   std::string name;  ///< "out-of-plane shaft deviation"; plain text
   double value = 0.0;
@@ -32,10 +32,10 @@ struct ContactScene {
   bool gear2_drives = false;
   double marking = 0.0;   ///< δ  mm
   int positions = 0;      ///< per pitch
-  ContactResult driving;  ///< `positions` of one pitch, from −half a pitch on
+  ContactResult driving;  ///< `positions` positions of one pitch, starting at −half a pitch
 };
 
-/// The scene of a pair that was turned through one pitch.
+/// Makes the scene of a pair that was turned through one pitch.
 ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
                            double marking, ContactResult driving);
 
@@ -45,7 +45,7 @@ double pitch_of(const ContactScene& scene);
 /// "tip edge of gear 1"
 const char* words_of(TouchKind kind);
 
-/// A tooth pair's number with its sign; "0" is the one nearest the centre line.
+/// Number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
 
 /// Arc seconds with the significant digits.
@@ -54,14 +54,15 @@ std::string shown_arcsec(double arcsec);
 /// Signed and short, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
 
-/// Place of a point of the housing on a gear: height along its axis and radius, mm.
+/// Position of a point of the housing on a gear: height along its axis and radius, mm.
 struct FlankPlace {
   double height, radius;
 };
 FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
 
-/// The contact ellipse on gear `which` (0, 1), seen along the tooth's direction of
-/// motion: points (height, radius), closed. None if there is none, or if it is unbounded.
+/// The contact ellipse on gear `which` (0, 1), seen along the direction of motion of the tooth:
+/// points (height, radius), closed. There is none if the contact has no ellipse or an unbounded
+/// one.
 ///
 /// Units     mm, true size: the tangent plane of the contact point, projected
 std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// The raster with a frame of infinite nodes around it, so that every loop closes.
+// The raster surrounded by a frame of infinite nodes, so that every loop closes.
 class Framed {
  public:
   Framed(const ContourField& field, double level) : field_(field), level_(level) {}
@@ -27,12 +27,12 @@ class Framed {
   double level() const { return level_; }
   bool below(std::size_t row, std::size_t column) const { return value(row, column) < level_; }
 
-  // Edges by number: first those along the rows, then those along the columns.
+  // Edges are numbered: first those along the rows, then those along the columns.
   std::size_t edge(std::size_t row, std::size_t column, bool along_row) const {
     return 2 * (row * columns() + column) + (along_row ? 0 : 1);
   }
 
-  // The position of the level on an edge, in nodes of the raster itself.
+  // The position of the level on an edge, in node coordinates of the raster.
   Vec2 crossing(std::size_t edge) const {
     const bool along_row = edge % 2 == 0;
     const std::size_t row = edge / 2 / columns();
@@ -61,8 +61,8 @@ class Framed {
   double level_;
 };
 
-// The pieces of border in one cell: from the edge at which the region is left, counter-clockwise
-// round the cell, to the one at which it is entered again.
+// The pieces of the border in one cell. Each leads from the edge at which the border leaves the
+// region counter-clockwise round the cell to the edge at which it enters the region again.
 void add_cell(const Framed& grid, std::size_t row, std::size_t column,
               std::map<std::size_t, std::size_t>& next) {
   const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),
@@ -71,7 +71,8 @@ void add_cell(const Framed& grid, std::size_t row, std::size_t column,
       grid.edge(row, column, true), grid.edge(row, column + 1, false),
       grid.edge(row + 1, column, true), grid.edge(row, column, false)};
   const bool saddle = in[0] == in[2] && in[1] == in[3] && in[0] != in[1];
-  // If the mean of all four is below the level, the two corners below it belong to one region.
+  // If the mean of all four values is below the level, the two corners below it belong to one
+  // region.
   const double mean = 0.25 * (grid.value(row, column) + grid.value(row, column + 1) +
                               grid.value(row + 1, column + 1) + grid.value(row + 1, column));
   const bool joined = mean < grid.level();
@@ -102,7 +103,7 @@ std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double l
   std::vector<std::vector<Vec2>> loops;
   while (!next.empty()) {
     std::vector<Vec2> loop;
-    // Every crossing is left once and reached once, so the sequence returns to the first.
+    // Every crossing is left once and reached once, so the sequence returns to the first one.
     std::size_t at = next.begin()->first;
     for (auto it = next.find(at); it != next.end(); it = next.find(at)) {
       const Vec2 p = grid.crossing(at);
@@ -124,7 +125,7 @@ double area_of(const std::vector<std::vector<Vec2>>& loops) {
       twice += a.x() * b.y() - a.y() * b.x();
     }
   }
-  // Borders of the region and of its holes have opposite senses, so signed areas add up.
+  // Borders of a region and of its holes have opposite directions, so signed areas add up.
   return std::abs(twice) / 2;
 }
 

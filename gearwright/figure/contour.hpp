@@ -1,8 +1,8 @@
 // Regions of a raster in which its values stay below a level, by marching squares.
 //
-// A raster's nodes are (column, row); between two of them the value is linear. An infinite node
-// lies above every level, and the border runs halfway to it, because the end of the values between
-// the nodes is unknown. The raster's own edge closes every region. Values are shown as ten shades
+// The nodes of a raster are (column, row). Between two nodes the value is linear. An infinite node
+// is above every level, and the border runs halfway to it, because the end of the values between
+// the nodes is unknown. The edge of the raster closes every region. Values are shown as ten shades
 // from dark (low) to bright, with the levels at which they change.
 #pragma once
 
@@ -21,18 +21,19 @@ struct ContourField {
   double at(std::size_t row, std::size_t column) const { return value[row * columns + column]; }
 };
 
-/// Closed loops, (column, row), around all places below `level`; filled by the even-odd rule they
-/// are the region. The last point is not repeated.
+/// Returns closed loops, (column, row), around all points below `level`. Filled by the even-odd
+/// rule, they are the region. The last point of a loop does not repeat the first.
 ///
-///   Laws      (1) a loop's corners lie on the raster's edges, where the linear value is the level
+///   Laws      (1) the corners of a loop lie on raster edges, where the linear value equals the
+///                 level
 ///             (2) regions grow with the level
 /// Domain    2 × 2 nodes or more, no NaN (contract)
 std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double level);
 
-/// The enclosed area in squares of the raster, even-odd.
+/// Returns the enclosed area in squares of the raster, by the even-odd rule.
 double area_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Classes of step i of n, from the lowest on.
+/// Returns the style classes of step i of n, from the lowest step on.
 std::string shade_style(std::size_t i, std::size_t n);
 
 }  // namespace gearwright

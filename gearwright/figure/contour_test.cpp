@@ -28,7 +28,8 @@ TEST(Contour, ALinearFieldHasAStraightBorder) {
     const bool edge = p.x() < 1e-9 || p.y() < 1e-9 || p.x() > 5 - 1e-9 || p.y() > 3 - 1e-9;
     EXPECT_TRUE(edge || std::abs(p.x() + 2 * p.y() - 7.3) < 1e-12) << p.transpose();
   }
-  // The rectangle 5 × 3 less the triangle with the corner (5, 3): legs 3.7 and 1.85.
+  // The region is the rectangle 5 × 3 minus the triangle with the corner (5, 3) and the legs 3.7
+  // and 1.85.
   EXPECT_NEAR(area_of(loops), 15.0 - 0.5 * 3.7 * 1.85, 1e-12);
 }
 
@@ -38,7 +39,7 @@ TEST(Contour, ACircleAndItsHole) {
   };
   const auto loops = regions_below(field_of(61, 61, ring), 4.0);
   ASSERT_EQ(loops.size(), 2u);
-  // Chords of a circle of radius R in a raster of step 1 lie within 1/(8 R) of it.
+  // The chords of a circle of radius R in a raster of step 1 are within 1/(8 R) of it.
   EXPECT_NEAR(area_of(loops), std::numbers::pi * (24.0 * 24.0 - 16.0 * 16.0),
               2 * std::numbers::pi * (24.0 / (8 * 24.0) + 16.0 / (8 * 16.0)));
 }
@@ -46,7 +47,8 @@ TEST(Contour, ACircleAndItsHole) {
 TEST(Contour, InfiniteNodesAreLeftHalfwayAndTheEdgeCloses) {
   const auto all = regions_below(field_of(5, 3, [](double, double) { return 0.0; }), 1.0);
   EXPECT_NEAR(area_of(all), 4.0 * 2.0, 1e-12);
-  // The last two columns are infinite, so half a square of the third remains.
+  // The last two columns are infinite, so the area ends halfway between the third and the fourth
+  // column.
   const auto part = regions_below(
       field_of(5, 3, [](double c, double) { return c > 2.5 ? kInfinity : 0.0; }), 1.0);
   EXPECT_NEAR(area_of(part), 2.5 * 2.0, 1e-12);

@@ -12,11 +12,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFree = 0.06;      // fraction of an axis that is free at both ends
-constexpr double kWideSpan = 15.0;  // greatest over least value, above which a linear axis would
-                                    // crowd one end
-constexpr double kOneValue = 1e-6;  // relative: values within this count as one value, with some
-                                    // room around it
+constexpr double kFree = 0.06;  // fraction of an axis that is free at both ends
+// Greatest over least value, above which a linear axis would crowd one end.
+constexpr double kWideSpan = 15.0;
+// Relative; values within this difference count as one value, with some margin around it.
+constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 
 void fit(FigureAxis& axis, double lo, double hi) {

@@ -1,4 +1,4 @@
-// Designs of a search as dots over two of their numbers.
+// Shows the designs of a search as dots over two of their quantities.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ struct DesignDot {
   std::string words = {};  ///< shown at the pointer
 };
 
-/// The dots in their order over axes with some room around them, and below them the border of the
-/// front. An axis of positive values is logarithmic if the greatest is more than fifteen times the
-/// least.
+/// The dots in their order, over axes with some margin around them, and below them the border of
+/// the front. An axis of positive values is logarithmic if the greatest value exceeds fifteen times
+/// the least.
 ///
 /// Domain    at least one dot, all of them finite (contract)
 Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& dots,

@@ -11,13 +11,13 @@ namespace gearwright {
 
 struct DistributionScene {
   std::string id;     ///< unique in a page, "scatter-te"
-  std::string words;  ///< of the number: "transmission error, peak to peak"
+  std::string words;  ///< name of the quantity: "transmission error, peak to peak"
   std::string unit;   ///< "″"; empty: a pure number
   std::vector<double> values;
   std::vector<std::pair<double, double>> percentiles;  ///< percent and value
 };
 
-/// Number of samples in each of several equal steps.
+/// Histogram: number of samples in each of several equal steps.
 ///
 /// Domain    at least two values that differ (contract)
 Figure histogram_figure(const DistributionScene& scene);
@@ -29,7 +29,7 @@ Figure cumulative_figure(const DistributionScene& scene);
 
 struct IndexScene {
   std::string id;
-  std::string words;  ///< of the number whose variance is shared
+  std::string words;  ///< name of the quantity whose variance is shared
   struct Group {
     std::string name;  ///< plain text
     double first, total;

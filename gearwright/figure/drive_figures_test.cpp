@@ -1,5 +1,5 @@
 // Laws: (1) everything that is drawn lies within the axes; (2) the scheme contains the name of
-// every gear and the symbol of every fixed body; (3) bands have labels with their powers, and the
+// every gear and the symbol of every fixed body; (3) each band has a label with its power, and the
 // sum of the losses of all meshes is the difference between input and output.
 #include "gearwright/figure/drive_figures.hpp"
 

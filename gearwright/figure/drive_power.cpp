@@ -13,12 +13,12 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kBar = 0.05;     // half the width of a node, of the step from column to column
-constexpr double kAir = 0.62;     // between nodes of one column, in the same unit
-constexpr double kShown = 0.006;  // of the height: thinner bands would not be seen
+constexpr double kBar = 0.05;  // half the width of a node, relative to the distance between columns
+constexpr double kAir = 0.62;  // between nodes of one column, in the same unit
+constexpr double kShown = 0.006;  // relative to the height; thinner bands would be invisible
 constexpr int kPieces = 24;
 
-// A body or a mesh; powers are shares of the input power.
+// A body or a mesh. Powers are shares of the input power.
 struct Node {
   bool mesh;
   std::size_t index;
@@ -80,7 +80,7 @@ class PowerDiagram {
     }
   }
 
-  // Puts each node after all nodes from which it gets power, except in loops.
+  // Places each node after all nodes from which it gets power, except in loops.
   void find_columns() {
     std::vector<int> state(nodes_.size(), 0);  // 1: being visited, 2: done
     std::vector<std::size_t> order;
@@ -163,7 +163,7 @@ class PowerDiagram {
 
   double x_of(const Node& n) const { return n.column; }
 
-  // A band of one width along a line.
+  // A band of constant width along a line.
   void ribbon(const std::vector<Vec2>& line, double width, const std::string& style,
               const std::string& words) {
     std::vector<Vec2> area, under;
@@ -192,7 +192,7 @@ class PowerDiagram {
     return line;
   }
 
-  // A line below everything else, from the right of one node to the left of another.
+  // A line below everything else, from the right side of one node to the left side of another.
   std::vector<Vec2> loop(const Vec2& a, const Vec2& b, double low, double reach) const {
     std::vector<Vec2> line;
     const auto half_turn = [&](const Vec2& from, double to, double side) {
@@ -221,15 +221,14 @@ class PowerDiagram {
 
   void draw() {
     f_.id = "power";
-    f_.title = "Where the power flows.";
+    f_.title = "Power flow.";
     f_.description =
         "Bands as wide as the power that they carry, from the inputs through bodies and meshes to "
-        "the output; what is lost leaves downwards.";
+        "the output; losses leave downwards.";
     f_.caption =
-        " Seen from the housing, in parts of the power that flows in. A mesh gives its loss off "
-        "downwards; below its name stands the power that rolls through its teeth, as its frame "
-        "sees "
-        "it. A band below everything runs back: power circulates.";
+        " Seen from the housing, in parts of the input power. The loss of a mesh leaves "
+        "downwards. Below the name of a mesh is the power that its teeth transmit, seen from its "
+        "frame. A band below everything else runs back and shows circulating power.";
     f_.bare = true;
     double low = low_ - 0.35;
     for (const Band& band : bands_) {

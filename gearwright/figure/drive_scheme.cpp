@@ -12,17 +12,17 @@ namespace gearwright {
 
 namespace {
 
-// In units of the picture: the greatest radius is kTall, slots follow each other by kSlot.
+// Units of the picture: the greatest radius is kTall, and the distance between slots is kSlot.
 constexpr double kTall = 2.0, kSlot = 1.7;
 constexpr double kHalf = 0.3;     // half a tooth bar
 constexpr double kWeb = 0.62;     // from the middle of a slot to the web of a carrier
-constexpr double kBell = 0.85;    // … of a ring
+constexpr double kBell = 0.85;    // from the middle of a slot to the web of a ring
 constexpr double kLevel = 0.2;    // between coaxial shafts
 constexpr double kApart = 0.05;   // between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
-constexpr double kFurther = 2.5;  // of each shaft inside it
+constexpr double kFurther = 2.5;  // additional length of each shaft inside the outer one
 
-// A vertical line from the shaft of a body: of a gear, of a carrier or of the bell of a ring.
+// A vertical line from the shaft of a body, either a gear, a carrier or the bell of a ring.
 struct Rise {
   double x, to;
 };
@@ -37,7 +37,7 @@ class Scheme {
     f_.title = "The kinematic scheme.";
     f_.description =
         "Gears as sticks with their teeth as bars, shafts as lines, carriers with one planet each, "
-        "and what is held, with speeds and torques at the ends of the shafts.";
+        "and fixed bodies, with speeds and torques at the ends of the shafts.";
     f_.caption =
         " A half section: sets are drawn above their axis, with one planet. Radii are to scale, "
         "lengths along the axes are not.";
@@ -55,7 +55,8 @@ class Scheme {
   bool is_end(std::size_t body) const {
     return graph_.is_input(body) || graph_.output == body || graph_.is_fixed(body);
   }
-  // Ends of the shafts: inputs at the left, the output at the right, fixed bodies on the free side.
+  // Ends of the shafts: inputs are on the left, the output is on the right, fixed bodies are on the
+  // free side.
   bool leaves_left(std::size_t body) const {
     return graph_.output != body && (graph_.is_input(body) || !left_taken(body));
   }
@@ -76,7 +77,7 @@ class Scheme {
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) radii_.push_back(working_radius(g));
   }
 
-  // Of the working pitch circle in the first mesh.
+  // The radius of the working pitch circle in the first mesh.
   double working_radius(std::size_t g) const {
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
       const auto& gears = graph_.meshes[m].gears;
@@ -146,7 +147,7 @@ class Scheme {
     });
   }
 
-  // Side beyond the slots of everything inside the bell, where the body ends or continues.
+  // The side beyond the slots of everything inside the bell, where the body ends or continues.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }
@@ -193,7 +194,7 @@ class Scheme {
   struct Shaft {
     std::size_t body;
     double from, to, y;
-    bool left = false, right = false;  // leaves there
+    bool left = false, right = false;  // the body leaves on that side
     int level = 0;
   };
 
@@ -203,7 +204,7 @@ class Scheme {
         left_ = std::min(left_, rise.x - 0.25);
         right_ = std::max(right_, rise.x + 0.25);
       }
-    std::map<long, std::vector<Shaft>> axes;  // by the place of their axis
+    std::map<long, std::vector<Shaft>> axes;  // by the position of their axis
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b) {
       if (rides(b) || rises_[b].empty()) continue;
       const auto [lo, hi] =
@@ -216,7 +217,7 @@ class Scheme {
     for (auto& [place, shafts] : axes) draw_axis(shafts);
   }
 
-  // Shafts that overlap get different levels: the one that reaches farther inwards is inside.
+  // Shafts that overlap get different levels. The one that reaches farther inwards is inside.
   void draw_axis(std::vector<Shaft>& shafts) {
     for (Shaft& s : shafts) {
       if (s.left) s.from = left_;
@@ -260,7 +261,7 @@ class Scheme {
     top_ = std::max(top_, y + 0.8);
   }
 
-  // The name above the end of a shaft, its numbers below.
+  // The name is above the end of a shaft, its values are below.
   void end_of(std::size_t body, const Vec2& at, bool left) {
     if (graph_.is_fixed(body)) ground(at, false);
     const char* part = graph_.is_input(body) ? "in" : graph_.output == body ? "out" : "held";
@@ -284,7 +285,7 @@ class Scheme {
     bottom_ = std::min(bottom_, at.y() - 1.2);
   }
 
-  // True minus signs; n_in and T_in with subscripts.
+  // The text has true minus signs, and n_in and T_in have subscripts.
   static std::string symbol_text(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -299,7 +300,7 @@ class Scheme {
     return out;
   }
 
-  // Symbol of a fixed body: above a ring, or across the end of a shaft.
+  // Symbol of a fixed body, drawn above a ring or across the end of a shaft.
   void ground(const Vec2& at, bool above) {
     const Vec2 along = above ? Vec2(1, 0) : Vec2(0, 1),
                out = above ? Vec2(0, 1) : Vec2(at.x() < 0 ? -1 : 1, 0);

@@ -1,4 +1,4 @@
-// Peak to peak of the transmission error over two errors of mounting, in steps.
+// Peak-to-peak transmission error over two errors of mounting, in steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxLevels = 9;
 
-// Values of the map as a raster of arc seconds; points without contact lie above every level.
+// The values of the map as a raster in arc seconds. Points without contact are above every level.
 FlankRaster raster_of(const ErrorMap& map) {
   FlankRaster raster{map.y, map.x, {}};
   for (const auto& row : map.value)
@@ -36,7 +36,7 @@ std::vector<double> map_levels(const ErrorMap& map) {
       hi = std::max(hi, v * kArcsecPerRad);
     }
   }
-  // A field of rounding errors is not drawn.
+  // A field that consists of rounding errors is not drawn.
   if (!(hi - lo > 1e-6)) return {};
   return levels_between(lo, hi, kMaxLevels);
 }
@@ -69,7 +69,7 @@ Figure error_map_figure(const ContactMap& both) {
               !gaps        ? ""
               : both.whole ? "no contact"
                            : "not yet"};
-  // Draws the whole first, then each lower step on top of it.
+  // The whole area is drawn first, then each lower step on top of it.
   const std::size_t n = levels.size() + 1;
   f.bar({-kInfinity, -kInfinity}, {kInfinity, kInfinity}, "zone none");
   f.area(region_below(raster, field, 2 * most + 1), shade_style(n - 1, n));

@@ -1,12 +1,12 @@
 // A figure as a value: marks in the units of its axes, without pixels and colours.
 //
-// It is made once, from a result of the engine, and written by several writers: SVG for the report and
-// the page (figure_svg.hpp), JSON and CSV for the user's own plots (figure_data.hpp). A mark's
-// style is a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into
+// A figure is made once from a result of the engine. Several writers use it: SVG for the report and
+// the page (figure_svg.hpp), JSON and CSV for the user's own plots (figure_data.hpp). The style of
+// a mark is a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into
 // colours for light, dark and paper.
 //
-//   Places are data coordinates. ±∞ is the edge of the plot, NaN begins a new piece of a line or
-//   of an area.
+//   Points are given in data coordinates. ±∞ is the edge of the plot. NaN begins a new piece of a
+//   line or of an area.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// Of marks: begins a new piece.
+/// A point of a mark that begins a new piece.
 inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
 struct FigureAxis {
@@ -27,7 +27,7 @@ struct FigureAxis {
   double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis is reversed
   bool whole = false;         ///< only whole numbers are possible
   std::string symbol = {};    ///< "ε_α", after the words
-  bool log = false;           ///< of powers; 0 < lo < hi
+  bool log = false;           ///< logarithmic axis; 0 < lo < hi
 };
 
 struct FigureMark {
@@ -45,33 +45,35 @@ struct FigureMark {
   std::string style;
   std::vector<Vec2> points;
   std::string words =
-      {};  ///< SVG markup of a text; plain: the name of a curve to be read, of a dot
+      {};  ///< SVG markup of a text; plain text for the name of a curve that can be read off, or of
+           ///< a dot
   Anchor anchor = Anchor::start;
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
   int frame = -1;              ///< shown only at this position of a slider; −1: always
-  /// For a line, dot, circle or cross: its name as SVG markup, drawn if there is room. For a dot
-  /// the positions `offset` and −`offset` are tried first.
+  /// For a line, dot, circle or cross: its name as SVG markup, drawn if there is room. A label of a
+  /// dot is first tried at `offset` and −`offset`.
   std::string label = {};
   std::string label_style = {};
-  /// For a line: the border of an area, named on its right side or within the area. For a bar:
-  /// keeps labels away.
+  /// For a line: it is the border of an area, with its name on its right side or within the area.
+  /// For a bar: labels do not overlap it.
   bool border = false;
   double turned = 0.0;     ///< of a shape: degrees, counter-clockwise
   double per_pitch = 0.0;  ///< of a shape: degrees clockwise while gear 1 turns by one pitch
   int gear = -1;           ///< 0, 1: gear of the mark; for a circle also the side of its label
-  bool head = false;       ///< of a line: an arrow at its end
+  bool head = false;       ///< a line with an arrow at its end
 };
 
-/// Dots of one style, a pitch apart, that slide along a line with the rotation of gear 1: at t
-/// pitches the dot of tooth k is at `at` + (t + k) `step`, visible while from ≤ t + k ≤ to.
+/// Dots of one style, spaced by a pitch, that slide along a line with the rotation of gear 1. At t
+/// pitches, the dot of tooth k is at `at` + (t + k) `step` and is visible if from ≤ t + k ≤ to.
 struct FigureSlide {
   Vec2 at, step;
   double from, to;
   std::string style;
 };
 
-/// A row of blocks below the plot, over its x axis: "tooth pair", "tip edge of gear 1".
+/// A row of blocks below the plot and over its x axis, such as "tooth pair" and "tip edge of gear
+/// 1".
 struct FigureLane {
   struct Block {
     double from, to;
@@ -81,11 +83,11 @@ struct FigureLane {
   std::vector<Block> blocks;
 };
 
-/// The key of shades, from the lowest step on.
+/// The key of shades, starting with the lowest step.
 struct FigureShades {
-  std::vector<double> levels;  ///< between the steps
+  std::vector<double> levels;  ///< levels between the steps
   std::string most;            ///< at the upper end
-  std::string nothing;         ///< words for places without a value; empty if there are none
+  std::string nothing;         ///< words for points without a value; empty if there are none
 };
 
 /// The meaning of a line or a colour.
@@ -95,23 +97,23 @@ struct FigureKey {
 
 struct Figure {
   std::string id;           ///< unique in a page
-  std::string title;        ///< plain text: the head of the caption
-  std::string description;  ///< the content in words, for users who cannot see it
+  std::string title;        ///< plain text: the beginning of the caption
+  std::string description;  ///< the content in words, for users who cannot see the picture
   std::string caption;      ///< HTML, after the title
   FigureAxis x, y;
-  std::string note = {};  ///< at the upper right: the decisive value; plain text
+  std::string note = {};  ///< at the upper right, the decisive value; plain text
   double tall = 0.45;     ///< height of the plot over its width
   double pitch = 0.0;     ///< one pitch of gear 1 along x; 0 if x is not a rotation
   bool bare = false;      ///< a small picture without axes
   bool plane = false;     ///< a region of a plane with the same scale on both axes; `tall` is the
                           ///< length of the vertical axis
-  int frames = 0;         ///< of the slider; 0: none
+  int frames = 0;         ///< number of positions of the slider; 0 if there is none
   std::vector<FigureMark> marks = {};
   std::vector<FigureLane> lanes = {};
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
   std::optional<FigureSlide> slide = {};
-  std::string definitions = {};  ///< SVG definitions of its shapes; empty: they are in the page
+  std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
   void area(std::vector<Vec2> points, std::string style);
@@ -120,7 +122,7 @@ struct Figure {
            int frame = -1);
   void text(const Vec2& at, std::string markup, Anchor anchor = Anchor::start,
             std::string style = {}, const Vec2& offset = Vec2::Zero());
-  /// With a label at `offset` px from it or on the opposite side.
+  /// Adds a label at `offset` px from the dot or on the opposite side.
   void point(const Vec2& at, double radius, std::string style, std::string label,
              const Vec2& offset);
   void circle(const Vec2& center, double radius, std::string style, int gear,
@@ -128,15 +130,16 @@ struct Figure {
   void cross(const Vec2& at, std::string label = {});
 };
 
-/// An empty figure of a plane with this window, mm.
+/// Makes an empty figure of a plane with this window, mm.
 Figure plane_figure(std::string id, std::string title, std::string description,
                     const Bounds& window);
 
-/// Loops as the points of one area.
+/// Returns loops as the points of one area.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Widens the axes to contain every finite point of the named curves, with `share` of their length
-/// as room above and below. If `from_zero`, y begins at 0. Returns false if they have no range.
+/// Widens the axes so that they contain every finite point of the named curves, with the margin
+/// `share` of their length above and below. If `from_zero`, y begins at 0. Returns false if the
+/// curves have no range.
 bool fit_axes(Figure& figure, double share = 0.06, bool from_zero = false);
 
 }  // namespace gearwright

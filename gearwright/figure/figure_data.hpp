@@ -1,4 +1,4 @@
-// A figure as data: the points of its curves and bars, for the user's own plots.
+// Writes a figure as data: the points of its curves and bars, for the user's own plots.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +8,7 @@
 namespace gearwright {
 
 /// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x, y], …]}]}.
-/// Curves are the named lines and the bars in sequence; a break of a line is [null, null].
+/// The curves are the named lines and the bars in sequence. A break of a line is [null, null].
 nlohmann::ordered_json figure_data(const Figure& figure);
 
 }  // namespace gearwright

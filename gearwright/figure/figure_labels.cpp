@@ -13,13 +13,13 @@ namespace {
 using Kind = FigureMark::Kind;
 using Places = std::vector<LabelPlace>;
 
-constexpr double kDot = 5.0;                   // px, half of what a dot takes
+constexpr double kDot = 5.0;                   // px, half the space of a dot
 constexpr double kTurn = 0.035, kStep = 24.0;  // rad, px: distance between two candidate positions
                                                // on a circle
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;
 
-// The point of a line at a share of its length, and the direction there; px.
+// The point at a given fraction of the length of a line, and the direction there; px.
 std::pair<Vec2, Vec2> at_share(const std::vector<Vec2>& line, double share) {
   double length = 0.0;
   for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
@@ -110,7 +110,7 @@ class Labels {
   Places about_dot(const FigureMark& m) const {
     const Vec2 p = at_.px(m.points[0]);
     const auto beside = [&](const Vec2& offset) {
-      // Words start at the offset, single symbols are centred on it.
+      // Words start at the offset, and single symbols are centred on it.
       const bool letter = without_tags(m.label).size() < 4;
       return LabelPlace{p, offset,
                         letter             ? Anchor::middle
@@ -124,9 +124,9 @@ class Labels {
     return places;
   }
 
-  // First on the side away from the area: the right, as boundaries run counter-clockwise. On the
-  // other side only within the area, so that the edge of a narrow region is not confused with the
-  // opposite one.
+  // The label is first tried on the side away from the area, which is the right side because
+  // boundaries run counter-clockwise. On the other side it is drawn only within the area, so that
+  // the edge of a narrow region is not confused with the opposite one.
   Places beside_border(const FigureMark& m) const {
     const std::vector<Vec2> line = px(m.points);
     Places places;
@@ -134,7 +134,8 @@ class Labels {
     for (const double distance : {11.0, 24.0, -12.0, 38.0, -26.0, 52.0}) {
       for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.05, 0.95, 0.12, 0.88, 0.27, 0.73}) {
         const auto [at, along] = at_share(line, share);
-        const Vec2 out = (distance < 0 ? -1.0 : 1.0) * Vec2(-along.y(), along.x());  // y down
+        // y points down
+        const Vec2 out = (distance < 0 ? -1.0 : 1.0) * Vec2(-along.y(), along.x());
         const Anchor anchor = out.x() > 0.3    ? Anchor::start
                               : out.x() < -0.3 ? Anchor::end
                                                : Anchor::middle;
@@ -165,7 +166,8 @@ class Labels {
     return places;
   }
 
-  // Visible positions, starting from the mesh: upwards for gear 1, downwards for gear 2.
+  // Visible positions are tried in order, starting from the mesh: upwards for gear 1, downwards for
+  // gear 2.
   Places on_circle(const FigureMark& m) const {
     const PixelBox& plot = at_.plot;
     const Vec2 c = at_.px(m.points[0]);

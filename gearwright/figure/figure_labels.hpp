@@ -1,4 +1,4 @@
-// Positions of the labels of a figure's marks. Internal to figure.
+// Positions the labels of a figure's marks. Internal to figure.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@ struct FigurePlace {
   double per_unit;  ///< px per unit of x
 };
 
-/// Writes the label of each mark where it overlaps no other: first dots and crosses, which are
-/// always labelled, then lines, then circles, which are labelled if there is room.
+/// Writes the label of each mark where it overlaps no other label. Dots and crosses come first and
+/// are always labelled. Lines and then circles are labelled if there is room.
 void write_labels(Svg& svg, const Figure& figure, const FigurePlace& place);
 
 }  // namespace gearwright

@@ -17,15 +17,15 @@ namespace {
 
 using Kind = FigureMark::Kind;
 
-constexpr double kLetter = 7.6;  // px, of a number of 12 to 14 px
+constexpr double kLetter = 7.6;  // px, width of a letter in a number of 12 to 14 px
 constexpr double kEdge = 12.0;   // px of margin around everything
-constexpr double kHead = 34.0;   // px above the plot: the words of the y axis
-constexpr double kFoot = 44.0;   // px below it: numbers and words of the x axis
+constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
+constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kShade = 19.0;               // px, a box of the key
-constexpr double kAcross = 58.0, kUp = 26.0;  // px between ticks, at least
+constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks
 
-// Number of characters of markup; continuation bytes of UTF-8 are not counted.
+// Number of characters of markup. Continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {
   const std::string text = without_tags(markup);
   return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -33,7 +33,7 @@ double letters(std::string_view markup) {
   }));
 }
 
-// An axis on the screen: values from.lo … hi at px.
+// An axis on the screen: the values from lo to hi in px.
 struct Scale {
   double lo, hi, from, to;
   bool log = false;
@@ -42,7 +42,7 @@ struct Scale {
     if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
     const double share = log ? std::log(v / lo) / std::log(hi / lo) : (v - lo) / (hi - lo);
     if (plane) return from + share * (to - from);
-    // Curves may leave their plot, but by no more than its length.
+    // Curves may extend beyond their plot, but by no more than its length.
     const double length = std::abs(to - from);
     return std::clamp(from + share * (to - from), std::min(from, to) - length,
                       std::max(from, to) + length);
@@ -71,10 +71,10 @@ std::string words_of(const FigureAxis& axis) {
 
 struct Layout {
   double left, right, top, bottom;  // px, of the plot
-  double foot, height;              // px, the line of the numbers of the x axis; the total height
+  double foot, height;              // px: the line of the numbers of the x axis; the total height
   double note = 20.0;               // px, the line of the note
-  double lane_words = 0.0;          // px, the line of the words above each lane; 0 if they are in
-                                    // front of it
+  // px, the line of the words above each lane; 0 if the words are in front of the lane
+  double lane_words = 0.0;
   Ticks across, up;
 
   Layout(const Figure& f, double width) {
@@ -111,7 +111,7 @@ struct Layout {
       before = std::max(before, kLetter * letters(tick_text(v, up.decimals)));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
-    // The note is in a separate line if it does not fit next to the words.
+    // The note gets a line of its own if it does not fit next to the words.
     note = kLetter * (letters(words_of(f.y)) + letters(f.note)) > width - 4 * kEdge ? 38.0 : 20.0;
     top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));

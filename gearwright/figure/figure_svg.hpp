@@ -1,7 +1,8 @@
-// A figure as SVG: one layout with one set of margins, tick rules and number formats for all of them.
+// Writes a figure as SVG. All figures share one layout, one set of margins, and the same rules for
+// ticks and number formats.
 //
-// The plot takes the width that the numbers of the axes, the key and the words next to it leave.
-// The number of ticks follows from the available room. Numbers and letters keep their size at every
+// The plot takes the width that remains beside the numbers of the axes, the key and the words. The
+// number of ticks follows from the available room. Numbers and letters keep their size at every
 // width.
 #pragma once
 
@@ -15,17 +16,18 @@ namespace gearwright {
 
 inline constexpr double kFigureWidth = 560.0;  ///< px, of a figure in a column of the report
 
-/// The picture. Its group of class "plot" carries `data-x` and `data-y`, "lo hi from to": values and
-/// their px, from which figure_script.js computes values and the position of a line.
+/// Returns the picture. Its group of class "plot" has the attributes `data-x` and `data-y`, "lo hi
+/// from to": values and their px, from which figure_script.js computes values and the position of a
+/// line.
 ///
-/// Domain    width ≥ 240 px; finite axes of some length (contract)
+/// Domain    width ≥ 240 px; finite axes of nonzero length (contract)
 std::string figure_svg(const Figure& figure, double width = kFigureWidth);
 
-/// The picture with its caption, an HTML figure; `attributes` of the whole.
+/// Returns the picture with its caption, an HTML figure. `attributes` belong to the whole figure.
 std::string figure_html(const Figure& figure, double width = kFigureWidth,
                         std::string_view attributes = "", std::string_view control = "");
 
-/// The same for an optional figure; empty without one.
+/// The same for an optional figure. The result is empty if there is none.
 std::string html_of(const std::optional<Figure>& figure);
 
 /// Styles of the marks, the script that shows values at the pointer, and the script for zooming:

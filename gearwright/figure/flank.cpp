@@ -1,5 +1,5 @@
-// Developed flanks: the face from left to right, the root below, the tip above, with the marking,
-// the gap, and the path of contact with its ellipses or lines.
+// Developed flanks with the face from left to right, the root at the bottom and the tip at the top.
+// They show the marking, the gap, and the path of contact with its ellipses or lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kEllipses = 7;                           // approximate number that is drawn
+constexpr int kEllipses = 7;                           // approximate number of drawn ellipses
 constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // drawn height over width
-constexpr double kBeyond = 0.09;                       // of the flank's depth, drawn beyond it
+constexpr double kBeyond = 0.09;  // part drawn beyond the flank, relative to its depth
 constexpr std::array<double, 6> kGapLevels{50, 20, 10, 5, 2, 1};  // µm
 
 Vec2 on_flank(const FlankPlace& place) { return {place.height, 2 * place.radius}; }
@@ -27,7 +27,7 @@ Vec2 touch_of(const ContactPoint& p, std::size_t which) {
   return {p.height[which], p.diameter[which]};
 }
 
-// A contact line is straight in space and curved on a developed flank.
+// A contact line is straight in space but curved on a developed flank.
 std::vector<Vec2> contact_line(const ContactScene& scene, const ContactPoint& p,
                                std::size_t which) {
   constexpr int kSteps = 12;
@@ -95,10 +95,10 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
                      ring ? " of the internal gear (its tip is the smaller diameter)" : "");
 }
 
-// The gap in bands, with their values if nothing else is drawn on the flank.
+// The gap is drawn in bands, with their values if nothing else is drawn on the flank.
 void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch) {
   const ContourField field = field_of(raster);
-  // Names keep a distance from each other and from the ends, in fractions of the plot.
+  // Names keep a distance from each other and from the ends, as a fraction of the plot.
   const auto share = [&](const Vec2& p) -> Vec2 {
     return {(p.x() - f.x.lo) / (f.x.hi - f.x.lo), (p.y() - f.y.lo) / (f.y.hi - f.y.lo)};
   };
@@ -129,13 +129,13 @@ void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch
   }
 }
 
-// Distance of the contact on the flank of gear 1 from one position to the next, mm.
+// Distance, mm, between the contacts at successive positions on the flank of gear 1.
 double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
 
-// A greater distance is a jump, as between the two arcs of a flank: many times the usual distance
-// between positions, and a considerable part of the face.
+// A distance counts as a jump, as between the two arcs of a flank, if it is many times the usual
+// distance between positions and a considerable part of the face.
 double jump_of(const std::vector<const ContactPoint*>& points, double face) {
   constexpr double kTimes = 6.0, kPart = 0.1;
   std::vector<double> ways;
@@ -174,7 +174,7 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene) {
   std::vector<const ContactPoint*> points;
   for (const ContactPoint& p : scene.driving.positions)
     if (p.kind != TouchKind::none) points.push_back(&p);
-  // Pair k is at a rotation where pair 0 was k pitches before.
+  // The position of pair k is that of pair 0, k pitches earlier.
   const auto own = [&](const ContactPoint* p) { return p->rotation1.rad() - p->pair * pitch; };
   std::sort(points.begin(), points.end(),
             [&](const auto* a, const auto* b) { return own(a) < own(b); });
@@ -242,7 +242,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   }
   const std::vector<PathPiece> pieces =
       layers.way ? path_on_tooth(scene) : std::vector<PathPiece>();
-  // At one position there is one ellipse or line.
+  // A single position has one ellipse or line.
   if (layers.now && !gap_alone)
     add_instants(f, scene, {{false, {layers.now}}}, which);
   else

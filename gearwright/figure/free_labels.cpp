@@ -10,14 +10,15 @@ namespace {
 
 constexpr double kNarrowLetter = 8.1;  // px, the mean width of a letter on a narrow screen
 constexpr double kLineHeight = 19.0;   // px of a line of words there
-constexpr double kBaseline = 5.0;      // px from the middle of the letters down to their foot
-constexpr double kLeaderGap = 19.0;    // px from label to label of a column
-constexpr int kBoxWeight = 8;          // text over text is worse than text over a line
+constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
+constexpr double kLeaderGap = 19.0;    // px between the labels of a column
+constexpr int kBoxWeight = 8;          // an overlap with text is worse than one with a line
 constexpr int kOutside = 1000;
 
 double width_of(std::string_view plain) {
   const auto letters = std::count_if(plain.begin(), plain.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8: not a byte that continues
+    // True if the byte does not continue a UTF-8 character.
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   });
   return kNarrowLetter * static_cast<double>(letters);
 }
@@ -31,7 +32,8 @@ PixelBox box_of(const LabelPlace& place, double width) {
   return {left, y - kLineHeight / 2, left + width, y + kLineHeight / 2};
 }
 
-// True if the segment touches the box, by clipping at its four sides (Liang, Barsky).
+// Returns true if the segment touches the box. The segment is clipped at the four sides (Liang,
+// Barsky).
 bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
   double from = 0.0;
   double to = 1.0;

@@ -1,8 +1,8 @@
-// Places labels in free places of a picture.
+// Places labels at free positions of a picture.
 //
-// Lines, dots and labels already drawn are recorded. The first of a label's places that touches
-// none of them is used. Sizes are those of the letters on a narrow screen, the largest that the
-// page's style has.
+// Lines, dots and labels that are already drawn are recorded. A new label gets the first of its
+// positions that touches none of them. Sizes are those of the letters on a narrow screen, the
+// largest in the style of the page.
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@ struct PixelBox {
 };
 
 struct LabelPlace {
-  Vec2 at;  ///< px, what is named
-  Vec2
-      offset;  ///< px, from there to the middle of the words' near end; of `middle` to their middle
+  Vec2 at;      ///< px, the labelled point
+  Vec2 offset;  ///< px, from the labelled point to the middle of the near end of the words; for
+                ///< `middle`, to the middle of the words
   Anchor anchor;
 };
 
@@ -37,10 +37,10 @@ class FreeLabels {
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
   void keep_off(const std::vector<Vec2>& polyline);
 
-  /// What a label may overlap: nothing, one line, or everything.
+  /// The objects that a label may overlap: none, one line, or all.
   enum class If { free, over_a_line, over_two_lines, always };
-  /// Draws the label at the best permitted one of `places`. `plain` is the text of the markup, for
-  /// its width. Returns true if it is drawn.
+  /// Draws the label at the best permitted position of `places`. `plain` is the text of the markup,
+  /// from which the width is computed. Returns true if the label is drawn.
   bool draw(Svg& svg, std::string_view plain, std::string_view markup, std::string_view style,
             const std::vector<LabelPlace>& places, If when);
 
@@ -53,20 +53,20 @@ class FreeLabels {
 };
 
 struct Leader {
-  Vec2 from;           ///< px, what is named
+  Vec2 from;           ///< px, the labelled point
   std::string markup;  ///< SVG text content
 };
 
-/// Draws labels in a column beside a plot, at `x` and to its right, each with a line to its point,
-/// one below the other in the order of the points, between the top and `height`.
+/// Draws labels in a column beside a plot, at `x` and to its right, each with a line to its point.
+/// They are ordered like the points and lie between the top and `height`.
 void draw_leaders(Svg& svg, const std::vector<Leader>& leaders, double x, double height);
 
-/// The point at which a circle about `axis` leaves a plot at its right edge, or ends before if it
-/// is small; px.
+/// Returns the point, px, at which a circle about `axis` leaves a plot at its right edge, or the
+/// end of the circle if it is small.
 Vec2 leaves_right(const Vec2& axis, double radius, double edge);
 
-/// The four sides of a dot and the corners between them, `distance` px away; those towards
-/// `towards` first.
+/// The four sides of a dot and the corners between them, `distance` px away. Those nearest to
+/// `towards` come first.
 std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards);
 
 }  // namespace gearwright

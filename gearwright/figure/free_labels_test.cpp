@@ -36,12 +36,12 @@ TEST(FreeLabels, LinesAreInTheWayButMayBeCrossed) {
   Drawing d;
   d.labels.keep_off(std::vector<Vec2>{{120, 0}, {120, 50}, {120, 200}});
   EXPECT_FALSE(d.draw({kRight}, If::free));
-  EXPECT_TRUE(d.draw({kRight, kLeft}, If::free));  // the place at the left is free
+  EXPECT_TRUE(d.draw({kRight, kLeft}, If::free));  // the position on the left is free
   EXPECT_TRUE(d.draw({kRight}, If::over_a_line));
   Drawing two;
   for (const double x : {120.0, 125.0}) two.labels.keep_off(std::vector<Vec2>{{x, 0}, {x, 200}});
   EXPECT_FALSE(two.draw({kRight}, If::over_a_line));
-  Drawing beside;  // ends before the words, or runs above them
+  Drawing beside;  // The line ends before the words or runs above them.
   beside.labels.keep_off(std::vector<Vec2>{{120, 0}, {120, 85}});
   beside.labels.keep_off(std::vector<Vec2>{{0, 60}, {400, 88}});
   EXPECT_TRUE(beside.draw({kRight}, If::free));

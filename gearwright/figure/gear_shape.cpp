@@ -41,7 +41,7 @@ bool about_the_axis(const Arc& arc) {
   return arc.name == ArcName::root_land || arc.name == ArcName::tip_land;
 }
 
-// Integer path commands. A point that rounds to the previous one is omitted.
+// Writes integer path commands. A point that rounds to the previous one is omitted.
 class Pen {
  public:
   explicit Pen(double unit_mm) : unit_(unit_mm) {}
@@ -58,7 +58,7 @@ class Pen {
     number(' ', dy);
     last_ = 'l';
   }
-  // About the axis, `clockwise` on the screen.
+  // Draws an arc about the axis, `clockwise` on the screen.
   void arc(double radius_mm, bool clockwise, const Vec2& p) {
     const auto [dx, dy] = step(p);
     if (dx == 0 && dy == 0) return;
@@ -79,7 +79,7 @@ class Pen {
     set(p);
     return {x_ - x, y_ - y};
   }
-  // A minus sign separates by itself.
+  // A minus sign is itself a separator.
   void number(char before, long value) {
     if (before == 'l') {
       text_ += 'l';
@@ -97,19 +97,19 @@ class Pen {
 };
 
 double chord_tolerance(const Gear& gear) {
-  // Rounding both ends of a chord moves it by at most half a unit in each coordinate.
+  // Rounding both ends of a chord moves the chord by at most half a unit in each coordinate.
   static_assert(kOutlineTolerance > 0.75 * kOutlineUnit);
   return (kOutlineTolerance - 0.75 * kOutlineUnit) * gear.spec.normal_module;
 }
 
 Vec2 on_side(const Vec2& p, int side) { return {p.x(), side * p.y()}; }
 
-// Draws the arc from the current point, root to tip or back.
+// Draws the arc from the current point, either from root to tip or in reverse.
 void draw(Pen& pen, const Gear& gear, const Arc& arc, int side, bool to_tip) {
   const Vec2 target = on_side(to_tip ? arc.end_point : arc.begin_point, side);
   if (about_the_axis(arc)) {
-    // Towards the tip the polar angle decreases on the generated side, which is clockwise there
-    // with y up.
+    // Towards the tip, the polar angle decreases on the generated side. With y up, this is
+    // clockwise.
     pen.arc(arc.begin_point.norm(), to_tip == (side > 0), target);
     return;
   }
@@ -133,7 +133,8 @@ std::string bore_path(const Bore& bore, double unit_mm) {
                      units(r + bore.keyway_depth), units(r));
 }
 
-// True if the straight line between the ends of a tooth's outline crosses the bore or its keyway.
+// Returns true if the straight line between the ends of a tooth's outline crosses the bore or its
+// keyway.
 bool chord_crosses_bore(const Gear& gear) {
   if (!gear.bore || gear.tooth->outline.arcs.empty()) return false;
   const double reach = gear.bore->diameter / 2 + gear.bore->keyway_depth;
@@ -151,8 +152,8 @@ double outline_unit_mm(const Gear& gear) { return kOutlineUnit * gear.spec.norma
 std::vector<Vec2> chords(const Arc& arc, double tolerance) {
   GW_EXPECTS(tolerance > 0.0);
   std::vector<Vec2> points{arc.begin_point};
-  // At least two halves are used, because a curve that crosses its chord in the middle would count
-  // as straight.
+  // At least two halves are used, because a curve that crosses its chord in the middle would
+  // otherwise count as straight.
   const Vec2 middle = arc.point(0.5);
   halve(arc, 0.0, 0.5, arc.begin_point, middle, tolerance, 1, points);
   halve(arc, 0.5, 1.0, middle, arc.end_point, tolerance, 1, points);
@@ -200,9 +201,10 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const auto units = [&](double mm) { return std::lround(mm / outline_unit_mm(gear)); };
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
-  // The chord that closes a tooth's fill lies inside the root circle, which the disc fills. If it
-  // would cross a bore, the circle itself closes the fill. Colours come from the place of use. The
-  // effect must be set here, because style sheets do not apply inside.
+  // The chord that closes the fill of a tooth lies inside the root circle, which the disc fills. If
+  // the chord would cross a bore, the circle itself closes the fill. Colours are inherited where
+  // the shape is used. The effect must be set here, because style sheets do not apply inside the
+  // shape.
   std::string text;
   if (!gear.internal()) {
     if (chord_crosses_bore(gear)) {
@@ -228,8 +230,8 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
       text += fmt::format("<circle stroke=\"none\" r=\"{}\"/>", r_f);
     }
   } else {
-    // An internal gear's tooth is attached to its rim: the fill is closed within the rim, and the
-    // stroke stays open.
+    // The tooth of an internal gear is attached to its rim. The fill is closed within the rim, and
+    // the stroke stays open.
     const long rim = units(drawn_radius(gear));
     const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
     const Vec2 end =

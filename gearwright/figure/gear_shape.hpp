@@ -1,8 +1,10 @@
-// A gear's outline as SVG path data: one tooth is written once, the gear uses it z times.
+// Writes the outline of a gear as SVG path data. One tooth is written once, and the gear uses it z
+// times.
 //
-// Path units are kOutlineUnit normal modules, as integers relative to the point before, which keeps
-// paths short; the gear frame's y axis is turned over to SVG's. Arcs about the gear's axis (the
-// lands) are circles, other arcs chains of chords, halved until they lie within the tolerance.
+// Path units are kOutlineUnit normal modules. The numbers are integers relative to the preceding
+// point, which keeps paths short. The y axis of the gear frame is reversed for SVG. Arcs about the
+// axis of the gear (the lands) are circles, and other arcs are chains of chords, halved until they
+// are within the tolerance.
 #pragma once
 
 #include <functional>
@@ -14,32 +16,37 @@
 
 namespace gearwright {
 
-constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 of it
-constexpr double kOutlineTolerance = 1e-4;  ///< m_n; chords and rounding together stay within
+constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 units
+constexpr double kOutlineTolerance = 1e-4;  ///< m_n; total deviation of chords and rounding is less
+                                            ///< than this
 constexpr double kRim = 2.5;                ///< m_n: metal drawn around internal roots
 
-/// Points of an arc, root to tip, such that the chords stay within `tolerance`, both ends included.
+/// Returns points of an arc, root to tip, both ends included, such that the chords stay within
+/// `tolerance`.
 ///
 /// Units     mm
 /// Accuracy  the deviation is measured at a quarter, half and three quarters of each chord's
 ///           parameter
 std::vector<Vec2> chords(const Arc& arc, double tolerance);
 
-/// Path data of one arc of the tooth at the x axis; `side` +1 as generated (y > 0), −1 mirrored.
+/// Path data of one arc of the tooth at the x axis. `side` is +1 for the generated side (y > 0), −1
+/// for the mirrored one.
 std::string arc_path(const Gear& gear, const Arc& arc, int side);
 
-/// Both sides of the tooth arc by arc in a window with x_up, each in the style of its name.
+/// Draws both sides of the tooth arc by arc in a window with x_up, each arc in the style of its
+/// name.
 void draw_upright_arcs(Svg& svg, const Viewport& view, const Gear& gear,
                        const std::function<const char*(ArcName)>& style);
 
 /// Path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);
 
-/// Definitions of the shapes "NAME-tooth" and "NAME" (the gear's body and its teeth; of an internal
-/// gear a rim of kRim and its teeth). A gear that has no outline has none: empty.
+/// Definitions of the shapes "NAME-tooth" and "NAME". The latter is the body of the gear with its
+/// teeth, or for an internal gear a rim of width kRim with its teeth. The result is empty if the
+/// gear has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
-/// True if there is an outline to draw.
+/// Returns true if there is an outline to draw.
 bool has_outline(const Gear& gear);
 
 /// mm per path unit.

@@ -14,7 +14,8 @@
 namespace gearwright {
 namespace {
 
-// Reads M, l and a back into points, mm, y up. Circles become chords of negligible error.
+// Converts the commands M, l and a back into points, mm, y up. Circles become chords of negligible
+// error.
 std::vector<Vec2> points_of(const std::string& path, double unit) {
   std::string spaced;
   for (const char c : path) {
@@ -42,7 +43,7 @@ std::vector<Vec2> points_of(const std::string& path, double unit) {
     const Vec2 step(n[count - 2], n[count - 1]);
     const Vec2 next = command == 'M' ? step : Vec2(pen + step);
     if (command == 'a') {
-      // The shorter arc about the origin.
+      // Selects the shorter arc about the origin.
       const double from = std::atan2(pen.y(), pen.x());
       const double turn =
           std::remainder(std::atan2(next.y(), next.x()) - from, 2 * std::acos(-1.0));
@@ -110,14 +111,14 @@ TEST(GearShape, ABoreIsAHoleWithItsKeyway) {
   };
   EXPECT_EQ(plain.find("evenodd"), std::string::npos);
   EXPECT_NE(text.find("evenodd"), std::string::npos);
-  // The floor of the keyway is 2.8 mm above the bore circle with y upwards, so it is below in a
-  // picture.
+  // The floor of the keyway is 2.8 mm above the bore circle if y points upwards, so it is below in
+  // a picture.
   EXPECT_NE(text.find("V-" + units(12.8) + "H-" + units(3.0)), std::string::npos);
   gear.bore->keyway_width = 0.0;
   EXPECT_NE(gear_definition(gear, "g").find("M" + units(10.0) + " 0A"), std::string::npos);
 }
 
-// The chord from root to root of three teeth would cross the bore and give it corners.
+// The chord from root to root of three teeth would cross the bore and would show as corners in it.
 TEST(GearShape, ABoreOfFewTeethStaysRound) {
   Gear gear = testing::sample_gear(5, 2, 0, 0.7);
   const double chord = gear.tooth->outline.arcs.front().begin_point.x();
@@ -147,7 +148,7 @@ TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   EXPECT_LT(text.find("evenodd"), text.find(rim));
   EXPECT_LT(text.find(rim), text.find(hole));
   EXPECT_NE(text.find(hole), text.npos);
-  // An external gear ends at its tip, an internal gear without an outline at its roots.
+  // An external gear ends at its tip. An internal gear without an outline ends at its roots.
   EXPECT_DOUBLE_EQ(drawn_radius(testing::sample_gear(20, 2, 0, 0)), 22.0);
   EXPECT_DOUBLE_EQ(drawn_radius(testing::sample_gear(-60, 2, 0, 0)), 62.5);
 }

@@ -1,5 +1,5 @@
 // Curves under load over the rotation and over the torque: transmission error, load shares,
-// stiffness, root stress.
+// stiffness and root stress.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kWaves = 3;  // in the Harris map
+constexpr std::size_t kWaves = 3;  // number of harmonics in the Harris map
 
-// A value at each position, and the first value again a pitch later.
+// Returns the value at each position, with the first value repeated a pitch later.
 template <class Of>
 std::vector<Vec2> over_the_pitch(const LoadScene& scene, const LoadedTorque& t, const Of& of) {
   std::vector<Vec2> values;
@@ -39,7 +39,7 @@ std::vector<Vec2> from_its_mean(std::vector<Vec2> values) {
   return values;
 }
 
-// A figure over the rotation of gear 1 with a curve for every shown torque.
+// Makes a figure over the rotation of gear 1 with a curve for every shown torque.
 template <class Of>
 Figure over_the_rotation(const LoadScene& scene, Figure f, const Of& of) {
   f.x = {"rotation of gear 1", "°"};
@@ -100,7 +100,7 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
     std::sort(values.begin(), values.end(),
               [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
     if (values.empty()) continue;
-    // The load is zero before and after these positions.
+    // The load is zero before the first and after the last position.
     values.insert(values.begin(), {values.front().x() - step, 0.0});
     values.push_back({values.back().x() + step, 0.0});
     f.line(std::move(values), "curve " + curve_style(f.marks.size()), torque_words(t));
@@ -177,7 +177,7 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
            .title = "Harris map",
            .description =
                "Over the torque: the loaded transmission error's peak to peak and the "
-               "amplitudes of its first waves.",
+               "amplitudes of its first harmonics.",
            .caption = fmt::format(". Of the given torques, {} has the least, {}″ peak to peak.",
                                   torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
            .x = {"torque on gear 1", "N m"},

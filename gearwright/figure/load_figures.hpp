@@ -1,5 +1,5 @@
 // The figures of teeth under load. Each of several torques has its curve. Pressures and stresses
-// are those of the chosen one.
+// are those of the selected torque.
 #pragma once
 
 #include <array>
@@ -11,34 +11,34 @@
 
 namespace gearwright {
 
-/// Transmission error, load shares, stiffness and greatest root stress over the rotation; none if
-/// no position has a value.
+/// Transmission error, load shares, stiffness and greatest root stress over the rotation. There is
+/// none if no position has a value.
 std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
-/// Values over the torque, the Harris map; none with one torque.
+/// Values over the torque, the Harris map. There is none if only one torque is given.
 std::optional<Figure> harris_figure(const LoadScene& scene);
 
-/// The greatest pressure over a mesh on gear `which` (0, 1), in MPa instead of the gap: 0 without
-/// contact. Between positions and slices it is linear.
+/// The greatest pressure over a mesh on gear `which` (0, 1). The raster contains it in MPa instead
+/// of the gap, with 0 where there is no contact. It is linear between positions and slices.
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 
-/// The greatest pressure at each place of a flank over a mesh, and a frame for each position with
-/// its loaded contact lines; and the same along the face.
+/// The greatest pressure at each point of a flank over a mesh, with a frame for each position that
+/// shows its loaded contact lines. A second figure shows the same along the face.
 ///
 /// Domain    teeth that touch along lines (contract)
 Figure pressure_figure(const LoadScene& scene, std::size_t which);
 Figure pressure_along_figure(const LoadScene& scene);
 
 /// Point contact: the ellipses of a tooth on its way through the mesh on the flank of gear `which`,
-/// and its pressure.
+/// and the pressure in them.
 ///
 /// Domain    teeth that touch at points, at least one position in contact (contract)
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);
 std::optional<Figure> point_pressure_figure(const LoadScene& scene);
 
-/// The greatest root stress along the fillet over the face, of both gears.
+/// The greatest root stress along the fillet over the face, for both gears.
 std::optional<Figure> root_face_figure(const LoadScene& scene);
 
 }  // namespace gearwright

@@ -19,13 +19,13 @@ namespace {
 constexpr std::size_t kRows = 81;
 constexpr std::size_t kColumns = 65;
 constexpr int kMostLevels = 10;
-constexpr std::size_t kMostDrawn = 14;  // ellipses that can be distinguished
-constexpr int kCorners = 48;            // of an ellipse
+constexpr std::size_t kMostDrawn = 14;  // number of ellipses that can be distinguished
+constexpr int kCorners = 48;            // corners of the polygon that represents an ellipse
 
-// A slice of a flank on its way through the mesh: the place of its least gap, and the pressure
+// A slice of a flank on its way through the mesh: the position of its least gap and the pressure
 // there.
 struct Sample {
-  double own;     // the turn of the tooth pair, pitches
+  double own;     // rotation of the tooth pair, pitches
   double radius;  // mm
   double pressure;
 };
@@ -40,8 +40,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// The greatest pressure at a radius. A mating edge passes a place twice, out and back, and the
-// greatest value counts.
+// The greatest pressure at a radius. A mating edge passes a point twice, on its way out and back,
+// and the greater value counts.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -57,7 +57,8 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The loaded places of a tooth pair, in one piece or several, each with the value `of` its slice.
+// The loaded part of a tooth pair, in one or several pieces. Each point has the value `of` its
+// slice.
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair, const Of& of) {
   const auto heights = heights_of(scene, 0);
@@ -69,7 +70,7 @@ std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair,
   return line;
 }
 
-// Adds something for each loaded tooth pair, with a frame for every position.
+// Adds marks for each loaded tooth pair, with a frame for every position.
 template <class Add>
 void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
   const auto positions = frame_positions(scene);
@@ -81,11 +82,11 @@ void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
 
 // A tooth at one position of its mesh.
 struct Passing {
-  double own;  // its turn, pitches
+  double own;  // its rotation, pitches
   const LoadedPoint* point;
 };
 
-// A list for each track, because the teeth of double arcs have two.
+// There is one list per track, because teeth with double arcs have two tracks.
 std::vector<std::vector<Passing>> ways_of(const LoadScene& scene, const LoadedTorque& t) {
   std::map<int, std::vector<Passing>> by_track;
   for (const LoadedPosition& p : t.positions)
@@ -126,7 +127,7 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
     slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
   for (const double d : raster.diameter) {
     for (const double z : raster.height) {
-      // Beyond the middles of the last slices, their value is used.
+      // Beyond the middles of the outermost slices, their value is used.
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);
@@ -146,7 +147,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   f.caption = fmt::format(" at {}: the greatest pressure over a mesh, N/mm². ", torque_words(t)) +
               f.caption;
   f.keys.push_back({"bears", "where teeth bear now"});
-  // Regions above a level are computed from the negative pressures.
+  // The regions above a level are computed from the negated pressures.
   ContourField field = field_of(raster);
   for (double& v : field.value) v = -v;
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);

@@ -18,7 +18,7 @@ constexpr std::array<const char*, 5> kCurves{"c-flank", "c-root-fillet", "c-tip-
                                              "c-tip-fillet", "c-root-land"};
 constexpr std::size_t kMostFrames = 64;
 
-// `count` of the numbers 0 … n − 1, evenly spaced, including both ends.
+// Returns `count` of the numbers 0 … n − 1, evenly spaced, including both ends.
 std::vector<std::size_t> some_of(std::size_t n, std::size_t count) {
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < count; ++i) list.push_back(i * (n - 1) / (count - 1));

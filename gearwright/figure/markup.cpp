@@ -22,7 +22,7 @@ std::string escaped(std::string_view text) {
       case '\'': result += "&#39;"; break;
       case '\n':
       case '\t': result += c; break;
-      case '\r': break;  // a line ends with its line feed
+      case '\r': break;  // the line feed that follows ends the line
       default:
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
           result += "\xEF\xBF\xBD";
@@ -41,7 +41,7 @@ std::string fixed(const std::optional<double>& value, int decimals) {
 std::string counted(std::int64_t n) {
   std::string text = std::to_string(n);
   for (auto at = static_cast<int>(text.size()) - 3; at > (n < 0 ? 1 : 0); at -= 3)
-    text.insert(static_cast<std::size_t>(at), "\u202f");  // a narrow space that does not break
+    text.insert(static_cast<std::size_t>(at), "\u202f");  // a narrow no-break space
   return text;
 }
 
@@ -80,7 +80,7 @@ std::string with_symbols(std::string_view text) {
   const auto in_word = [](char c) {
     return is_letter_or_digit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
   };
-  // Letters of UTF-8, counted by bytes that do not continue a letter.
+  // Letters of UTF-8. Continuation bytes are not counted.
   const auto letters = [](std::string_view word) {
     return std::count_if(word.begin(), word.end(),
                          [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });

@@ -14,9 +14,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRoom = 0.06;    // margin, relative to the whole pair
-constexpr double kBeside = 1.12;  // gap relative to the radius of gear 2, between gears drawn side
-                                  // by side
+constexpr double kRoom = 0.06;  // margin relative to the extent of the pair
+// Gap between gears drawn side by side, relative to the radius of gear 2.
+constexpr double kBeside = 1.12;
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
 
@@ -28,7 +28,7 @@ Vec2 axis_of(const MeshScene& s, std::size_t i) {
   return {drawn_radius(*s.gears[0]) + kBeside * drawn_radius(*s.gears[1]), 0.0};
 }
 
-// Where the x axes of the gears point when drawn, degrees counter-clockwise.
+// Directions of the x axes of the gears in the picture, degrees counter-clockwise.
 std::array<double, 2> drawn_angles(const MeshScene& s) {
   if (!meshing(s)) return {0.0, 0.0};
   const auto angle = [](const Eigen::Isometry3d& x) { return std::atan2(x(1, 0), x(0, 0)); };
@@ -60,7 +60,7 @@ Bounds with_room(const Bounds& box, double room) {
   return {box.lo - Vec2(room, room), box.hi + Vec2(room, room)};
 }
 
-// Around the pitch point: the path of contact and some of the teeth.
+// The region around the pitch point, with the path of contact and some of the teeth.
 Bounds about_pitch_point(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double m = pair.gears[0].spec.normal_module;
@@ -82,8 +82,8 @@ Bounds about_overlap(const MeshScene& s) {
   return with_room({middle, middle}, 1.2 * (to - from));
 }
 
-// The line of action with A … E and the base tangent points; for an internal gear both are on the
-// same side.
+// The line of action with A … E and the base tangent points. For an internal gear, both base
+// tangent points are on the same side.
 void add_path(Figure& f, const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return flat(pair.on_line_of_action(rho1)); };
@@ -118,7 +118,7 @@ void add_path(Figure& f, const InvolutePair& pair) {
   }
 }
 
-// An arrow over the axis in the sense of rotation.
+// An arrow over the axis in the direction of rotation.
 void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int gear) {
   constexpr double kHalf = 0.55;  // rad
   std::vector<Vec2> arc;
@@ -222,7 +222,7 @@ Figure mesh_figure(const MeshScene& s, const Bounds& window) {
           : "The gears in the transverse section with their circles.";
   add_circles(f, s, true);
   if (meshing(s)) {
-    // Extends over both gears, for zooming out.
+    // The lines extend over both gears, for zooming out.
     const Bounds all = extent_of(s);
     f.line({{all.lo.x(), 0.0}, {all.hi.x(), 0.0}}, "thin dashdot");
   }
@@ -252,8 +252,9 @@ Figure whole_figure(const MeshScene& s, const Bounds& window, const Bounds& fram
   for (const std::size_t i : {0u, 1u}) {
     const Gear& gear = *s.gears[i];
     const double r = 0.66 * gear.root_diameter / 2;
-    // Not on a gear that is too small, nor on an internal gear, where it would cover the pinion.
-    constexpr double kReadable = 0.05;  // of the picture's width
+    // Names are omitted on a gear that is too small, and on an internal gear, where they would
+    // cover the pinion.
+    constexpr double kReadable = 0.05;  // relative to the width of the picture
     if (r > kReadable * window.size().x() && !gear.internal())
       add_turn(f, axis_of(s, i), r, i == 0, static_cast<int>(i));
     f.cross(axis_of(s, i), external ? std::to_string(i + 1) : "");

@@ -1,11 +1,12 @@
-// The gears of a spec in section, as a figure: the housing frame seen from +z, axis 1 left, axis 2
-// right (an internal gear's too), y up; on crossed axes both gears side by side, each along its axis.
+// Shows the gears of a spec in section. The housing frame is seen from +z with axis 1 on the left,
+// axis 2 on the right (also for an internal gear) and y up. On crossed axes, both gears are drawn
+// side by side, each along its axis.
 //
-// A pair on parallel axes stands so that gear 1, which turns clockwise, touches with its leading flank
-// at C; a backlash opens on the other side. The gears are shapes that a script turns about their
-// axes, and the contact slides along the path (`FigureSlide`).
+// A pair on parallel axes is in a position in which gear 1, which turns clockwise, touches with its
+// leading flank at C. If there is backlash, it opens on the other side. The gears are shapes that a
+// script turns about their axes, and the contact slides along the path (`FigureSlide`).
 //
-//   t    rotation of gear 1 out of that position, in its pitches
+//   t    rotation of gear 1 from that position, in pitches
 #pragma once
 
 #include <array>
@@ -29,7 +30,8 @@ struct NamedCircle {
 /// The symbol with the number of gear `i` (0, 1) in its index: "d_a1".
 std::string symbol_of(const NamedCircle& circle, std::size_t i);
 
-/// Solid, dash-dot, dashed or dotted, by the symbol: tip and root, pitch, base, other circles.
+/// Line style by the symbol: solid for tip and root, dash-dot for pitch, dashed for base, dotted
+/// for other circles.
 const char* style_of_circle(std::string_view symbol);
 
 /// Tip, working pitch and base circle of gear `i` (0, 1).
@@ -42,42 +44,45 @@ struct MeshScene {
   std::array<std::string, 2> shapes;       ///< names of the definitions (gear_shape.hpp)
   std::array<std::vector<NamedCircle>, 2> circles{};
 };
-/// With the circles of mesh_circles, and the root circle of a gear without outline.
+/// Includes the circles of mesh_circles, and the root circle of a gear without outline.
 MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
 
 /// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
 /// are shown whole.
 enum class MeshFrame { whole, mesh, flank };
-/// The window of a picture with this ratio of width to height.
+/// Returns the window of a picture with this ratio of width to height.
 Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 
-/// Bodies and circles with their names, axes, both lines of action, the path of contact with its
-/// letters.
+/// Draws bodies and circles with their names, axes, both lines of action, and the path of contact
+/// with its letters.
 Figure mesh_figure(const MeshScene& scene, const Bounds& window);
 
-/// The whole gears with their directions of rotation; `framed` marks the window of another picture.
+/// Draws the whole gears with their directions of rotation. `framed` marks the window of another
+/// picture.
 Figure whole_figure(const MeshScene& scene, const Bounds& window, const Bounds& framed);
 
-/// The bodies alone.
+/// Draws only the bodies.
 Figure bodies_figure(const MeshScene& scene, const Bounds& window);
 
-/// Two bodies, first filled, then their outlines, so that an overlap is visible. Angles in degrees.
+/// Draws two bodies, first filled, then their outlines, so that an overlap is visible. Angles are
+/// in degrees.
 void add_bodies(Figure& figure, const MeshScene& scene, const std::array<double, 2>& angles);
 
-/// The circles of the scene about both axes, with their symbols if `named`.
+/// Draws the circles of the scene about both axes, with their symbols if `named`.
 void add_circles(Figure& figure, const MeshScene& scene, bool named);
 
-/// Rotations of gear 1 and gear 2 out of the rest position of pair/pair.hpp at which the leading
-/// flanks touch at C, counter-clockwise seen from +z: each turns its flank's point on the working
-/// pitch circle onto the centre line.
+/// Rotations of gear 1 and gear 2 from the rest position of pair/pair.hpp to the position in which
+/// the leading flanks touch at C, counter-clockwise seen from +z. Each rotation moves the flank's
+/// point on the working pitch circle onto the centre line.
 ///
-/// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2);  ψ_i = s_bti/d_bi − inv α_wt the half angles of
-///           the teeth on the working pitch circles, of an internal gear's s_bt2/d_b2 + inv α_wt
+/// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2). The ψ_i = s_bti/d_bi − inv α_wt are the half
+///           angles of the teeth on the working pitch circles; for an internal gear, ψ_2 =
+///           s_bt2/d_b2 + inv α_wt
 /// Units     rad        Domain  parallel axes
 std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
-/// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch, clockwise
-/// positive, as SVG has it.
+/// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch. Clockwise is
+/// positive, as in SVG.
 ///
 /// Formula   360/z_1, −σ 360/|z_2|
 double turn_per_pitch(const MountedGears& pair, std::size_t i);

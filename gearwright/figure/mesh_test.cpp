@@ -11,7 +11,7 @@
 namespace gearwright {
 namespace {
 
-// The flank's point at a radius, on the side y > 0 of the tooth at the x axis.
+// The point of the flank at a radius, on the side y > 0 of the tooth at the x axis.
 Vec2 flank_point(const Gear& gear, double radius) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
   return flank->curve->point(flank->curve->parameter_at_radius(radius, flank->begin, flank->end));
@@ -26,12 +26,12 @@ TEST(MeshPicture, LeadingFlanksMeetAtThePitchPoint) {
   for (const InvolutePair& pair : {testing::helical_pair(), testing::undercut_pair()}) {
     const auto phi = rotation_to_pitch_point(pair);
     const Vec2 C = pair.on_line_of_action(pair.mesh.rho1_C).r.head<2>();
-    // Gear 1: the clockwise flank of tooth 0.
+    // Gear 1 touches with the clockwise flank of tooth 0.
     Vec2 p1 = flank_point(pair.gears[0], pair.mesh.rack.sides[0].pitch_radius);
     p1.y() = -p1.y();
     EXPECT_LT((turned(p1, phi[0]) - C).norm(), 1e-9);
-    // Gear 2: the clockwise flank of tooth 1, which follows space 0 counter-clockwise and is below
-    // it at −x.
+    // Gear 2 touches with the clockwise flank of tooth 1, which follows space 0 counter-clockwise
+    // and is below it at −x.
     Vec2 p2 = flank_point(pair.gears[1], pair.mesh.rack.sides[1].pitch_radius);
     p2.y() = -p2.y();
     const double pitch = 2 * std::acos(-1.0) / pair.input.gears[1].teeth;
@@ -120,7 +120,8 @@ TEST(Turning, DotsForEveryToothThatPasses) {
       ++n;
     return n;
   };
-  // From −0.63 to 0.82 of a pitch; from −0.11 to 0.58; nothing where the flanks do not meet.
+  // The path extends from −0.63 to 0.82 of a pitch, or from −0.11 to 0.58. There is none if the
+  // flanks do not meet.
   EXPECT_EQ(dots(testing::helical_pair()), 2u);
   EXPECT_EQ(dots(testing::two_and_sixty()), 2u);
   EXPECT_EQ(dots(testing::sample_pair(testing::sample_gear(20, 2, 0, 0),

@@ -17,13 +17,14 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDrawnBack = 2.0;  // modules below the roots, of a rack whose height is not given
+constexpr double kDrawnBack = 2.0;  // modules below the roots, for a rack whose height is not given
 
 double pitch_radius(const RackPair& pair) { return pair.pinion.reference_diameter / 2; }
 
 double alpha_of(const RackPair& pair) { return pair.pinion.reference().transverse_pressure_angle; }
 
-// A point of the line of action at g from the pitch point; `side` −1 is the trailing line.
+// A point of the line of action at the distance g from the pitch point. If `side` is −1, it is on
+// the trailing line.
 Vec2 on_action(const RackPair& pair, double g, double side = 1.0) {
   return {pitch_radius(pair) + g * std::sin(alpha_of(pair)), -side * g * std::cos(alpha_of(pair))};
 }
@@ -54,7 +55,7 @@ Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach) {
     const std::vector<Vec2> part = chords(arc, kOutlineTolerance * rack.normal_module);
     tooth.insert(tooth.end(), part.begin() + (tooth.empty() ? 0 : 1), part.end());
   }
-  // The middle tooth touches with the flank that faces the pinion's leading one, below C.
+  // The middle tooth touches, below C, with the flank that faces the leading flank of the pinion.
   const int most = static_cast<int>(std::ceil(reach / p_t)) + 1;  // on each side of the middle
   for (int k = std::max(0, n / 2 - most); k <= std::min(n - 1, n / 2 + most); ++k) {
     const double middle = -half + (k - n / 2) * p_t;

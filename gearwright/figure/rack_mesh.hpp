@@ -1,8 +1,9 @@
-// A rack and its pinion in section, as a figure: the housing frame seen from +z, the axis of the
-// pinion left, the rack right, its travel upright.
+// Shows a rack and its pinion in section. The housing frame is seen from +z with the axis of the
+// pinion on the left, the rack on the right and its travel upright.
 //
-// The pinion turns clockwise and touches with its leading flank at C; a backlash opens on the other
-// side. C is the pitch point, on the reference circle of the pinion at every centre distance.
+// The pinion turns clockwise and touches with its leading flank at C. If there is backlash, it
+// opens on the other side. C is the pitch point, which lies on the reference circle of the pinion
+// at every centre distance.
 #pragma once
 
 #include <string>
@@ -19,11 +20,11 @@ namespace gearwright {
 /// Errors    those of rack_outline()
 Result<Figure> rack_mesh_figure(const RackPair& pair, const std::string& shape, double aspect);
 
-/// The section of the rack as one closed line about its part of the window, in the housing frame,
-/// mm: of its teeth within `reach` of the centre line. It touches the pinion at C.
+/// The section of the rack as one closed line in the housing frame, mm. It contains the teeth
+/// within `reach` of the centre line and touches the pinion at C.
 ///
 /// Units     mm
-/// Accuracy  fillets as chords within kOutlineTolerance modules
+/// Accuracy  fillets are chords within kOutlineTolerance modules
 /// Errors    those of rack_outline()
 Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach);
 

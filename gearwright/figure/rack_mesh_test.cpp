@@ -1,5 +1,5 @@
-// The picture of a rack and its pinion: the drawn section touches the pinion at C and nowhere enters
-// it, and the backlash opens on the other side.
+// Tests the picture of a rack and its pinion. The drawn section touches the pinion at C and does
+// not enter it anywhere, and the backlash opens on the other side.
 #include "gearwright/figure/rack_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -55,12 +55,13 @@ TEST(RackMeshFigure, flanks_touch_at_the_pitch_point) {
             const double a = turn + k * step, c = std::cos(a), s = std::sin(a);
             const Vec2 q(c * w.x() - side * s * w.y(), s * w.x() + side * c * w.y());
             nearest = std::min(nearest, (q - Vec2(p.pinion.reference_diameter / 2, 0)).norm());
-            // Chords of the fillets are 2e-4 mm off at most; 1e-3 mm inside would be an overlap.
+            // Chords of the fillets deviate by at most 2e-4 mm. A point 1e-3 mm inside the pinion
+            // would be an overlap.
             const Vec2 to_axis = 1e-3 * q.normalized();
             EXPECT_FALSE(in_section(q - to_axis, section)) << x << " " << k;
           }
     EXPECT_LT(nearest, 0.01);  // points are at most 0.01 mm apart
-    // At C the section has a point on the flank: just below C is the rack, just above it is not.
+    // At C the section has a point on the flank. The rack lies just below C but not just above it.
     const Vec2 C(p.pinion.reference_diameter / 2, 0);
     EXPECT_TRUE(in_section(C - Vec2(0, 1e-6), section));
     EXPECT_FALSE(in_section(C + Vec2(0, 1e-6), section));

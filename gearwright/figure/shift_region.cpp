@@ -33,16 +33,16 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"gear 1 least shift", "edge
                                                     {"interference at gear 2", "edge-hit"},
                                                     {"no working angle", "edge-mesh"}}};
 
-constexpr double kPadding = 0.17;        // of the rectangle around it
-constexpr double kZoomPadding = 0.42;    // of a region: room for its labels
-constexpr double kMinWindow = 1e-3;      // modules: a hundredth of what a cutter can be set to
-constexpr double kMap = 0.19;            // relative to the width: the overview map
-constexpr double kMapGap = 0.015;        // relative to the width, between the map and the corner of
-                                         // the plot
-constexpr double kShortStretch = 0.025;  // relative to the width: shorter stretches are named only
-                                         // if there is no longer one
+constexpr double kPadding = 0.17;      // margin around the rectangle
+constexpr double kZoomPadding = 0.42;  // margin around a region, with room for its labels
+constexpr double kMinWindow = 1e-3;    // modules, a hundredth of the setting accuracy of a cutter
+constexpr double kMap = 0.19;          // size of the overview map, relative to the width
+constexpr double kMapGap = 0.015;      // relative to the width, between the map and the corner of
+                                       // the plot
+// Relative to the width; shorter stretches are named only if there is no longer one.
+constexpr double kShortStretch = 0.025;
 
-// The piece of Σ = const inside the window; empty: none.
+// The part of the line Σ = const inside the window. Empty if there is none.
 std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {
   const double from = std::max(box.lo.x(), sum - box.hi.y());
   const double to = std::min(box.hi.x(), sum - box.lo.y());
@@ -77,12 +77,13 @@ void add_region(Figure& f, const ShiftChart& chart) {
       f.line(e.points, fmt::format("region-edge {}", style_of(e.edge)),
              both ? "exact centre distance" : std::string(words_of(e.edge)));
     }
-    if (loop.empty()) f.dot(chart.region.lo, 3.0, "region-point");  // touching in a point
+    // The limits touch in a single point.
+    if (loop.empty()) f.dot(chart.region.lo, 3.0, "region-point");
   }
 }
 
-// Names the longest stretch of each kind and all that are not short. With one exact centre distance
-// both edges are the same line.
+// Names the longest stretch of each kind and all others that are not short. If the centre distance
+// is exact, both edges are the same line.
 void name_edges(Figure& f, const ShiftChart& chart) {
   const bool exact = exact_distance(chart.graph.problem());
   const double least = kShortStretch * (f.x.hi - f.x.lo);
@@ -135,7 +136,7 @@ void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   for (const Interval& i : chart.region.balanced_sums) f.line({on(i.lo), on(i.hi)}, "balanced");
 }
 
-// The whole rectangle in the corner with the least of the region, with the window marked.
+// Draws the whole rectangle, with the window marked, in the corner that covers least of the region.
 void add_map(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Bounds limits = limits_box(chart.graph);
   const double size = kMap * window.size().x(), gap = kMapGap * window.size().x();
@@ -290,7 +291,7 @@ Figure exchanged(Figure f) {
   f.tall = 1.0 / f.tall;
   for (FigureMark& m : f.marks) {
     for (Vec2& p : m.points) p = Vec2(p.y(), p.x());
-    // The outside of a border is on its right.
+    // The outside is on the right of a border.
     if (m.border && m.kind == FigureMark::Kind::line)
       std::reverse(m.points.begin(), m.points.end());
     for (std::string* words : {&m.words, &m.label}) swap_words(*words);

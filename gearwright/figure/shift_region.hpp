@@ -1,8 +1,9 @@
-// The s1–s2 graph of one pair of tooth numbers as a figure: which profile shifts the limits leave. The
-// rectangle of the shift limits, the region with its edges by name, the lines of the centre
-// distances, the line of balanced shifts.
+// Shows the s1–s2 graph of one pair of tooth numbers: the profile shifts that satisfy the limits.
+// The figure contains the rectangle of the shift limits, the region with its named edges, the lines
+// of the centre distances and the line of balanced shifts.
 //
-// Points are (x1, x2), normal modules, in one scale for both: lines Σx = const fall at 45°.
+// Points are (x1, x2) in normal modules. Both axes have the same scale, so lines Σx = const fall at
+// 45°.
 //                                              theory: docs/theory/09-design-search.md
 #pragma once
 
@@ -24,8 +25,8 @@ std::string_view style_of(ShiftEdge edge);
 /// The rectangle of the shift limits of both gears.
 Bounds limits_box(const ShiftGraph& graph);
 
-/// Window of the picture, and whether it shows only a part: the whole rectangle if the region is at
-/// least `fair_part` as long. It has the given ratio of width to height and is never empty.
+/// Window of the picture, and whether it shows only a part. It is the whole rectangle if the region
+/// is at least `fair_part` as long. It has the given ratio of width to height and is never empty.
 struct RegionWindow {
   Bounds box;
   bool zoomed;
@@ -33,12 +34,12 @@ struct RegionWindow {
 RegionWindow region_window(const Bounds& limits, const Bounds& region, double aspect,
                            double fair_part);
 
-/// Σx at which the pair has the centre distance a; none within the window.
+/// Returns Σx at which the pair has the centre distance a, or nothing if it is outside the window.
 ///
 /// Units     a mm
 std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const Bounds& window);
 
-/// One centre distance is wanted, not a band.
+/// Returns true if one exact centre distance is required, not a range.
 bool exact_distance(const SearchProblem& problem);
 
 /// A region and the data of its figures.
@@ -46,19 +47,19 @@ struct ShiftChart {
   const ShiftGraph& graph;
   ShiftRegion region;
   std::vector<std::vector<RegionEdge>> loops;  ///< the boundary of every piece
-  Bounds around;                               ///< the region and the design
+  Bounds around;                               ///< bounds of the region and the design
 };
 /// Domain    the graph has a region (contract)
 ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design);
 
-/// All marks with names, and the middles at the least and the greatest Σx; the keys are the edges.
-/// If the window shows only a part, a corner has a small map of the whole.
+/// Draws all marks with names, and the middles at the least and the greatest Σx. The keys are the
+/// edges. If the window shows only a part, a corner has a small map of the whole.
 Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window);
 
-/// The region and its edges alone, without axes.
+/// Draws only the region and its edges, without axes.
 Figure small_shift_region(const ShiftChart& chart, const Bounds& window);
 
-/// The figure with gear 1 and gear 2 exchanged.
+/// Returns the figure with gear 1 and gear 2 exchanged.
 Figure exchanged(Figure figure);
 
 }  // namespace gearwright

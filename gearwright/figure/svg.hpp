@@ -1,10 +1,10 @@
-// A small builder of inline SVG pictures, and the arrangement of labels without overlap: pixels,
-// for the writer of figures and for pictures that are not yet figures.
+// Builds inline SVG pictures and arranges labels without overlap, in pixels. It is used by the
+// writer of figures and for pictures that are not figures.
 //
-// Positions are pixels of the picture, y down; a Viewport carries millimetres there. Colours and
-// widths are classes of the page's style (report/page/), so one picture is used for light, dark and
-// paper. Strokes do not grow when a reader zooms, nor do marks and labels: those are groups of
-// class "lb" at their place, which the page's script scales back.
+// Positions are pixels of the picture, with y down. A Viewport converts millimetres to them.
+// Colours and widths are classes in the style of the page (report/page/), so one picture serves for
+// light, dark and paper. Strokes, marks and labels keep their size when the user zooms. Marks and
+// labels are groups of class "lb", which the script of the page scales back.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace gearwright {
 /// Classes of marks of gear 1 and gear 2.
 inline constexpr std::array<const char*, 2> kInk{"g1", "g2"};
 
-/// The rectangle that holds some points; empty at first.
+/// The smallest rectangle that contains some points. It is initially empty.
 struct Bounds {
   Vec2 lo{1e300, 1e300};
   Vec2 hi{-1e300, -1e300};
@@ -36,7 +36,8 @@ struct Viewport {
   double height;      ///< px
   Vec2 center;        ///< mm, the point in the middle of the picture
   double scale;       ///< px/mm
-  bool x_up = false;  ///< the plane's x axis points up (a tooth is upright); otherwise to the right
+  bool x_up = false;  ///< the x axis of the plane points up (a tooth is upright); otherwise to the
+                      ///< right
 
   Vec2 px(const Vec2& mm) const;
   std::vector<Vec2> px(const std::vector<Vec2>& mm) const;
@@ -47,8 +48,8 @@ enum class Anchor { start, middle, end };
 
 class Svg {
  public:
-  /// `id` is unique in the page; title and description are plain text, read aloud by screen
-  /// readers.
+  /// `id` is unique in the page. Title and description are plain text, which screen readers read
+  /// aloud.
   Svg(std::string_view id, double width, double height, std::string_view title,
       std::string_view description);
 
@@ -64,21 +65,21 @@ class Svg {
   /// The title, SVG markup, is shown at the pointer.
   void rect(double x, double y, double width, double height, std::string_view style,
             std::string_view title = "");
-  /// `attributes` are added as they are.
+  /// `attributes` are inserted unchanged.
   void path(std::string_view d, std::string_view style, std::string_view attributes = "");
-  /// A rectangle that attributes name as clip-path="url(#id)".
+  /// A rectangle to which attributes refer as clip-path="url(#id)".
   void define_clip(std::string_view id, double x, double y, double width, double height);
-  /// Shapes for `use`, SVG markup.
+  /// Shapes for `use`, as SVG markup.
   void define(std::string_view shapes);
-  /// Vertical and horizontal lines, `half` px long on each side, whose size does not change with
-  /// the zoom.
+  /// Vertical and horizontal lines, `half` px long on each side, whose size is independent of the
+  /// zoom.
   void cross(const Vec2& at, double half, std::string_view style);
   /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
-  /// counter-clockwise by `degrees`. `attributes` are added as they are.
+  /// counter-clockwise by `degrees`. `attributes` are inserted unchanged.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,
            std::string_view style, std::string_view attributes = "");
-  /// `markup` is SVG text content: escaped by the caller or of symbol_svg. It stands `offset` px
-  /// from `at`, at every zoom.
+  /// `markup` is SVG text content, which the caller has escaped or which comes from symbol_svg. It
+  /// is `offset` px from `at`, at every zoom.
   void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,
             std::string_view style = "", const Vec2& offset = Vec2::Zero());
   /// A dot of constant size; its title, plain text, is shown at the pointer.
@@ -95,12 +96,12 @@ class Svg {
 };
 
 /// Places labels as near to `wanted` as possible (least sum of squares), at least `gap` apart and
-/// within [lo, hi]. The order is kept.
+/// within [lo, hi]. Their order is preserved.
 ///
-/// Domain    gap ≥ 0; (n − 1) gap ≤ hi − lo, else the labels share [lo, hi] evenly
+/// Domain    gap ≥ 0; if (n − 1) gap > hi − lo, the labels share [lo, hi] evenly
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);
 
-/// A pixel coordinate with two decimals and no zeros at its end: 0.01 px is invisible.
+/// A pixel coordinate with two decimals and no trailing zeros. 0.01 px is invisible.
 std::string pixel(double value);
 
 }  // namespace gearwright

@@ -49,7 +49,7 @@ TEST(Viewport, PixelAndBack) {
     EXPECT_LT((view.mm(view.px(p)) - p).norm(), 1e-12);
     EXPECT_EQ(view.px(view.center), Vec2(200, 150));
   }
-  // y points upwards. With x_up the x axis points upwards, and y to the left.
+  // y points upwards. If x_up, the x axis points upwards and y to the left.
   EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1}).px({0, 10}).y(), 50);
   EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1, true}).px({10, 0}).y(), 50);
   EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1, true}).px({0, 10}).x(), 50);

@@ -17,7 +17,7 @@ std::vector<SymbolPiece> symbol_pieces(std::string_view symbol) {
       pieces.push_back({"", place});
       continue;
     }
-    // A comma between letters belongs to them: "ε_α,eff", but not "k_1, k_2".
+    // A comma between letters belongs to the index, as in "ε_α,eff", but not in "k_1, k_2".
     const bool comma = c == ',' && i + 1 < symbol.size() && symbol[i + 1] != ' ';
     const bool word = is_letter_or_digit(c) || comma || static_cast<unsigned char>(c) >= 0x80;
     if (c == '*') {

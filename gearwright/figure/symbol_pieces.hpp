@@ -1,4 +1,5 @@
-// A symbol as written in texts, "d_Ff", "h_aP*", "C_βI = C_βII", in pieces for formatting.
+// Splits a symbol as written in texts, such as "d_Ff", "h_aP*" or "C_βI = C_βII", into pieces for
+// formatting.
 #pragma once
 
 #include <string>
@@ -15,7 +16,7 @@ struct SymbolPiece {
   Place place;
 };
 
-/// A subscript extends from '_' over letters, digits and UTF-8 bytes; '*' is a superscript.
+/// A subscript extends from '_' over letters, digits and UTF-8 bytes. '*' is a superscript.
 std::vector<SymbolPiece> symbol_pieces(std::string_view symbol);
 
 }  // namespace gearwright

@@ -14,16 +14,16 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // arcsec: waves below it are not drawn
-constexpr double kFlat = 0.01;      // arcsec: a smaller span is drawn with this range
+constexpr double kRounding = 1e-6;  // arcsec; smaller harmonics are not drawn
+constexpr double kFlat = 0.01;      // arcsec; a smaller span is drawn with this range
 
 const char* pair_style(int pair) {
   constexpr std::array kStyles{"tp0", "tp1", "tp2"};
   return kStyles[static_cast<std::size_t>(((pair % 3) + 3) % 3)];
 }
 
-// The shown pitch and half of the neighbouring pitches: positions with shifted rotation and tooth
-// pair.
+// The shown pitch and half of the neighbouring pitches. Their positions have shifted rotations and
+// tooth pairs.
 std::vector<ContactPoint> repeated(const std::vector<ContactPoint>& one, double pitch) {
   const int n = static_cast<int>(one.size());
   const int half = n / 2;
@@ -51,7 +51,7 @@ Span span_of(const std::vector<ContactPoint>& points) {
   return s;
 }
 
-// Blocks of equal value along the rotation, borders halfway between positions.
+// Blocks of equal value along the rotation. Borders are halfway between positions.
 template <typename Value, typename Of>
 std::vector<std::pair<Value, Span>> blocks_of(const std::vector<ContactPoint>& points,
                                               const Of& of) {
@@ -99,7 +99,7 @@ void add_lanes(Figure& figure, const std::vector<ContactPoint>& points) {
   }
 }
 
-// The intersection of the linear continuations of two curves, between two positions.
+// The intersection of the linear extensions of two curves between two positions.
 Vec2 crossing(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Vec2 middle = 0.5 * (b + c);
   const double slope_1 = (b - a).y() / (b - a).x();
@@ -133,8 +133,8 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
     if (!open || runs.back().pair != p.pair || runs.back().edge != edge) {
       TeRun run{p.pair, edge, {}, {}};
       if (open) {
-        // Neighbouring runs join: those of one pair at the last position, those of two pairs at
-        // their intersection.
+        // Neighbouring runs are joined: those of the same pair at the last position, those of
+        // different pairs at their intersection.
         Vec2 border = at(i - 1);
         if (runs.back().pair != p.pair) {
           border = 0.5 * (at(i - 1) + at(i));
@@ -228,7 +228,7 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", told);
     by_size.push_back(h);
   }
-  // The values of the three highest peaks, unless a bar is in the way.
+  // The values of the three highest peaks are shown, unless a bar is in the way.
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](int a, int b) { return amplitude(a) > amplitude(b); });
   std::vector<int> named;

@@ -76,7 +76,7 @@ TEST(TePicture, AConjugatePairHasAFlatCurveAndNoWaves) {
   EXPECT_FALSE(spectrum_figure(s.report.driving));
 }
 
-// The curve over the computed pitch is the result itself, from its middle.
+// The curve over the computed pitch is the result itself, starting from its middle.
 TEST(TePicture, TheCurveIsTheResult) {
   const auto s = testing::helical_contact();
   const auto figure = transmission_error_figure(s.report, s.report.driving);

@@ -1,5 +1,6 @@
-// The visible part of a picture: the wheel zooms about the pointer, a drag moves, a double click
-// restores; + − 0 and arrow keys do the same for the focused picture. Labels keep their size.
+// Controls the visible part of a picture. The wheel zooms about the pointer, a drag moves the
+// picture, and a double click restores it. The keys + − 0 and the arrow keys do the same for the
+// focused picture. Labels keep their size.
 //
 //   figureZoom(holder, on)   holder: the picture or an element around it, whose picture may change
 //     on.always   the wheel zooms at once, not only after the pointer has moved on the picture
@@ -50,8 +51,8 @@
       return {x: box.x + box.w / 2, y: box.y + box.h / 2};
     }
 
-    // A page that is being scrolled past the pointer must not stop here: the wheel is the picture's
-    // once the pointer itself has moved on it.
+    // A page that is scrolled past the pointer must not stop at the picture. The wheel controls the
+    // picture only after the pointer itself has moved on it.
     window.addEventListener('scroll', function () { armed = false; }, {passive: true});
     holder.addEventListener('pointerleave', function () { armed = false; });
     holder.addEventListener('wheel', function (event) {

@@ -15,9 +15,10 @@
 
 namespace gearwright::detail {
 
-// A tip circle this close to a fillet that ends the tooth on its centre line is the same end.
+// If a tip circle is this close to the end of a fillet that ends the tooth on its centre line, both
+// are the same end.
 constexpr double kSameEnd = 1e-12;
-// Relative to half a pitch: a shorter root land is the rounding error of a full-radius root.
+// Relative to half a pitch. A shorter root land is the rounding error of a full-radius root.
 constexpr double kNoLand = 1e-12;
 
 double Branch::t_at(double h) const {
@@ -126,7 +127,8 @@ void write_outline(const std::vector<Branch>& chain, const ToothEnds& ends, Gene
   }
 }
 
-// The path behind the tooth cuts fillets only: of the root below the flank, of the tip above it.
+// The path behind the tooth cuts only fillets: that of the root below the flank, that of the tip
+// above it.
 void name_by_place(std::vector<Branch>& chain) {
   const auto is_flank = [](const Branch& b) { return b.name == ArcName::flank; };
   const auto flank = std::find_if(chain.begin(), chain.end(), is_flank);
@@ -142,8 +144,8 @@ void name_by_place(std::vector<Branch>& chain) {
   }
 }
 
-// Heights along the edge of a rack never decrease and its branches always meet, so only a fillet
-// can fail. The edge of a pinion cutter may end without meeting another branch.
+// Heights along the edge of a rack never decrease and its branches always meet, so only a circular
+// fillet can cause an error. The edge of a pinion cutter may end without meeting another branch.
 std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& ends,
                            const GeneratedTooth& tooth) {
   if (ends.rack) {
@@ -190,8 +192,8 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
     return tooth;
   }
   end_at_tip(chain, side, tooth);
-  // A blank that ends at the same radius as the cutter is not topped. The two radii differ by
-  // rounding only.
+  // A blank that ends at the same radius as the cutter does not make the tooth topped. The two
+  // radii differ only by rounding.
   constexpr double kOneRadius = 1e-13;
   tooth.tip_cut_by_rack =
       !tooth.pointed && !tooth.rounded_tip &&

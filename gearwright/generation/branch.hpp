@@ -1,9 +1,10 @@
-// A branch of an envelope that may bound the tooth, and the tooth that remains from many branches.
+// A branch of an envelope that may bound the tooth, and the tooth that results from many branches.
 //
-// Internal to generation/. Along a branch the height grows: the radius on an external tooth, minus
-// the radius on an internal gear's, so that heights rise from root to tip on both. The tooth is the
-// lower envelope of the branches' half angles, |θ| < min θ(height). Two neighbours that do not join
-// smoothly meet in a true intersection, found in closed bracket.
+// Internal to generation/. The height grows along a branch. It is the radius on an external tooth
+// and minus the radius on the tooth of an internal gear, so heights rise from root to tip on both.
+// The tooth is the lower envelope of the half angles of the branches, |θ| < min θ(height). Two
+// neighbours that do not join smoothly meet in a true intersection, which is found in a closed
+// bracket.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace gearwright::detail {
 
-/// Relative rounding error within which the bottom of the cutter ends on the circle of the land.
+/// Relative difference within which the bottom of the cutter ends on the circle of the land.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
@@ -27,7 +28,7 @@ struct Branch {
   bool smooth_start = false;         ///< continues from the end of the preceding branch
   double side = 1.0;                 ///< height = side·|W|; −1 on an internal gear
   std::vector<double> turns = {};    ///< parameters at which the half angle is stationary
-  bool ends_on_center_line = false;  ///< a rounded tip: at its end θ = 0, without a point
+  bool ends_on_center_line = false;  ///< a rounded tip: θ = 0 at its end, without a point
 
   double height(double t) const { return side * curve->point(t).norm(); }
   double t_at(double h) const;
@@ -36,28 +37,28 @@ struct Branch {
   void start_at(double h);
 };
 
-/// Branch of `curve` from t_lo to t_hi, heights taken from the curve.
+/// Makes the branch of `curve` from t_lo to t_hi, with heights computed from the curve.
 Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
 
-/// The limits of the branches, which are given from root to tip; `side` is that of the branches.
+/// The limits of the branches, which are ordered from root to tip. `side` is that of the branches.
 struct ToothEnds {
   int teeth;                ///< z
-  double side;              ///< 1, an internal gear −1
-  double root_land_angle;   ///< rad: polar angle where the root land ends; π/|z| without one
-  double blank_radius;      ///< mm, infinite (an internal gear: 0) without one
-  double cutter_radius;     ///< mm, where the cutter itself ends the tooth; infinite (an internal
-                            ///< gear: 0) if it does not
+  double side;              ///< 1; −1 for an internal gear
+  double root_land_angle;   ///< rad, polar angle where the root land ends; π/|z| if there is none
+  double blank_radius;      ///< mm; infinite (internal gear: 0) if there is none
+  double cutter_radius;     ///< mm, radius at which the cutter itself ends the tooth; infinite
+                            ///< (internal gear: 0) if it does not
   bool rack = true;         ///< cut by a rack
   bool turns_back = false;  ///< true if the cutter may also cut behind the tooth
-  std::function<std::vector<Branch>()> all = {};  ///< in that case returns every branch, ahead and
-                                                  ///< behind
+  std::function<std::vector<Branch>()> all = {};  ///< in that case, returns every branch, both
+                                                  ///< ahead and behind
 };
 
 /// Joins the branches and ends them at the tip. `tooth` contains root_radius and the requested
-/// fillets, and all other members are filled in. Severed teeth have no outline.
+/// fillets, and the function sets all other members. Severed teeth have no outline.
 ///
-/// Errors    `tip_diameter_mm` when the blank leaves no tooth above the root; `cut_by` when the
-///           leaving cutter takes the flank itself
+/// Errors    `tip_diameter_mm` if the blank leaves no tooth above the root; `cut_by` if the cutter
+///           removes the flank itself when it leaves
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
                                     GeneratedTooth tooth);
 

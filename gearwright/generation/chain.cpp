@@ -10,13 +10,14 @@ namespace gearwright::detail {
 
 namespace {
 
-// The transition of the outline from `last` to `next`.
+// The type of transition of the outline from `last` to `next`.
 struct Joint {
   enum Kind { at_height, last_hidden, next_hidden } kind;
   double height = 0.0;
 };
 
-// The height in [lo, hi] at which last's half angle, smaller at lo, becomes the larger one.
+// Returns the height in [lo, hi] at which the half angle of `last`, smaller at lo, becomes the
+// larger one.
 double crossing(const Branch& last, const Branch& next, double lo, double hi) {
   if (last.curve->radius_is_closed_form() && next.curve->radius_is_closed_form()) {
     const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
@@ -24,7 +25,7 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
     GW_ENSURES(root.found());
     return root.x;
   }
-  // The solution uses the parameter of the branch without a closed-form radius, which avoids nested
+  // The solver uses the parameter of the branch without a closed-form radius, which avoids nested
   // root finding.
   const bool by_last = !last.curve->radius_is_closed_form();
   const Branch& free = by_last ? last : next;
@@ -39,23 +40,25 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
 }
 
 // The tooth is the lower envelope of the half angles, which is continuous. If the radii of the two
-// branches only touch, or if one ends before it crosses the other, they therefore share that point
-// within rounding (undercut that begins here, a corner of the edge on the pitch line).
+// branches only touch, or if one branch ends before it crosses the other, they share that point
+// within rounding. Examples are undercut that begins here and a corner of the edge on the pitch
+// line.
 Joint joint(const Branch& last, const Branch& next) {
-  if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // of no height at all
+  if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // the branch has no height
   const double lo = std::max(last.height_lo, next.height_lo);
   double hi = std::min(last.height_hi, next.height_hi);
   const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
   if (!(lo < hi)) {
     if (last.height_hi <= next.height_lo) return {Joint::at_height, last.height_hi};
-    return {Joint::last_hidden};  // unless the preceding branch hides `next` too
+    return {Joint::last_hidden};  // unless the preceding branch also hides `next`
   }
   if (gap(lo) >= 0.0) {
     if (next.height_lo > last.height_lo) return {Joint::at_height, lo};
     return {Joint::last_hidden};
   }
-  if (std::isinf(hi)) {              // both straight: the flatter one is lower at large heights
-    constexpr double kFarOut = 1e6;  // times the radius, an upper limit of the height of a tooth
+  if (std::isinf(hi)) {  // if both are straight, the flatter one is lower at large heights
+    // Multiple of the radius, an upper limit of the height of a tooth.
+    constexpr double kFarOut = 1e6;
     hi = 2.0 * lo;
     while (gap(hi) < 0.0 && hi < kFarOut * lo) hi *= 2.0;
   }
@@ -64,13 +67,13 @@ Joint joint(const Branch& last, const Branch& next) {
   return {Joint::next_hidden};
 }
 
-// The largest difference, relative to the radius, of two ends that are one point. It is √ε, because
-// θ varies like the square root of the radius on a branch that begins along a circle about the axis
-// (τ = π/2).
+// The largest difference, relative to the radius, between two ends that represent one point. It is
+// √ε, because θ varies like the square root of the radius on a branch that begins along a circle
+// about the axis (τ = π/2).
 constexpr double kSamePoint = 1.5e-8;
 
-// The branch of a chain at the height h, and the upper one of two that meet there; none outside the
-// chain.
+// Returns the branch of a chain at the height h. If two branches meet there, it returns the upper
+// one; outside the chain it returns null.
 const Branch* at_height(const std::vector<Branch>& chain, double h) {
   if (chain.empty() || h < chain.front().height_lo) return nullptr;
   std::size_t i = 0;
@@ -137,11 +140,13 @@ void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double 
   }
 }
 
-constexpr double kRounding = 1e-13;        // rad: curves that coincide do not cross
-constexpr double kHeightRounding = 1e-14;  // relative difference of heights that are one point
+constexpr double kRounding = 1e-13;  // rad; curves that coincide within it do not cross
+// Relative difference of heights that represent one point.
+constexpr double kHeightRounding = 1e-14;
 
-// Distance of a above b at the height h, minimised within the rounding of heights, because θ varies
-// like the square root of the height where a branch begins along a circle about the axis.
+// Returns the distance of a above b at the height h, minimised within the rounding of heights,
+// because θ varies like the square root of the height where a branch begins along a circle about
+// the axis.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));
@@ -149,7 +154,7 @@ double surely_above(const Branch& a, const Branch& b, double h) {
   return std::min(below, above) - b.theta_at(h);
 }
 
-// The first height in (from, to] at which b lies lower than a.
+// Returns the first height in (from, to] at which b lies lower than a.
 std::optional<double> passes_below(const Branch& a, const Branch& b, double from, double to) {
   constexpr int kCells = 48;
   const double lo = std::max(from, b.height_lo);
@@ -165,8 +170,8 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
       continue;
     }
     if (gap(before) < 0.0) return find_root(gap, before, h).x;
-    // The two curves coincide here, for example after a has passed below b, and possibly over some
-    // length.
+    // The two curves coincide here and possibly over some length, for example after a has passed
+    // below b.
     for (double near = h; near - before > kSameHeight * std::abs(before);) {
       near = before + 0.5 * (near - before);
       if (gap(near) < -kRounding) return find_root(gap, near, h).x;
@@ -177,7 +182,7 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
   return std::nullopt;
 }
 
-// At the end of a branch, the lowest branch that continues from there; null if there is none.
+// Returns the lowest branch that continues from the end of a branch, or null if there is none.
 const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended, double h,
                        double same) {
   const double near = same * std::abs(h);
@@ -186,7 +191,8 @@ const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended,
   for (const Branch& b : branches) {
     if (b.height_lo > h + near || b.height_hi <= h + near) continue;
     if (std::abs(b.theta_at(h) - theta) > same) continue;
-    constexpr double kAhead = 1e3;  // multiple of the tolerance at which they have separated
+    // Multiple of the tolerance at which the two branches have separated.
+    constexpr double kAhead = 1e3;
     const double ahead = std::min(b.height_hi, h + kAhead * near);
     if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
   }
@@ -201,8 +207,8 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
   double from = own->height_lo;
   std::vector<Branch> lower;
   const std::size_t most = 8 * branches.size();  // upper limit for crossings of two curves
-  // Two branches that pass below each other in turn would cause an endless loop, so such a tooth is
-  // rejected.
+  // Two branches that alternately pass below each other would cause an endless loop, so such a
+  // tooth is rejected.
   for (std::size_t turns = 0; lower.size() < most && turns < 8 * most; ++turns) {
     const double end = std::min(own->height_hi, tip_height);
     double until = end;
@@ -216,7 +222,8 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
     }
     if (until > from) append(lower, {*own}, from, until);
     if (!next && until >= tip_height - kAtTip * std::abs(tip_height)) return lower;
-    // The comparison is strict, because a branch may be shorter than the tolerance for one point.
+    // The comparison is strict, because a branch may be shorter than the tolerance within which
+    // points coincide.
     if (!next) next = going_on(branches, *own, until, kSameHeight);
     if (!next) next = going_on(branches, *own, until, kSamePoint);
     if (!next) return {};

@@ -1,4 +1,4 @@
-// The lower envelope of branches whose half angles are written down.
+// Tests the lower envelope of branches whose half angles are given by formulas.
 #include "gearwright/generation/chain.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace gearwright::detail {
 namespace {
 
-// θ = c + k (ρ − a)(ρ − b) over the radius, which is the parameter.
+// The half angle is θ = c + k (ρ − a)(ρ − b), with the radius ρ as parameter.
 class Parabola final : public Curve {
  public:
   Parabola(double c, double k, double a, double b) : c_(c), k_(k), a_(a), b_(b) {}
@@ -44,7 +44,8 @@ void expect_ends(const std::vector<Branch>& chain, const std::vector<double>& en
   }
 }
 
-// It begins where the other has just passed below, and is passed again before anybody looks.
+// The branch begins where the other has just passed below it. The other passes above it again
+// before the next evaluation.
 TEST(LowerEnvelope, a_dent_narrower_than_the_steps_behind_its_beginning) {
   const std::vector<Branch> branches{parabola(0.1, 0.0, 0.0, 0.0, 1.0, 2.0),
                                      parabola(0.1, 1.0, 1.415, 1.4245, 1.2, 1.9)};
@@ -53,7 +54,7 @@ TEST(LowerEnvelope, a_dent_narrower_than_the_steps_behind_its_beginning) {
   EXPECT_EQ(chain[1].curve, branches[1].curve);
 }
 
-// What lies side by side but for rounding neither hides the other nor takes its place in turns.
+// Branches that coincide within rounding do not hide each other and do not alternate.
 TEST(LowerEnvelope, branches_that_coincide_are_one) {
   constexpr double kRounded = 1e-15;
   const std::vector<Branch> branches{parabola(0.1, 1.0, 0.2, 0.3, 1.0, 1.6),

@@ -22,7 +22,7 @@ std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double
   if (!(u > -kHalfPi && u < kHalfPi)) return std::nullopt;
   const double radius = r_b * (std::tan(u) - xi);
   if (!(radius > 0.0)) return std::nullopt;
-  // D − r_r = r_b (1/cos u − tan u + ξ), the difference as tan((π/2 − u)/2).
+  // D − r_r = r_b (1/cos u − tan u + ξ). The difference is computed as tan((π/2 − u)/2).
   const double end = r_b * (std::tan((kHalfPi - u) / 2) + xi);
   return FilletArc{radius, r_b / std::cos(u), Angle::radians(kHalfPi - u), end};
 }
@@ -81,7 +81,7 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
   const double eta = std::numbers::pi / teeth - flank.base_half_angle();
   const double most = std::min(tip_roll, kHalfPi - eta);
-  // The rack cuts both flanks of the tooth space there, so the space is open.
+  // The rack cuts both flanks of the tooth space there, so the space is not closed.
   const double least = std::max(0.0, ruler.roll(l_zero));
   const char* const field = "root_fillet.offset";
   if (!(least < most)) {
@@ -102,8 +102,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   return CircularFillet{xi, *arc};
 }
 
-// ξ_J of the tip fillet that ends at the radius ρ. It is at least ψ_b, where the end moves outward
-// as ξ grows. [T6.6]
+// Returns ξ_J of the tip fillet that ends at the radius ρ. It is at least ψ_b, because above ψ_b
+// the end moves outward as ξ grows. [T6.6]
 std::optional<double> roll_of_end(const Involute& flank, double rho) {
   const double r_b = flank.base_radius();
   const double psi_b = flank.base_half_angle();
@@ -125,13 +125,14 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
 Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double tip_radius,
                                   double least) {
   const Involute& flank = ruler.flank;
-  constexpr double kInside = 1 - 1e-12;  // the centre stays outside the base circle
+  constexpr double kInside = 1 - 1e-12;  // keeps the centre outside the base circle
   const double most = (tip_radius - flank.base_radius()) * kInside;
   const auto room = [&](double rho) {
     const CircularFillet corner = tip_corner_at(flank, tip_radius, rho);
     return std::min(corner.arc.land.rad(), corner.roll - least);
   };
-  constexpr double kSharp = 1e-9;  // relative to the tip radius, below every rounding on a drawing
+  // Relative to the tip radius; smaller than any rounding on a drawing.
+  constexpr double kSharp = 1e-9;
   const double sharp = kSharp * tip_radius;
   if (!(most > sharp && room(sharp) > 0.0)) {
     return Error{"tip_fillet.corner_radius", "",
@@ -148,7 +149,7 @@ Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double
 Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, double least) {
   const Involute& flank = ruler.flank;
   const double most = std::min(roll_of_point(flank), ruler.roll(ruler.end));
-  // Below that the flank's normal points away from the tooth's centre line.
+  // For smaller ξ, the normal of the flank points away from the centre line of the tooth.
   least = std::max(least, flank.base_half_angle() - kHalfPi);
   if (!(least < most)) {
     return Error{"tip_fillet", "", "no flank is left between the root and the point of the tooth"};
@@ -205,8 +206,8 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
     if (arc.cuts != ArcName::flank || !line) continue;
     const double x = line->begin_height + motion.shift;
     const double roll = rack_involute_roll(motion, *line, x);
-    // The step is one module, because ξ is linear in x and a smaller difference would be
-    // inaccurate.
+    // The step is one module. Since ξ is linear in x, a smaller difference would only be less
+    // accurate.
     const double one = motion.pitch_radius;
     const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
     const double cos_tau = std::cos(line->tau.rad());

@@ -1,13 +1,15 @@
-// Circular fillets at the root and at the tip of an involute tooth that are not cut by a rack:
-// computes the arcs from the values of a drawing. generate.hpp adds them to the tooth.
+// Circular fillets at the root and at the tip of an involute tooth that are not cut by a rack. This
+// file computes the arcs from the dimensions on a drawing, and generate.hpp adds them to the tooth.
 //
-//   l    mm along the straight flank of the rack, in its normal section, from its lower end;
-//        everything is linear in it: the rack's height x, and with it the roll angle ξ
-//   F    where undercut begins, ξ = 0         C, J    where root and tip fillet touch the flank
-//   δ = ψ_b − ξ     the direction of the flank at ξ; its normal touches the base circle at polar δ
+//   l    mm along the straight flank of the rack, in its normal section, from its lower end. The
+//        height x of the rack and the roll angle ξ are linear in l.
+//   F    point where undercut begins, ξ = 0      C, J    points where root and tip fillet touch the
+//        flank
+//   δ = ψ_b − ξ     direction of the flank at ξ; its normal touches the base circle at the polar
+//   angle δ
 //   η = π/z − ψ_b   half the space on the base circle, u = ξ_C + η
 //                                              theory: docs/theory/06-few-teeth.md
-//   γ    polar angle of the centre of a rounded tip corner, half of the land that is left
+//   γ    polar angle of the centre of a rounded tip corner, half of the remaining land
 //
 // All arcs are tangent to the flank, so their centres lie on its normal. The centre of the root
 // fillet is on the centre line of the space, that of the tip fillet on the centre line of the
@@ -30,13 +32,13 @@ struct RootFilletSpec {
   double offset = 0.0;  ///< mm, l_C = max(l_F, 0) + offset
 };
 
-/// [gearN.tip_fillet]: one number and its meaning.
+/// [gearN.tip_fillet]: one value and its meaning.
 struct TipFilletSpec {
   enum class By {
     radius,      ///< r_t
     l,           ///< l_J
-    end_radius,  ///< of the finished tip on the tooth's centre line
-    corner       ///< ρ_a of each tip corner, which leaves a land between the two
+    end_radius,  ///< end of the finished tip on the centre line of the tooth
+    corner       ///< ρ_a of each tip corner, which leaves a land between the two corners
   };
   By by = By::radius;
   double value = 0.0;  ///< mm
@@ -56,36 +58,38 @@ struct FlankRuler {
 
 FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 
-/// A fillet arc: its circle, by the distance of the centre from the axis, and its extent.
+/// A fillet arc, given by its circle, by the distance of its centre from the axis and by its
+/// extent.
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
   double distance;  ///< of the centre from the gear's axis, mm
-  Angle span;       ///< σ  from the flank to the centre line, of a tip corner to the land
-  double end;       ///< mm: radius at which the arc meets the centre line or the land
-  Angle land{};     ///< γ  half angle of the land; 0 if there is none
+  Angle span;    ///< σ  from the flank to the centre line; for a tip corner, from the flank to the
+                 ///< land
+  double end;    ///< mm: radius at which the arc meets the centre line or the land
+  Angle land{};  ///< γ  half angle of the land; 0 if there is none
 };
 
-/// The root fillet that touches the flank at ξ_C and is centred in the space; none if the normal of
-/// the flank does not meet the centre line of the space outside the tooth.
+/// Returns the root fillet that touches the flank at ξ_C and is centred in the space. There is none
+/// if the normal of the flank does not meet the centre line of the space outside the tooth.
 ///
 /// Formula   r_r = r_b (tan u − ξ), D = r_b/cos u, σ = π/2 − u, end D − r_r; [T6.2]
 /// Domain    ξ_C ≥ 0, teeth ≥ 1 (contract)
 std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double xi);
 
-/// The tip fillet that touches the flank at ξ_J and is centred in the tooth; nothing beyond the
-/// pointed tooth.
+/// Returns the tip fillet that touches the flank at ξ_J and is centred in the tooth. There is none
+/// beyond the point of a pointed tooth.
 ///
 /// Formula   r_t = r_b (ξ + tan δ), D = r_b/cos δ, σ = π/2 + δ, end D + r_t; [T6.3]
 /// Domain    ξ_J ≥ 0 (contract)
 std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi);
 
-/// The ξ_J of a given r_t: dr_t/dξ = −r_b tan² δ, so it is unique. None if r_t is too great for the
-/// whole flank. [T6.4]
+/// Returns ξ_J for a given r_t. It is unique because dr_t/dξ = −r_b tan² δ. There is none if r_t is
+/// too large for the whole flank. [T6.4]
 ///
 /// Domain    r_t > 0 (contract)
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius);
 
-/// An arc and the flank's roll angle where it touches.
+/// An arc and the roll angle of the point where it touches the flank.
 struct CircularFillet {
   double roll;  ///< ξ_C or ξ_J  rad
   FilletArc arc;
@@ -103,11 +107,11 @@ struct CircularFillets {
   std::optional<CircularFillet> root, tip;
 };
 
-/// The requested fillets. `tip_radius` is that of the blank, if it is given; for the rounding of a
-/// tip corner it is the end of the tooth.
+/// Computes the requested fillets. `tip_radius` is that of the blank if it is given. For the
+/// rounding of a tip corner it is the radius at which the tooth ends.
 ///
 /// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`,
-///           `tip_fillet.corner_radius`, `tip_fillet`: with the range that fits
+///           `tip_fillet.corner_radius` or `tip_fillet`, each with the range that fits
 Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
                                          const std::optional<RootFilletSpec>& root,
                                          const std::optional<TipFilletSpec>& tip,

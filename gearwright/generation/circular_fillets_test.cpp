@@ -1,5 +1,5 @@
-// Circular fillets: they touch the flank, are centred, and change with the place of contact as
-// their formulas say.
+// Tests circular fillets. They touch the flank, are centred, and change with the point of contact
+// as their formulas require.
 #include "gearwright/generation/circular_fillets.hpp"
 
 #include <gtest/gtest.h>
@@ -37,15 +37,15 @@ std::vector<double> rolls(const Tooth& tooth) {
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-// Central difference with a step that is good to 1e-9 of values of a few millimetres.
+// The step of the central difference gives an accuracy of 1e-9 for values of a few millimetres.
 template <class F>
 double slope(const F& f, double x) {
   constexpr double h = 1e-5;
   return (f(x + h) - f(x - h)) / (2 * h);
 }
 
-// [T6.2]: the circle about D∠π/z passes through C with the flank's tangent, and meets the middle
-// of the space at `end`, a span of σ before C.
+// [T6.2]: the circle about D∠π/z passes through C with the tangent of the flank, and meets the
+// middle of the space at `end`, a span of σ before C.
 TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
   int arcs = 0;
   for (const Tooth& tooth : teeth()) {
@@ -71,8 +71,8 @@ TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
   EXPECT_GT(arcs, 30);
 }
 
-// dr_r/dξ = r_b tan² u and d(end)/dξ = r_b (1 − 1/(1 + sin u)), u the angle of the base tangent
-// point before the space's middle.
+// dr_r/dξ = r_b tan² u and d(end)/dξ = r_b (1 − 1/(1 + sin u)), where u is the angle of the base
+// tangent point before the middle of the space.
 TEST(RootFillet, laws) {
   for (const Tooth& tooth : teeth()) {
     const double r_b = tooth.flank.base_radius();
@@ -93,7 +93,8 @@ TEST(RootFillet, laws) {
   }
 }
 
-// The span is the angle between the flank's tangent and the line square to the space's middle.
+// The span is the angle between the tangent of the flank and the line perpendicular to the middle
+// of the space.
 TEST(RootFillet, span_is_the_turn_of_the_tangent) {
   for (const Tooth& tooth : teeth()) {
     for (const double xi : rolls(tooth)) {
@@ -106,11 +107,12 @@ TEST(RootFillet, span_is_the_turn_of_the_tangent) {
 }
 
 TEST(RootFillet, is_nothing_where_no_circle_fits) {
-  // u ≥ π/2: the normal runs away from the space's middle.
+  // If u ≥ π/2, the normal points away from the middle of the space.
   const Involute thin(2.0, 0.1);
   EXPECT_FALSE(root_fillet_at(thin, 2, 0.2));
   EXPECT_TRUE(root_fillet_at(thin, 8, 0.2));
-  // A closed space: nothing below the radius where the flanks meet, something just above.
+  // If the space is closed, no fillet fits below the radius where the flanks meet, but one fits
+  // just above it.
   const Involute thick(3.0, 1.9);
   const double closed = std::tan(inverse_involute(1.9 - kHalfPi));
   EXPECT_FALSE(root_fillet_at(thick, 2, closed - 1e-9));
@@ -118,7 +120,7 @@ TEST(RootFillet, is_nothing_where_no_circle_fits) {
   EXPECT_LT(root_fillet_at(thick, 2, closed + 1e-9)->radius, 1e-8);
 }
 
-// [T6.3]: the circle about D on the x axis passes through J with the flank's tangent.
+// [T6.3]: the circle about D on the x axis passes through J with the tangent of the flank.
 TEST(TipFillet, touches_the_flank_and_is_centred_on_the_tooth) {
   int arcs = 0;
   for (const Tooth& tooth : teeth()) {
@@ -129,7 +131,7 @@ TEST(TipFillet, touches_the_flank_and_is_centred_on_the_tooth) {
       const OffsetCircle circle(arc->distance, 0.0, arc->radius);
       const double scale = 1e-14 * (arc->distance + arc->radius);
       EXPECT_LE((circle.point(arc->span.rad()) - tooth.flank.point(xi)).norm(), 4 * scale) << xi;
-      if (xi > 0.0) {  // walked from the flank to the centre line, against growing t
+      if (xi > 0.0) {  // run from the flank to the centre line, against increasing t
         const double turn =
             circle.at(arc->span.rad()).tangent_angle + kPi - tooth.flank.at(xi).tangent_angle;
         EXPECT_NEAR(std::remainder(turn, 2 * kPi), 0.0, 1e-14) << xi;
@@ -160,7 +162,8 @@ TEST(TipFillet, laws) {
   EXPECT_GT(places, 30);
 }
 
-// The end moves outward with ξ beyond ψ_b, and is the tooth's point where the radius vanishes.
+// The end moves outward as ξ grows beyond ψ_b. If the radius vanishes, the end is the point of the
+// tooth.
 TEST(TipFillet, ends_in_the_point_of_the_tooth) {
   for (const Tooth& tooth : teeth()) {
     const double point = std::tan(inverse_involute(tooth.flank.base_half_angle()));
@@ -179,7 +182,8 @@ TEST(TipFillet, roll_of_a_radius_is_its_inverse) {
       if (!arc || xi == 0.0) continue;
       const auto found = roll_of_tip_fillet(tooth.flank, arc->radius);
       ASSERT_TRUE(found) << xi;
-      // Near δ = 0 the radius stands still: there ξ is known like the root of its rounding.
+      // Near δ = 0 the radius is stationary, so ξ is accurate only to the root of the rounding
+      // error.
       const double delta = tooth.flank.base_half_angle() - xi;
       const double gain = std::max(1e-10, std::pow(std::tan(delta), 2));
       EXPECT_NEAR(*found, xi, 1e-14 * (1 + xi) / gain + 1e-14) << xi;
@@ -189,7 +193,7 @@ TEST(TipFillet, roll_of_a_radius_is_its_inverse) {
   }
 }
 
-// r_t falls with ξ: more than that of ξ = 0 there is none.
+// r_t decreases with ξ, so its greatest value is that at ξ = 0.
 TEST(TipFillet, a_radius_too_large_has_no_place) {
   const Involute flank(11.276, 0.2376);
   const double largest = tip_fillet_at(flank, 0.0)->radius;
@@ -197,7 +201,7 @@ TEST(TipFillet, a_radius_too_large_has_no_place) {
   const auto found = roll_of_tip_fillet(flank, largest * (1 - 1e-12));
   ASSERT_TRUE(found);
   EXPECT_LT(*found, 1e-9);
-  // A tooth of ψ_b > π/2 has a place for every radius.
+  // A tooth with ψ_b > π/2 has a tip fillet for every radius.
   EXPECT_TRUE(roll_of_tip_fillet(Involute(1.472, 2.43), 1e6));
 }
 

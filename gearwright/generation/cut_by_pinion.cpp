@@ -18,11 +18,11 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// Two normals this close are equal, and the arcs join smoothly. A corner moves the cut by λ²/w per
-// radian.
+// If two normals are this close, they count as equal and the arcs join smoothly. A corner moves the
+// cut by λ²/w per radian.
 constexpr double kSameNormal = 1e-12;
 
-// ν of an arc, within half a turn beyond the polar angle.
+// Returns ν of an arc, within half a turn beyond the polar angle.
 double normal_angle(const Arc& arc, double u) {
   const CurvePoint p = arc.at(u);
   const double c = std::cos(p.tangent_angle);
@@ -45,7 +45,7 @@ ArcName cut_by_arc(ArcName cutter) {
 
 Walk walk_of(const Arc& arc) { return arc.end > arc.begin ? Walk::forward : Walk::backward; }
 
-// The branches of one cutter, from the gear's root to its tip.
+// The branches of one cutter, from the root of the gear to its tip.
 class Cutting {
  public:
   Cutting(const GeneratedTooth& cutter, const PinionMotion& motion)
@@ -57,7 +57,7 @@ class Cutting {
 
   void run() {
     const auto& arcs = cutter_.outline.arcs;
-    double nu = 0.0;  // of what was cut last
+    double nu = 0.0;  // ν of the preceding cut
     bool smooth = true;
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
@@ -65,7 +65,7 @@ class Cutting {
       if (nu_tip_side > nu + kSameNormal) {  // a convex corner
         add_fan(arc, nu, nu_tip_side, smooth);
       } else if (nu_tip_side < nu - kSameNormal) {
-        smooth = false;  // a concave corner does not cut; its neighbours do
+        smooth = false;  // a concave corner does not cut, but its neighbours do
       }
       smooth = add_arc(arc, smooth);
       nu = normal_angle(arc, 0.0);
@@ -91,7 +91,7 @@ class Cutting {
       visit_curve<AxisCircle, Involute>(
           *arc.curve,
           Overloaded{
-              [](const AxisCircle*) {},  // a land only ends the tooth
+              [](const AxisCircle*) {},  // a land can only end the tooth
               [&](const Involute* involute) { involute_piece(all, *involute, arc); },
               [&](const auto*) { pieces(all, arc.curve, walk_of(arc), arc.begin, arc.end); }});
     }
@@ -118,8 +118,7 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // Only one side of the cusp is kept, which is ξ < 0 on an external gear and ξ > 0 on an
-    // internal one.
+    // Only one side of the cusp is kept: ξ < 0 on an external gear and ξ > 0 on an internal one.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);
@@ -132,7 +131,7 @@ class Cutting {
   bool add_arc(const Arc& arc, bool smooth) {
     return visit_curve<AxisCircle, Involute>(
         *arc.curve,
-        Overloaded{[](const AxisCircle*) { return true; },  // a land only ends the tooth
+        Overloaded{[](const AxisCircle*) { return true; },  // a land can only end the tooth
                    [&](const Involute* involute) { return add_involute(arc, *involute, smooth); },
                    [&](const auto*) {
                      return add_envelope(cut_by_arc(arc.name), arc.curve, walk_of(arc), arc.end,
@@ -141,7 +140,7 @@ class Cutting {
   }
 
   void add_fan(const Arc& arc, double nu_from, double nu_to, bool& smooth) {
-    // Beyond the flank, a corner belongs to the root of the cutter and cuts the tip.
+    // A corner beyond the flank belongs to the root of the cutter and cuts the tip of the gear.
     const ArcName cuts = arc.name == ArcName::root_fillet || arc.name == ArcName::root_land
                              ? ArcName::tip_fillet
                              : ArcName::root_fillet;

@@ -1,9 +1,10 @@
-// A finished tooth as a pinion cutter: computes the gear that its whole outline generates.
+// Computes the gear that a pinion cutter generates with its whole outline. The cutter is a finished
+// tooth.
 //
 // Every arc of the cutter, and every corner with its range of normals, gives branches, like the
-// edge of a rack. The tip of the cutter cuts the root, and its root cuts the tip. Trimming, cusps
-// (which the concave root of the cutter may cut on the tip) and pointed teeth need no separate
-// treatment.
+// edge of a rack. The tip of the cutter cuts the root of the gear, and its root cuts the tip.
+// Trimming, cusps and pointed teeth need no separate treatment. The concave root of the cutter may
+// cut cusps on the tip.
 //                                              theory: docs/theory/06-few-teeth.md, [T6.8]…[T6.13]
 #pragma once
 
@@ -12,17 +13,17 @@
 
 namespace gearwright {
 
-/// The tip radius that the root of the cutter leaves if the blank does not end the tooth earlier,
-/// mm.
+/// Returns the tip radius, mm, that the root of the cutter leaves if the blank does not end the
+/// tooth earlier.
 double left_by_root(const GeneratedTooth& cutter, const PinionMotion& motion);
 
 /// Cuts a tooth with a pinion cutter.
 ///
-/// Units     mm, rad; `blank_radius` infinite (an internal gear: 0) leaves the tip to the cutter's
-/// root
+/// Units     mm, rad; if `blank_radius` is infinite (internal gear: 0), the root of the cutter ends
+///           the tooth
 /// Domain    `cutter` has an outline; an internal gear has more teeth than its cutter (contract)
-/// Errors    `cut_by` where the centrode lies inside the cutter's base circle, where the cutter
-///           passes the axis or leaves no tooth; `tip_diameter_mm` when the blank ends at the root
+/// Errors    `cut_by` if the centrode lies inside the base circle of the cutter, or if the cutter
+///           passes the axis or leaves no tooth; `tip_diameter_mm` if the blank ends at the root
 Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionMotion& motion,
                                      double blank_radius);
 

@@ -1,5 +1,5 @@
-// Gears as a pinion cutter leaves them: conjugate to the cutter, like a rack's work when the cutter
-// is large, and every flag and refusal.
+// Tests gears cut by a pinion cutter. They are conjugate to the cutter, approach the gear cut by a
+// rack if the cutter is large, and cover every flag and error.
 //
 //   z_0, x_0   the cutter's teeth and shift      E   generating centre distance, module 1
 #include "gearwright/generation/cut_by_pinion.hpp"
@@ -27,7 +27,7 @@ using enum ArcName;
 
 constexpr double kAlpha = kPi / 9;
 
-// Spur, module 1. The cutter's blank is so large that the rack ends its teeth.
+// A spur gear of module 1. The blank of the cutter is so large that the rack ends its teeth.
 GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double blank = kInfinity,
                        const CircularFillets& fillets = {}) {
   auto edge = make_edge(rack, 1.0, 20_deg);
@@ -35,7 +35,7 @@ GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double
   return testing::taken(cut_by_rack(edge->edge, {teeth / 2.0, 1.0, shift}, teeth, blank, fillets));
 }
 
-// A cutter with rounded tips, sharp at its root.
+// A cutter with rounded tips and a sharp root.
 StraightRack rounded(double addendum = 1.25, double radius = 0.25) {
   StraightRack rack;
   rack.addendum = addendum;
@@ -57,13 +57,13 @@ GeneratedTooth cut(const GeneratedTooth& cutter, const PinionMotion& motion) {
   return cut(cutter, motion, no_blank(motion.teeth));
 }
 
-// Where cutter and gear of these shifts mesh without backlash. [T6.12]
+// The centre distance at which cutter and gear with these shifts mesh without backlash. [T6.12]
 double tight_distance(int z_0, double x_0, int z, double x) {
   const double inv_w = involute(kAlpha) + 2 * std::tan(kAlpha) * (x_0 + x) / (z_0 + z);
   return std::abs(z_0 + z) / 2.0 * std::cos(kAlpha) / std::cos(inverse_involute(inv_w));
 }
 
-// Half angle of the tooth on the base circle that the shift gives; an internal gear's is
+// The half angle of the tooth on the base circle for the shift; that of an internal gear is
 // extrapolated.
 double base_half_angle(int z, double x) {
   const double thickness = kPi / 2 + 2 * x * std::tan(kAlpha);
@@ -98,7 +98,7 @@ TEST(CutByPinion, gear_and_cutter_mesh_without_backlash) {
   }
 }
 
-// The cutter's tip cuts the root, its root the tip; the lands stay the same circles.
+// The tip of the cutter cuts the root and its root the tip. The lands remain the same circles.
 TEST(CutByPinion, root_and_tip_are_the_cutters_tip_and_root) {
   for (const auto& [z_0, x_0, z, x] : sets()) {
     const double e = tight_distance(z_0, x_0, z, x), side = z > 0 ? 1.0 : -1.0;
@@ -115,7 +115,7 @@ TEST(CutByPinion, root_and_tip_are_the_cutters_tip_and_root) {
   }
 }
 
-// A blank ends the tooth before the cutter's root does.
+// A blank ends the tooth before the root of the cutter does.
 TEST(CutByPinion, blank_ends_the_tooth) {
   const GeneratedTooth external = cut(cutter_of(20, 0.0), {20, 45, 32.5}, 23.4);
   EXPECT_EQ(external.tip_radius, 23.4);
@@ -132,7 +132,7 @@ TEST(CutByPinion, blank_ends_the_tooth) {
   EXPECT_FALSE(ring.outline.find(tip_fillet));
 }
 
-// mm along the circle between the two teeth at the radius, on the arc of that name.
+// Distance, mm, along the circle between the two teeth at the radius, on the arc of that name.
 double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, double rho) {
   const auto angle = [&](const GeneratedTooth& tooth) {
     const Arc* arc = tooth.outline.find(name);
@@ -142,12 +142,12 @@ double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, dou
   return rho * std::abs(angle(a) - angle(b));
 }
 
-// The larger the cutter, the nearer to what the rack of the same profile leaves: everything that
-// differs at all falls like 1/z_0.
+// The larger the cutter, the closer the gear is to that cut by the rack of the same profile. All
+// differences decrease like 1/z_0.
 TEST(CutByPinion, approaches_the_rack) {
-  StraightRack rack;  // its tip is the cutter's tip
+  StraightRack rack;  // its tip becomes the tip of the cutter
   rack.root_fillet_radius = 0.3;
-  for (const double x : {0.2, 0.4, -0.2}) {  // the last one undercut
+  for (const double x : {0.2, 0.4, -0.2}) {  // the last one is undercut
     const double blank = 18.0 / 2 + 1 + x;
     const GeneratedTooth wanted = by_rack(18, x, rack, blank);
     double form_before = 0.0, fillet_before = 0.0;
@@ -171,9 +171,10 @@ TEST(CutByPinion, approaches_the_rack) {
   }
 }
 
-// At the reference distance rack, cutter and gear roll on one pitch point: there the cutter does
-// just what the rack did that is its own counterpart, whatever its number of teeth; provided that
-// the whole edge of its rack stands on it, from the flank's end at τ = α on.
+// At the reference distance, rack, cutter and gear roll on one pitch point. There the cutter has
+// the same effect as the rack that is its counterpart, for any number of cutter teeth. The
+// condition is that the cutter carries the whole edge of its rack, from the end of the flank at τ =
+// α on.
 TEST(CutByPinion, at_the_reference_distance_it_is_the_rack) {
   StraightRack rack;
   rack.root_fillet_radius = 0.25;
@@ -198,8 +199,8 @@ TEST(CutByPinion, at_the_reference_distance_it_is_the_rack) {
   EXPECT_GE(compared, 6);
 }
 
-// The space of an internal gear is the tooth of an external gear of as many teeth and the opposite
-// shift.
+// The space of an internal gear is the tooth of an external gear with the same number of teeth and
+// the opposite shift.
 TEST(CutByPinion, space_of_a_ring_is_the_tooth_of_its_mirror) {
   for (const double x : {0.0, 0.3, -0.25}) {
     const GeneratedTooth ring = cut(cutter_of(20, 0.0), {20, -60, tight_distance(20, 0.0, -60, x)});
@@ -213,7 +214,7 @@ TEST(CutByPinion, space_of_a_ring_is_the_tooth_of_its_mirror) {
   }
 }
 
-// Twice the lengths, the same angles.
+// Doubling all lengths leaves the angles unchanged.
 TEST(CutByPinion, scales) {
   for (const auto& [z_0, x_0, z, x] : sets()) {
     const double e = tight_distance(z_0, x_0, z, x);
@@ -231,9 +232,9 @@ TEST(CutByPinion, scales) {
   }
 }
 
-// An undercut cutter has a corner that stands out between flank and fillet: on the gear it cuts a
-// tip fillet, the path of a point. Every place of it lies as far from the cutter's axis as the
-// corner when it is cut.
+// An undercut cutter has a convex corner between flank and fillet. On the gear it cuts a tip
+// fillet, the path of a point. While a point of the fillet is cut, its distance from the axis of
+// the cutter is that of the corner.
 TEST(CutByPinion, corner_of_an_undercut_cutter) {
   StraightRack sharp;
   sharp.root_fillet_radius = 0.0;
@@ -253,7 +254,8 @@ TEST(CutByPinion, corner_of_an_undercut_cutter) {
       const double nu = arc.begin + u * (arc.end - arc.begin);
       if ((arc.point(u) - fan.point(nu)).norm() > 1e-13 * 19) continue;
       ++fans;
-      // The gear turned so that the pitch point stands at ϑ of the cutter; distance of the axes E.
+      // The gear is turned so that the pitch point lies at the angle ϑ of the cutter. E is the
+      // distance of the axes.
       const double s = corner.x() * std::sin(nu) - corner.y() * std::cos(nu);
       const double turned = 8.0 / 30 * (nu - std::asin(s / motion.cutter_pitch_radius()));
       const Vec2 p = arc.point(u);
@@ -263,11 +265,13 @@ TEST(CutByPinion, corner_of_an_undercut_cutter) {
     }
   }
   EXPECT_GE(fans, 3);
-  // The flank ends where the corner takes over, below what the cutter's base circle would give.
+  // The flank ends where the corner begins to cut, below the end that the base circle of the cutter
+  // would give.
   EXPECT_LT(*tooth.tip_form_radius, tooth.tip_radius);
 }
 
-// A pointed cutter has a corner on its centre line: no root land, and a root of one trochoid.
+// A pointed cutter has a corner on its centre line. The gear has no root land, and its root is one
+// trochoid.
 TEST(CutByPinion, pointed_cutter) {
   StraightRack rack;
   rack.root_fillet_radius = 0.0;
@@ -283,7 +287,8 @@ TEST(CutByPinion, pointed_cutter) {
   }
 }
 
-// A cutter with circular fillets ends on its centre lines, and so does the gear: no lands.
+// A cutter with circular fillets ends on its centre lines, and so does the gear. There are no
+// lands.
 TEST(CutByPinion, fillets_leave_no_lands) {
   StraightRack rack;
   rack.dedendum = 1.0;
@@ -301,7 +306,7 @@ TEST(CutByPinion, fillets_leave_no_lands) {
   EXPECT_NEAR(tooth.root_radius, 16.0 - cutter.tip_fillet->end, 1e-14 * 16);
   EXPECT_NEAR(tooth.tip_radius, 16.0 - cutter.root_fillet->end, 1e-14 * 16);
   EXPECT_EQ(tooth.outline.arcs.back().end_point, Vec2(tooth.tip_radius, 0.0));
-  // And on the other side of the clearance a blank may end it lower.
+  // A smaller blank ends the tooth with a tip land, below the end of the fillet.
   const GeneratedTooth low = cut(cutter, {8, 24, 16.0}, 12.4);
   EXPECT_EQ(names(low).back(), tip_land);
   EXPECT_EQ(low.tip_radius, 12.4);

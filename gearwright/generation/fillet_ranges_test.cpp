@@ -1,5 +1,5 @@
-// Circular fillets by a drawing's numbers: the ruler along the rack's flank, each way to name a
-// place, and ranges in refusals that are sharp.
+// Tests circular fillets given by drawing dimensions: the scale along the flank of the rack, each
+// way to specify a position, and the exact ranges in error messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using namespace literals;
 
 using By = TipFilletSpec::By;
 
-// The paper's pinion: 2 teeth, m_n 1.75 mm, λ 60°, x 0.7, a sharp rack.
+// The pinion of the paper: 2 teeth, m_n 1.75 mm, λ 60°, x 0.7, a sharp rack.
 CylindricalSpec two_teeth() {
   CylindricalSpec s = testing::plain_spec(
       {.teeth = 2, .module = 1.75, .beta_deg = 30, .x = 0.7, .face_width = 20.0});
@@ -45,7 +45,7 @@ CylindricalSpec with_tip(CylindricalSpec s, By by, double value) {
 
 Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
-// What a spec is refused with, whose field is checked; empty: it is made.
+// Returns the error of a spec, whose field is checked. It is empty if the gear can be made.
 std::string refusal(const CylindricalSpec& s, const std::string& field) {
   const auto gear = make_gear(s);
   if (gear) return "";
@@ -60,18 +60,19 @@ void expect_refused(const CylindricalSpec& s, const std::string& key) {
   EXPECT_EQ(gear.error().field, key) << gear.error().message();
 }
 
-// A tooth whose fillet stands where it should: tangent, on its centre line, nothing lost.
+// Checks the fillet of a tooth: it is tangent and on its centre line, and nothing is missing.
 void expect_stands(const CylindricalSpec& s) {
   const auto gear = make_gear(s);
   ASSERT_TRUE(gear) << gear.error().message();
-  if (!gear->exists()) return;  // severed: a fact about the tooth, not about the range
+  if (!gear->exists()) return;  // severed: a property of the tooth, not of the range
   EXPECT_EQ(gear->tooth->root_fillet.has_value(), s.root_fillet.has_value());
   EXPECT_EQ(gear->tooth->tip_fillet.has_value(), s.tip_fillet.has_value());
 }
 
 constexpr double kJust = 1e-9;
 
-// l is measured where the rack's flank is: the point that it cuts there is the flank's point.
+// l is measured along the flank of the rack. The point of the rack at l cuts the corresponding
+// point of the flank.
 TEST(FlankRuler, measures_along_the_racks_flank) {
   for (const double beta : {0.0, 30.0}) {
     const auto edge = make_edge(StraightRack{}, 2.0, 20_deg);
@@ -97,7 +98,7 @@ TEST(FlankRuler, measures_along_the_racks_flank) {
   }
 }
 
-// l_F > 0 and undercut are one thing; a root fillet takes the undercut away.
+// l_F > 0 is equivalent to undercut. A root fillet removes the undercut.
 TEST(FewTeeth, undercut_length_has_the_sign_of_the_undercut) {
   for (const int teeth : {2, 3, 5, 8, 12, 17, 30}) {
     for (const double x : {-0.5, 0.0, 0.3, 0.7, 1.1}) {
@@ -121,7 +122,7 @@ TEST(FewTeeth, point_c_is_the_undercut_limit_and_the_offset) {
   EXPECT_FALSE(plain.involute()->point_c_l || plain.involute()->point_j_l);
 }
 
-// Radius, place and end name the same fillet.
+// Radius, position and end describe the same fillet.
 TEST(FewTeeth, three_ways_to_name_a_tip_fillet) {
   const Gear by_radius = made(with_tip(two_teeth(), By::radius, 0.332));
   const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.involute()->point_j_l));
@@ -136,7 +137,7 @@ TEST(FewTeeth, three_ways_to_name_a_tip_fillet) {
   EXPECT_NEAR(by_radius.actual_tip_radius(), by_radius.tip_diameter / 2, 1e-15 * 8);
 }
 
-// A blank beside a fillet may turn the fillet's end off, never add to it.
+// A blank together with a fillet may cut off the end of the fillet, but never extends it.
 TEST(FewTeeth, blank_and_tip_fillet) {
   CylindricalSpec s = with_tip(two_teeth(), By::radius, 0.332);
   const Gear whole = made(s);
@@ -172,7 +173,7 @@ TEST(FewTeethRanges, largest_radius_of_the_tip_fillet) {
   }
 }
 
-// The cutter's flank ends before the point of the tooth: a smaller circle finds no flank.
+// The flank of the cutter ends before the point of the tooth, so a smaller circle finds no flank.
 TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
   const char* key = "tip_fillet.radius";
   for (CylindricalSpec s : {spur(12, 0.0), spur(17, 0.0), spur(30, 0.2)}) {
@@ -217,11 +218,12 @@ TEST(FewTeethRanges, ends_of_the_tip_that_a_fillet_can_make) {
 }
 
 TEST(FewTeethRanges, what_never_fits) {
-  // A tip inside the base circle leaves no flank to touch.
+  // A tip inside the base circle leaves no flank that a fillet could touch.
   CylindricalSpec low = spur(17, 0.0);
   low.tip_diameter = 31.9;
   expect_refused(with_root(low, 0.0), "root_fillet.offset");
-  for (const char* key : {"root_fillet", "tip_fillet"}) {  // has what its cutter leaves
+  // Without it, the cutter determines the fillet.
+  for (const char* key : {"root_fillet", "tip_fillet"}) {
     CylindricalSpec ring = spur(-60, 0.0);
     if (std::string(key) == "root_fillet") ring.root_fillet = RootFilletSpec{0.0};
     if (std::string(key) == "tip_fillet") ring.tip_fillet = TipFilletSpec{By::radius, 0.3};

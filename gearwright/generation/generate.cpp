@@ -62,7 +62,7 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
   }
 }
 
-// The circular root fillet, which replaces the root cut by the rack below ξ_C. [T6.2]
+// Adds the circular root fillet, which replaces the root cut by the rack below ξ_C. [T6.2]
 std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
@@ -84,7 +84,8 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
   return std::nullopt;
 }
 
-// The circular tip fillet or the rounded corner, which replaces the part after ξ_J. [T6.3] [T6.17]
+// Adds the circular tip fillet or the rounded corner, which replaces the part after ξ_J. [T6.3]
+// [T6.17]
 std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const CircularFillet& tip,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
@@ -155,7 +156,7 @@ Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& mot
     if (auto error = put_fillets(branches, teeth, fillets, tooth)) return *error;
     if (tooth.tip_fillet) ends.blank_radius = std::min(blank_radius, tooth.tip_fillet->end);
   }
-  // A modified root ends on the space's centre line, without a land.
+  // A root with a circular fillet ends on the centre line of the space, without a land.
   ends.root_land_angle = fillets.root ? std::numbers::pi / teeth
                                       : edge.tip_land_end / (motion.cos_beta * motion.pitch_radius);
   return detail::finish_tooth(branches, ends, std::move(tooth));

@@ -1,4 +1,4 @@
-// Teeth as cut: what each kind of edge leaves, every flag, and the places where branches only
+// Tests teeth as cut: the result of each kind of edge, every flag, and cases where branches only
 // touch.
 #include "gearwright/generation/generate.hpp"
 
@@ -20,7 +20,8 @@ using namespace literals;
 using testing::expect_joined;
 using testing::names;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is not an aggregate. An aggregate of C++20 would accept some of the members and leave
+// the others 0.
 static_assert(!std::is_constructible_v<GeneratedTooth, Outline>);
 
 struct Cut {
@@ -54,8 +55,8 @@ TEST(CutByRack, plain_tooth) {
   EXPECT_EQ(tooth.tip_radius, 16.0);
   EXPECT_EQ(tooth.tip_form_radius, 16.0);
   EXPECT_FALSE(tooth.pointed || tooth.severed || tooth.through_axis || tooth.tip_cut_by_rack);
-  // No undercut: the flank starts where the rounding ends, x = −h_Ff, ξ = (r sin²α + x)/(r sin α
-  // cos α).
+  // Without undercut, the flank starts where the rounding ends: x = −h_Ff, ξ = (r sin²α + x)/(r sin
+  // α cos α).
   const double s = std::sin(std::numbers::pi / 9), c = std::cos(std::numbers::pi / 9);
   const double xi = (15 * s * s - (1.25 - 0.38 * (1 - s))) / (15 * s * c);
   EXPECT_NEAR(*tooth.form_radius, 15 * c * std::hypot(1.0, xi), 1e-13);
@@ -89,7 +90,7 @@ TEST(CutByRack, bottom_rounding_ends_on_the_land) {
   EXPECT_TRUE(tooth.tip_cut_by_rack);
   EXPECT_NEAR(tooth.tip_radius, 11.0, 1e-14);
   EXPECT_LT(*tooth.tip_form_radius, 11.0);
-  // Tangent to the land: the outline turns onto the circle without an edge.
+  // The outline is tangent to the land, which it joins without a corner.
   const Arc& fillet = tooth.outline.arcs[3];
   const CurvePoint end = fillet.at(1.0);
   EXPECT_NEAR(std::abs(std::sin(end.tangent_angle - fillet.curve->polar_angle(fillet.end))), 1.0,
@@ -109,7 +110,7 @@ TEST(CutByRack, semi_topping_cuts_a_chamfer) {
 
 TEST(CutByRack, protuberance_gives_the_root_two_fillet_arcs) {
   Cut cut;
-  cut.teeth = 120;  // few teeth: the flank's start lies above what the proud line cuts
+  cut.teeth = 120;  // with few teeth, the flank would start above the part cut by the protuberance
   cut.rack.dedendum = 1.4;
   cut.rack.root_fillet_radius = 0.3;
   cut.rack.protuberance = 0.05;
@@ -148,8 +149,8 @@ TEST(CutByRack, a_blank_below_the_root_is_an_error) {
   EXPECT_EQ(tooth.error().field, "tip_diameter");
 }
 
-// Undercut that begins just here: the swallowtail between fillet and flank is smaller than an ulp,
-// in either direction, and the two arcs simply touch.
+// Undercut begins exactly here. The swallowtail between fillet and flank is smaller than an ulp in
+// either direction, and the two arcs simply touch.
 TEST(CutByRack, undercut_begins_within_rounding) {
   for (const int teeth : {1, 4, 8, 12, 17, 40}) {
     for (const double rho : {0.0, 0.2, 0.38}) {
@@ -171,7 +172,8 @@ TEST(CutByRack, undercut_begins_within_rounding) {
   }
 }
 
-// The trochoid has taken the whole flank: it goes on into the bottom rounding, not past it.
+// The trochoid has removed the whole flank. It continues into the rounding of the cutter's bottom,
+// not past it.
 TEST(CutByRack, fillet_that_swallows_the_flank_meets_the_bottom_rounding) {
   Cut cut;
   cut.teeth = 3;
@@ -184,7 +186,8 @@ TEST(CutByRack, fillet_that_swallows_the_flank_meets_the_bottom_rounding) {
   expect_joined(tooth, tooth.tip_radius);
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, tip_fillet, tip_land}));
   EXPECT_FALSE(tooth.form_radius);
-  // A true crossing: below it the fillet is the inner one, above it the rounding.
+  // The two branches cross. Below the intersection the fillet is the inner branch, above it the
+  // rounding.
   const Arc& fillet = tooth.outline.arcs[1];
   const Arc& tip = tooth.outline.arcs[2];
   const auto theta = [](const Arc& arc, double rho) {
@@ -194,7 +197,8 @@ TEST(CutByRack, fillet_that_swallows_the_flank_meets_the_bottom_rounding) {
   EXPECT_NEAR(theta(fillet, rho), theta(tip, rho), 1e-13);
 }
 
-// A protuberance smaller than the rounding takes up: no straight proud part, one crossing.
+// The protuberance is smaller than the height of the rounding. It has no straight part, and there
+// is one intersection.
 TEST(CutByRack, small_protuberance) {
   Cut cut;
   cut.teeth = 6;
@@ -209,7 +213,8 @@ TEST(CutByRack, small_protuberance) {
   EXPECT_EQ(names(tooth)[2], flank);
 }
 
-// The proud line would take over above the blank, the flank is met below it.
+// The line of the protuberance would cross the flank only above the blank. The flank is met below
+// it.
 TEST(CutByRack, what_happens_above_the_blank_does_not_matter) {
   Cut cut;
   cut.teeth = 61;
@@ -225,7 +230,7 @@ TEST(CutByRack, what_happens_above_the_blank_does_not_matter) {
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, tip_land}));
 }
 
-// A neck far above the blank is none of the tooth's; one below it severs.
+// A neck far above the blank does not belong to the tooth. A neck below the blank severs it.
 TEST(CutByRack, neck_is_sought_below_the_tip) {
   Cut cut;
   cut.teeth = 4;

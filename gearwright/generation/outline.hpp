@@ -26,7 +26,8 @@ struct Arc {
   CurvePoint at(double u) const;
 };
 
-/// σ: the sign of z, +1 of external and −1 of internal teeth. Radii grow by it from root to tip.
+/// σ: the sign of z, +1 for external and −1 for internal teeth. σ times the radius grows from root
+/// to tip.
 constexpr double side_of(int teeth) { return teeth < 0 ? -1.0 : 1.0; }
 
 struct Outline {
@@ -37,7 +38,7 @@ struct Outline {
   const Arc* find(ArcName name) const;            ///< first arc of that name, or null
 };
 
-/// n points per arc, both ends included.   Domain: n ≥ 2 (contract)
+/// Returns n points per arc, both ends included.   Domain: n ≥ 2 (contract)
 std::vector<Vec2> sample(const Arc& arc, int n);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// Arcs and their samples: ends to the last bit, direction root to tip.
+// Tests arcs and their samples: ends exact to the last bit, direction from root to tip.
 #include "gearwright/generation/outline.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Arc flank_arc() {
   return {ArcName::flank, curve, 0.2, 0.6, curve->point(0.2), curve->point(0.6)};
 }
 
-Arc land() {  // runs against the polar angle
+Arc land() {  // Runs against the polar angle.
   const auto curve = std::make_shared<AxisCircle>(5.0);
   return {ArcName::root_land, curve, 0.4, 0.1, Vec2(1.0, 2.0), curve->point(0.1)};
 }
@@ -33,7 +33,7 @@ TEST(Arc, tangent_runs_root_to_tip) {
   const CurvePoint up = flank_arc().at(0.5);
   const Vec2 ahead = flank_arc().point(0.5 + 1e-6) - flank_arc().point(0.5 - 1e-6);
   EXPECT_GT(ahead.dot(Vec2(std::cos(up.tangent_angle), std::sin(up.tangent_angle))), 0.0);
-  // Against the curve's parameter the tangent turns half round and the curvature changes its sign.
+  // Against the parameter of the curve, the tangent reverses and the curvature changes its sign.
   const CurvePoint back = land().at(0.5);
   const Vec2 run = land().point(0.5 + 1e-6) - land().point(0.5 - 1e-6);
   EXPECT_GT(run.dot(Vec2(std::cos(back.tangent_angle), std::sin(back.tangent_angle))), 0.0);

@@ -1,5 +1,5 @@
-// Cusps of a pinion cutter's envelope and turns of its half angle: those of the closed forms are
-// all and only those that a fine scan sees.
+// Tests the cusps of a pinion cutter's envelope and the stationary points of its half angle. The
+// closed forms give exactly those that a fine scan finds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace {
 
 using testing::CutterPiece;
 
-// Whether the normal meets the centrode: its distance from the axis is that of the tangent's foot.
+// True if the normal meets the centrode. Its distance from the axis is that of the foot of the
+// tangent.
 bool normal_meets_centrode(const CutterPiece& piece, double t) {
   const CurvePoint p = piece.curve->at(t);
   const double s =
@@ -29,12 +30,13 @@ bool normal_meets_centrode(const CutterPiece& piece, double t) {
 
 constexpr int kCells = 2000;
 
-// Samples a hair inside the ends, where the normal lies on the line of centres.
+// Samples slightly inside the ends, where the normal lies on the line of centres.
 double sample(const CutterPiece& piece, int i) {
   return piece.at(1e-9 + (1.0 - 2e-9) * i / kCells);
 }
 
-// Places between the cells where the sign of `rise`, of cell i, changes; given as numbers of cells.
+// Returns the positions between the cells, as numbers of cells, where the sign of `rise` changes.
+// `rise` has one value per cell.
 template <class F>
 std::vector<double> scanned(const F& rise) {
   std::vector<double> places;
@@ -44,7 +46,7 @@ std::vector<double> scanned(const F& rise) {
   return places;
 }
 
-// Random fillets of random cutters, all of which the gear meets.
+// Random fillets of random cutters. The gear meets all of them.
 std::vector<CutterPiece> random_pieces(int count) {
   std::mt19937_64 random(7);
   const auto between = [&](double lo, double hi) {
@@ -77,7 +79,7 @@ std::vector<CutterPiece> random_pieces(int count) {
     const auto circle = std::make_shared<OffsetCircle>(tip->distance, 0.0, tip->radius);
     add({motion, circle, tip->span.rad(), 0.0});
     if (ring) add({motion, circle, tip->span.rad(), 0.0, Meeting::behind});
-    // A sharp tip on the flank, with its fan of normals.
+    // A sharp tip on the flank, with its range of normals.
     const double xi = between(0.2, 1.0) * std::tan(inverse_involute(flank.base_half_angle()));
     const double nu = flank.base_half_angle() - xi + kPi / 2;
     add({motion, std::make_shared<CornerFan>(flank.point(xi)), nu, flank.polar_angle(xi)});
@@ -90,7 +92,8 @@ void expect_same_places(std::vector<double> scan, std::vector<double> found,
   std::vector<double> cells;
   for (double t : found) cells.push_back((t - piece.root) / (piece.tip - piece.root) * kCells);
   std::sort(cells.begin(), cells.end());
-  // What lies in the first or last cell the scan sees or not; two in one cell it cannot see.
+  // The scan may or may not detect a point in the first or last cell, and it cannot detect two in
+  // one cell.
   std::erase_if(cells, [&](double c) {
     const bool at_end = c < 1.0 || c > kCells - 1.0;
     if (at_end) std::erase_if(scan, [&](double s) { return std::abs(s - c) <= 1.0; });
@@ -101,8 +104,9 @@ void expect_same_places(std::vector<double> scan, std::vector<double> found,
   for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_NEAR(scan[i], cells[i], 1.0) << what;
 }
 
-// The cusps of the cubic are where a fine scan sees the radius turn, no more and no fewer; between
-// them `cuts` says on which side the cutter lies: toward its root the gear's tip.
+// The cusps from the cubic are exactly those at which the radius reverses in a fine scan. Between
+// them, `cuts` returns the side on which the cutter lies, which is towards its root for the tip of
+// the gear.
 TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
   int cusps = 0;
   for (const CutterPiece& piece : random_pieces(1200)) {
@@ -116,8 +120,8 @@ TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
     }));
     cusps += static_cast<int>(breaks.size());
     expect_same_places(scanned(rise), breaks, piece, "cusp");
-    // w G > 0: along the walk the radius falls on an external gear and grows on an internal gear;
-    // behind, w has the other sign.
+    // If w G > 0, the radius decreases along the walk on an external gear and increases on an
+    // internal gear. Behind the tooth, w has the other sign.
     const double sense = -piece.motion.side() * (piece.meeting == Meeting::ahead ? 1.0 : -1.0);
     for (int i = 2; i < kCells - 2; i += 97) {
       const double u = (i + 0.5) / kCells;
@@ -139,7 +143,7 @@ TEST(PinionCusps, turns_are_where_the_half_angle_stands_still) {
     for (int i = 0; i <= kCells; ++i) angle.push_back(envelope.polar_angle(sample(piece, i)));
     const std::vector<double> found = envelope.turns(piece.root, piece.tip);
     turns += static_cast<int>(found.size());
-    std::vector<double> still = found;  // at a cusp the point stands still, and its angle too
+    std::vector<double> still = found;  // at a cusp both the point and its angle are stationary
     for (double t : envelope.breaks(piece.root, piece.tip)) still.push_back(t);
     expect_same_places(scanned([&](int i) { return angle[i + 1] - angle[i]; }), still, piece,
                        "turn");
@@ -147,8 +151,8 @@ TEST(PinionCusps, turns_are_where_the_half_angle_stands_still) {
   EXPECT_GT(turns, 40);
 }
 
-// The hollow root of the cutter of 8 teeth, module 3, x = 0.3: the source has the cusp's normal at
-// −0.13050237994245208615, counted from the x axis against our t.
+// The concave root of the cutter with 8 teeth, module 3, x = 0.3. The source gives the normal of
+// the cusp as −0.13050237994245208615, measured from the x axis in the direction opposite to our t.
 TEST(PinionCusps, cusp_of_a_known_set) {
   const double alpha = kPi / 9, r_b = 12 * std::cos(alpha);
   const double psi_b = (kPi / 2 + 0.6 * std::tan(alpha)) / 8 + involute(alpha);
@@ -164,7 +168,8 @@ TEST(PinionCusps, cusp_of_a_known_set) {
   EXPECT_NEAR(cusps[0], -kPi / 2 + 0.13050237994245208615, 1e-12);
 }
 
-// A circle that reaches out of the centrode: at the limit of reach the normal only touches it.
+// A circle extends beyond the centrode. At the limit of reach, the normal only touches the
+// centrode.
 TEST(PinionCusps, reach_ends_where_the_normal_touches_the_centrode) {
   const PinionMotion motion{8, 24, 48.0};
   const double r_p = motion.cutter_pitch_radius();

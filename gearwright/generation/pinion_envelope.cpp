@@ -16,7 +16,8 @@ namespace gearwright {
 
 namespace {
 
-// Sign changes of f between a and b, on cells fine enough for the curves of a tooth.
+// Returns the sign changes of f between a and b. The cells are fine enough for the curves of a
+// tooth.
 std::vector<double> sign_changes(const std::function<double(double)>& f, double a, double b) {
   constexpr int kCells = 256;
   std::vector<double> roots;
@@ -49,7 +50,7 @@ CurvePoint CornerFan::at(double nu) const {
 
 struct PinionEnvelope::Contact {
   double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
-  double curvature;               // k of the cutter's curve, along the walk
+  double curvature;               // k of the cutter's curve, in the direction of the walk
   double lambda() const { return w - q; }
 };
 
@@ -73,11 +74,11 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
   // At the limit of reach, s equals r_p within rounding, and the square root would lose half the
-  // digits. Both paths, ahead and behind, end there in one point.
+  // digits. The paths ahead and behind end there in the same point.
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
-  // ν lies within half a turn beyond the point's polar angle, which is continuous.
+  // ν lies within half a turn beyond the polar angle of the point, which is continuous.
   c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
   c.curvature = walk_ * p.curvature;
   return c;
@@ -86,7 +87,8 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
 Vec2 PinionEnvelope::point(double t) const {
   const Contact c = contact(t);
   const double side = motion_.side();
-  // r_g + λ e^{iκ}, e^{iκ} = (w + is)/r_p; on an internal gear minus its conjugate.
+  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear it is minus the conjugate of
+  // that.
   const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
   const double across = c.lambda() * c.s / r_p_;
   const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
@@ -106,8 +108,8 @@ CurvePoint PinionEnvelope::at(double t) const {
   const Contact c = contact(t);
   const double lambda = c.lambda();
   const double n = 1.0 + m_;
-  // k_g = (k w + n (1 − kλ))/(w + nλ (1 − kλ)), [T6.9]; at a corner, where t is ν and k = −∞, both
-  // divided by k.
+  // k_g = (k w + n (1 − kλ))/(w + nλ (1 − kλ)), [T6.9]. At a corner, where t is ν and k = −∞,
+  // numerator and denominator are divided by k.
   double above, below;
   if (std::isinf(c.curvature)) {
     above = c.w - n * lambda;
@@ -133,9 +135,9 @@ bool PinionEnvelope::cuts(double t) const {
   return c.w + (1.0 + m_) * c.lambda() * (1.0 - c.curvature * c.lambda()) > 0.0;
 }
 
-// The cutter's curve as a circle about D∠γ with the radius ρ along its normal, < 0 where it is
-// hollow. With h = λ + ρ, the distance from the centre to the pitch point, and K = r_p² − D²,
-// everything is rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
+// The cutter's curve is a circle about D∠γ with the radius ρ along its normal. ρ < 0 if the curve
+// is concave. With h = λ + ρ, the distance from the centre to the pitch point, and K = r_p² − D²,
+// all terms are rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
 struct PinionEnvelope::Circle {
   double distance, direction, rho;
   double nu_to_t;  // t = ν + this
@@ -149,7 +151,7 @@ std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
                              return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
                            },
                            [&](const OffsetCircle* c) -> None {
-                             // a hollow curve is walked counter-clockwise
+                             // a concave curve is run counter-clockwise
                              const bool hollow = walk_ > 0.0;
                              return Circle{c->distance(), c->direction(),
                                            hollow ? -c->radius() : c->radius(),
@@ -160,7 +162,7 @@ std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
 
 namespace {
 
-// Keeps the values between a and b, ordered from a.
+// Keeps the values between a and b, ordered in the direction from a to b.
 std::vector<double> in_order(std::vector<double> t, double a, double b) {
   const auto [lo, hi] = std::minmax(a, b);
   t.erase(std::remove_if(t.begin(), t.end(),
@@ -203,8 +205,8 @@ std::vector<double> PinionEnvelope::breaks(double a, double b) const {
   return in_order(std::move(found), a, b);
 }
 
-// Roots in h of a polynomial between the ends of the piece; h is monotone along it while the cutter
-// reaches the gear.
+// Returns the roots in h of a polynomial between the ends of the piece. h is monotone along it as
+// long as the cutter reaches the gear.
 std::vector<double> PinionEnvelope::centre_ways(std::span<const double> polynomial, double a,
                                                 double b) const {
   const double rho = circle()->rho;
@@ -226,7 +228,7 @@ std::vector<double> PinionEnvelope::turns(double a, double b) const {
     return in_order(sign_changes(f, a, b), a, b);
   }
   const auto [d, gamma, rho, nu_to_t] = *ring;
-  // D cos(ν − γ) + ρ = w (1 + 1/m), times 2h.
+  // D cos(ν − γ) + ρ = w (1 + 1/m), multiplied by 2h.
   const double k = (r_p_ - d) * (r_p_ + d);
   const double quadratic[] = {k - one * k, 2.0 * rho, -1.0 - one};
   std::vector<double> found;

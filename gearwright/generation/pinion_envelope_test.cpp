@@ -1,7 +1,7 @@
-// The envelope of a pinion cutter's curves: points found by rolling, tangent and curvature by
+// Tests the envelope of a pinion cutter's curves: points found by rolling, tangent and curvature by
 // differences, and the involute in closed form.
 //
-//   ψ   turn of the cutter; at ψ = 0 its tooth 0 points at the gear's space 0
+//   ψ   turn of the cutter; at ψ = 0, its tooth 0 points at space 0 of the gear
 #include "gearwright/generation/pinion_envelope.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Vec2 turned(const Vec2& v, double angle) {
 
 using testing::CutterPiece;
 
-// Out of the cutter's material, to the left of the walk.
+// The normal out of the material of the cutter, to the left of the walk.
 Vec2 normal_of(const CutterPiece& piece, double t) { return turned(piece.tangent(t), kPi / 2); }
 
 struct Cutter {
@@ -35,7 +35,8 @@ struct Cutter {
   double xi_c, xi_j;  // ends of the flank
 };
 
-// Cutters with circular fillets and their gears; in the last one the cutter is nearly as large.
+// Cutters with circular fillets and their gears. In the last case the cutter is nearly as large as
+// the gear.
 std::vector<CutterPiece> pieces(Meeting meeting) {
   const Cutter eight{8, Involute(11.276, 0.2376), 0.004866, 0.9928};
   const Cutter two{2, Involute(1.8629, 1.3), 0.013, 2.1677};
@@ -56,12 +57,12 @@ std::vector<CutterPiece> pieces(Meeting meeting) {
     const Vec2 j = cutter.flank.point(cutter.xi_j);
     const double nu = cutter.flank.base_half_angle() - cutter.xi_j + kPi / 2;
     all.push_back({motion, std::make_shared<CornerFan>(j), nu, std::atan2(j.y(), j.x()), meeting});
-    if (meeting == Meeting::behind) continue;  // the root comes nowhere near
+    if (meeting == Meeting::behind) continue;  // the root is not reached
     all.push_back({motion, std::make_shared<OffsetCircle>(root->distance, gamma, root->radius),
                    gamma - kPi, gamma - kPi + root->span.rad(), meeting});
   }
   if (meeting == Meeting::behind) return all;
-  // What a rack left at the root of a cutter of 20 teeth, module 2.
+  // The root that a rack leaves on a cutter with 20 teeth, module 2.
   const RackMotion rack{20.0, 1.0, 0.0};
   const EdgeCircle rounding{{-1.74, 0.65}, -0.76, Angle::radians(kPi / 2), Angle::radians(kPi / 9)};
   const auto trochoid = std::make_shared<RackTrochoid>(rack, rounding);
@@ -77,8 +78,8 @@ bool reaches(const CutterPiece& piece, double t) {
   return s < 0.999 * piece.motion.cutter_pitch_radius();
 }
 
-// ϑ: the polar angle at which the normal's line meets the centrode, ahead or behind, within half a
-// turn of the point.
+// ϑ is the polar angle at which the normal meets the centrode, ahead or behind, within half a turn
+// of the point.
 double polar_of_pitch_point(const CutterPiece& piece, double t) {
   const Vec2 p = piece.curve->point(t), n = normal_of(piece, t);
   const double r_p = piece.motion.cutter_pitch_radius(), q = p.dot(n);
@@ -88,7 +89,8 @@ double polar_of_pitch_point(const CutterPiece& piece, double t) {
   return theta + std::remainder(std::atan2(pitch.y(), pitch.x()) - theta, 2 * kPi);
 }
 
-// Cutter and gear put where they stand when the point is cut, and the point carried over.
+// Cutter and gear are placed in the position in which the point is cut, and the point is
+// transformed.
 Vec2 rolled(const CutterPiece& piece, double t) {
   const PinionMotion& m = piece.motion;
   const double psi = -polar_of_pitch_point(piece, t);
@@ -97,8 +99,8 @@ Vec2 rolled(const CutterPiece& piece, double t) {
   const Vec2 axis(m.distance, 0.0);
   const Vec2 p = piece.curve->point(t);
   if (m.teeth > 0) return turned(axis + turned(p, kPi + psi), half_pitch + gear_turn);
-  // In an internal gear the side y > 0 of the cutter faces the tooth above: seen in the mirror it
-  // is tooth 0.
+  // In an internal gear, the side y > 0 of the cutter faces the tooth above, which is tooth 0 in
+  // the mirror image.
   return turned(mirrored(turned(axis + turned(p, psi), -gear_turn)), half_pitch);
 }
 
@@ -134,7 +136,8 @@ TEST(PinionEnvelope, points_are_cut_when_the_normal_meets_the_pitch_point) {
 TEST(PinionEnvelope, polar_angle_does_not_jump) {
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
     for (const CutterPiece& piece : pieces(meeting)) {
-      if (meeting == Meeting::behind && piece.motion.teeth > 0) continue;  // far outside, never cut
+      // Far outside, so never cut.
+      if (meeting == Meeting::behind && piece.motion.teeth > 0) continue;
       const PinionEnvelope envelope = piece.envelope();
       const double pitch = 2 * kPi / std::abs(piece.motion.teeth);
       double before = std::numeric_limits<double>::quiet_NaN();
@@ -150,7 +153,7 @@ TEST(PinionEnvelope, polar_angle_does_not_jump) {
   }
 }
 
-// dW/dσ = i G e^{i(κ−mϑ)}: zero at a cusp, where neither tangent nor curvature says anything.
+// dW/dσ = i G e^{i(κ−mϑ)} is zero at a cusp, where tangent and curvature are undefined.
 bool near_cusp(const CutterPiece& piece, double t) {
   const PinionEnvelope envelope = piece.envelope();
   const double h = 1e-5;
@@ -158,8 +161,8 @@ bool near_cusp(const CutterPiece& piece, double t) {
   return gear < 0.05;
 }
 
-// Central differences with the step 1e-4; their error and that of rounding, 1e-12 mm/h², stay below
-// 1e-5 of the values where the curve is not near a cusp.
+// The central differences use the step 1e-4. Their error and the rounding error, 1e-12 mm/h², stay
+// below 1e-5 of the values if the curve is not near a cusp.
 TEST(PinionEnvelope, tangent_and_curvature) {
   int places = 0;
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
@@ -213,8 +216,8 @@ TEST(PinionEnvelope, radius_law) {
   }
 }
 
-// The cutter's involute by the general formulas and in closed form: the same points, tangents and
-// curvatures. On an internal gear the roll is negative.
+// The cutter's involute gives the same points, tangents and curvatures by the general formulas and
+// in closed form. On an internal gear the roll angle is negative.
 TEST(PinionInvolute, is_what_the_envelope_says) {
   for (const PinionMotion& motion : {PinionMotion{20, 45, 65.0}, PinionMotion{20, -60, 40.3},
                                      PinionMotion{2, 60, 61.335}, PinionMotion{1, 30, 54.05}}) {
@@ -233,14 +236,14 @@ TEST(PinionInvolute, is_what_the_envelope_says) {
       if (motion.teeth > 0 && xi < 0.0) continue;  // behind the cusp
       EXPECT_EQ(envelope.cuts(xi_0), true) << xi_0;
       const CurvePoint a = cut->flank.at(xi), b = envelope.at(xi_0);
-      // ξ falls with ξ_0.
+      // ξ decreases with ξ_0.
       EXPECT_NEAR(std::remainder(a.tangent_angle + kPi - b.tangent_angle, 2 * kPi), 0.0, 1e-13);
       EXPECT_NEAR(-a.curvature, b.curvature, 1e-11 * std::abs(a.curvature)) << xi_0;
     }
   }
 }
 
-// Behind, the involute that the leaving flank cuts into an internal gear, tooth and all.
+// Behind the tooth, the leaving flank cuts this involute into an internal gear.
 TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   for (const PinionMotion& motion :
        {PinionMotion{20, -60, 40.3}, PinionMotion{20, -26, 6.1}, PinionMotion{5, -9, 4.2}}) {
@@ -258,8 +261,8 @@ TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   }
 }
 
-// Cutter and gear touch on the line of action: their rolls add up to its length, on an internal
-// gear they differ by it; the base tangent points are (1 + m) r_b tan α_w apart.
+// Cutter and gear touch on the line of action. The sum of their rolls is its length; on an internal
+// gear it is their difference. The base tangent points are (1 + m) r_b tan α_w apart.
 TEST(PinionInvolute, rolls_add_up_to_the_line_of_action) {
   const PinionMotion external{20, 45, 65.0}, ring{20, -60, 40.3};
   for (const PinionMotion& motion : {external, ring}) {

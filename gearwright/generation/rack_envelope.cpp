@@ -71,7 +71,7 @@ std::vector<double> RackTrochoid::cusp_polynomial() const {
 }
 
 std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) const {
-  // r sin²τ_t + x = 0 times (s² + cos²β c²).
+  // r sin²τ_t + x = 0, multiplied by (s² + cos²β c²).
   const double cos2 = motion_.cos_beta * motion_.cos_beta;
   const double sin2 = 1.0 - cos2;
   const double q = circle_.q;
@@ -93,7 +93,8 @@ double transverse(const RackMotion& motion, double tau) {
 
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
   const double alpha_t = transverse(motion, line.tau.rad());
-  // Half width of the line on the pitch circle, then on the base circle.
+  // Half thickness of the tooth that the line cuts, on the pitch circle and then on the base
+  // circle.
   const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau.rad())) / motion.cos_beta;
   return {motion.pitch_radius * std::cos(alpha_t),
           y_pitch / motion.pitch_radius + involute(alpha_t)};
@@ -102,7 +103,7 @@ Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x) {
   const double alpha_t = transverse(motion, line.tau.rad());
   const double s = std::sin(alpha_t);
-  // ξ = (r sin α_t + x/sin α_t)/r_b, written so that the cusp x = −r sin²α_t is exactly 0.
+  // ξ = (r sin α_t + x/sin α_t)/r_b, in a form in which the cusp x = −r sin²α_t gives exactly 0.
   return (motion.pitch_radius * s * s + x) / (motion.pitch_radius * s * std::cos(alpha_t));
 }
 

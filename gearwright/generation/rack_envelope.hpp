@@ -5,12 +5,13 @@
 //   (x, y, τ)   a point of the cutter's edge with its normal angle (tool/cutter_edge.hpp); x here
 //               includes e
 //
-// The point is cut when its normal passes through the pitch point. With k = x cot τ cos β the gear
-// has then turned by φ = (y/cos β − k)/r and the point of the gear is [T3.7]
+// The point is cut when its normal passes through the pitch point. With k = x cot τ cos β, the gear
+// has then turned by φ = (y/cos β − k)/r, and the point of the gear is [T3.7]
 //
 //   W = (r + x + ik) e^{iφ},   tangent e^{i(φ − τ_t)},   tan τ_t = tan τ / cos β
 //
-// A straight piece of the edge cuts an involute (closed form), a circle or a corner a trochoid.
+// A straight piece of the edge cuts an involute (closed form). A circle or a corner cuts a
+// trochoid.
 #pragma once
 
 #include <cmath>
@@ -43,33 +44,34 @@ class RackTrochoid final : public Curve {
   double polar_angle(double tau) const override;
   /// [T8.6]
   PolarJet polar_jet(double tau) const;
-  /// ln |W| and its derivative by τ: the part of polar_jet that a search for a radius needs.
+  /// Returns ln |W| and its derivative by τ. A search for a radius needs only this part of
+  /// polar_jet.
   struct LogRadius {
     double u, slope;
   };
   LogRadius log_radius(double tau) const;
   const RackMotion& motion() const { return motion_; }
-  const EdgeCircle& circle() const { return circle_; }  ///< its centre lifted by e
+  const EdgeCircle& circle() const { return circle_; }  ///< its centre is already lifted by e
 
   /// F(sin τ), lowest power first. [T3.9]
   std::vector<double> cusp_polynomial() const;
-  /// The normal angles between the ends at which the tooth's half angle is stationary: the neck.
-  /// [T3.10]
+  /// Returns the normal angles between the ends at which the half angle of the tooth is stationary:
+  /// the neck. [T3.10]
   std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
 
  private:
-  // The cutter's point that is cut, and the turn φ of the gear.
+  // The point of the cutter that cuts, and the turn φ of the gear.
   struct Cut {
     double x, k, phi;
   };
   Cut cut(double s, double c) const;
 
   RackMotion motion_;
-  EdgeCircle circle_;  // its centre already lifted by e
+  EdgeCircle circle_;  // its centre is already lifted by e
 };
 
-// The inner loop of contact: W = (r + x + ik) e^{iφ} and its derivatives by τ, with x split into
-// that of the centre and q sin τ, so that no derivative divides by more than sin² τ.
+// The inner loop of contact computes W = (r + x + ik) e^{iφ} and its derivatives by τ. x is split
+// into the part of the centre and q sin τ, so that no derivative is divided by more than sin² τ.
 inline PolarJet RackTrochoid::polar_jet(double tau) const {
   const double r = motion_.pitch_radius, cos_beta = motion_.cos_beta;
   const double x = circle_.center.x(), q = circle_.q;
@@ -93,7 +95,7 @@ inline PolarJet RackTrochoid::polar_jet(double tau) const {
 /// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
-/// Roll angle ξ of the point cut by the line's point at height x (e included).
+/// Returns the roll angle ξ of the point cut by the point of the line at height x (e included).
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x);
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// The envelope of a rack's edge: its laws, and tangent and curvature against differences of points.
+// Tests the envelope of a rack's edge: its laws, and its tangent and curvature against differences
+// of points.
 #include "gearwright/generation/rack_envelope.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ std::vector<Envelope> envelopes() {
   return all;
 }
 
-// The point of the cutter's edge, turned into the gear, stands where the envelope says; there the
+// The point of the cutter's edge, turned into the gear, is the point of the envelope. There the
 // normal of the edge passes through the pitch point.
 TEST(RackTrochoid, points_are_cut_when_the_normal_meets_the_pitch_point) {
   for (const auto& [motion, circle] : envelopes()) {
@@ -45,12 +46,12 @@ TEST(RackTrochoid, points_are_cut_when_the_normal_meets_the_pitch_point) {
     for (const double tau : {0.4, 0.8, 1.2, 1.5}) {
       const double x = circle.center.x() + motion.shift + circle.q * std::sin(tau);
       const double y = (circle.center.y() + circle.q * std::cos(tau)) / motion.cos_beta;
-      // Transverse section: the edge's normal is (sin τ, cos β cos τ); from the pitch point to the
-      // contact it is (x, k).
+      // In the transverse section, the normal of the edge is (sin τ, cos β cos τ), and the vector
+      // from the pitch point to the contact is (x, k).
       const double k = x * motion.cos_beta * std::cos(tau) / std::sin(tau);
       const double phi = (y - k) / motion.pitch_radius;
       const Vec2 p = curve.point(tau);
-      // Turned back by φ it is (r + x, k) again.
+      // Turned back by φ, the vector is (r + x, k) again.
       const double c = std::cos(phi), s = std::sin(phi);
       EXPECT_NEAR(p.x() * c + p.y() * s, motion.pitch_radius + x, 1e-13);
       EXPECT_NEAR(p.y() * c - p.x() * s, k, 1e-13);
@@ -59,7 +60,8 @@ TEST(RackTrochoid, points_are_cut_when_the_normal_meets_the_pitch_point) {
   }
 }
 
-// Central differences with step 1e-4 are good to 1e-7 of the first, 1e-5 of the second derivative.
+// Central differences with the step 1e-4 are accurate to 1e-7 of the first and to 1e-5 of the
+// second derivative.
 TEST(RackTrochoid, tangent_and_curvature) {
   for (const auto& [motion, circle] : envelopes()) {
     const RackTrochoid curve(motion, circle);
@@ -123,7 +125,7 @@ TEST(RackTrochoid, neck_is_where_the_half_angle_is_least) {
                   .empty());
 }
 
-// The involute of the rack's flank: base circle r cos α_t, and on the pitch circle half the
+// The involute of the rack's flank has the base circle r cos α_t, and on the pitch circle half the
 // thickness that the rack leaves there.
 TEST(RackInvolute, base_circle_and_thickness) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
@@ -137,7 +139,7 @@ TEST(RackInvolute, base_circle_and_thickness) {
   }
 }
 
-// A line is a circle of no curvature: its points are those of a corner that slides along it.
+// A line is a circle with zero curvature. Its points are those of a corner that slides along it.
 TEST(RackInvolute, roll_angle_finds_the_point_of_the_edge) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
     const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};

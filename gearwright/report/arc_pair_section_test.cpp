@@ -62,7 +62,7 @@ TEST(ArcPairSection, verdict_names_what_is_amiss) {
   EXPECT_NE(page.find("does not run as specified: contact is not continuous"), page.npos);
 }
 
-// As drawn, both flanks contain the marked point.
+// In the picture, the marked point lies on both flanks.
 TEST(ArcPairSection, drawn_flanks_meet_in_the_mark) {
   using Complex = std::complex<double>;
   const ArcPair pair = double_pair();

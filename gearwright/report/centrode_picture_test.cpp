@@ -34,8 +34,8 @@ TEST(CentrodePicture, SaysWhatHappensToTheReferenceCircles) {
   EXPECT_TRUE(has(closer, "= 62.6425 mm"));
   EXPECT_TRUE(has(closer, "= 61.3351 mm"));
   EXPECT_TRUE(has(centrode_figures(testing::helical_pair()), "are apart by"));
-  // A pinion nearer to the axis of its internal gear: its circle no longer reaches the internal
-  // gear's.
+  // The pinion is nearer to the axis of its internal gear, so its circle no longer reaches that of
+  // the internal gear.
   EXPECT_TRUE(has(centrode_figures(testing::pinion_in_cut_ring()), "are apart by 0.9245 mm"));
 }
 

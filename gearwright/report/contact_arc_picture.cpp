@@ -45,7 +45,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// From the plane (up, right) to the picture. A Viewport with x_up has y to the left.
+// Maps the plane (up, right) to the picture. A Viewport with x_up has y to the left.
 Vec2 upright(const Viewport& view, const Vec2& p) { return view.px(mirrored(p)); }
 
 std::vector<Vec2> carried(const Viewport& view, const std::vector<Vec2>& points) {
@@ -60,7 +60,8 @@ void draw_material(Svg& svg, const Viewport& view, const std::vector<Vec2>& chai
   svg.polyline(carried(view, chain), std::string("outline ") + kInk[gear]);
 }
 
-// An arc of the circle about `center` through `at`, ± `half` rad about it, and its radius.
+// An arc of the circle about `center` through `at`, extending ± `half` rad on both sides of it, and
+// its radius.
 void draw_arc_radius(Svg& svg, const Viewport& view, const Vec2& center, const Vec2& at,
                      std::size_t gear, bool dashed) {
   const double turn = std::atan2(at.y() - center.y(), at.x() - center.x());
@@ -77,7 +78,7 @@ void draw_arc_radius(Svg& svg, const Viewport& view, const Vec2& center, const V
 }
 
 struct Arcs {
-  std::size_t convex, concave;  // gears
+  std::size_t convex, concave;  // indices of the gears
   WorkingArc v, c;
 };
 
@@ -85,7 +86,7 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // The two arcs whose points with the contact's normal angle coincide.
+  // The two arcs whose points with the normal angle of the contact coincide.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));
@@ -129,7 +130,7 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   draw_arc_radius(svg, view, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   svg.line(upright(view, M), upright(view, M + 1.1 * m * n), "action-line");
-  // ψ_c, the angle from the pitch line to the normal, where the normal crosses that line.
+  // ψ_c is the angle from the pitch line to the normal, drawn where the normal crosses that line.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;
@@ -155,8 +156,9 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
       svg.str(),
       fmt::format(
           "<strong>The racks in the normal section</strong>, pitch lines dash-dot one on the "
-          "other; "
-          "at M they touch, the normal at {} = {}° to the pitch line. The centres O lie {} beyond "
+          "other. "
+          "They touch at M, with the normal at {} = {}° to the pitch line. The centres O lie {} "
+          "beyond "
           "the middle of the tooth and {} below the pitch line.<br>{}<br>{}",
           symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
           arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c)));
@@ -212,7 +214,8 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 }
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
-  // A rack's teeth lie in the pitch plane at the helix angle, and this direction lies in the flank.
+  // The teeth of a rack lie in the pitch plane at the helix angle, and this direction lies in the
+  // flank.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));
@@ -232,7 +235,7 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
   const double pitch = 2 * kPi / std::abs(gear.spec.teeth);
   const double start = angles_at_contact(pair, contact)[i];
   const double nearest = std::round((facing - start) / pitch);
-  std::vector<Vec2> tooth;  // from space to space, growing polar angle
+  std::vector<Vec2> tooth;  // from space to space, with increasing polar angle
   std::vector<Vec2> half;
   for (const Arc& arc : gear.tooth->outline.arcs)
     for (const Vec2& p : chords(arc, 1e-4 * gear.spec.normal_module)) half.push_back(p);
@@ -244,7 +247,8 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
     for (const Vec2& p : tooth) {
       const double radius = p.norm();
       const double polar = turned + std::atan2(p.y(), p.x());
-      // The screw through the point meets the plane where (r − p)·t = 0: Newton from its section.
+      // The screw through the point meets the plane where (r − p)·t = 0. Newton's method starts
+      // from its section.
       double z = plane.origin.z();
       Vec3 r;
       for (int step = 0; step < 50; ++step) {

@@ -43,7 +43,7 @@ TEST(ArcPicture, BothRacksPassTheirContactPoint) {
   const ArcPair pair = litvin_tsay_pair();
   const double m = 12.7;
   const Vec2 M(0.45610671265980433 * m, 0.79 * m);
-  // Chords of arcs of 1.4 modules over 1/32 of their angle stay within 3e-4 modules.
+  // Chords over 1/32 of the angle of arcs of 1.4 modules stay within 3e-4 modules.
   EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[0]), M), 3e-4 * m);
   // The mating gear's tooth is half a pitch away and upside down.
   const double half_pitch = 3.14159265358979323846 * m / 2;

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// The pattern on gear 1 under one error alone, or under all.
+/// The pattern on gear 1 under one error alone, or under all of them.
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
@@ -25,18 +25,20 @@ struct ContactReport : ContactScene {
   std::optional<Angle> min_play;  ///< of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the touching position nearest to the middle
-  FlankRaster middle_gap;                  ///< on gear 1, there
+  FlankRaster middle_gap;                  ///< on gear 1, at that position
   std::vector<NamedAmount> errors;         ///< those other than zero
   std::vector<std::string> modifications;  ///< "gear 1: tip relief 15 µm"; plain text
   std::vector<PatternUnder> under;         ///< may be empty
   std::optional<ContactMap> map;
-  const ArcPair* arc_pair = nullptr;  ///< the pair, of gears with circular-arc teeth
+  const ArcPair* arc_pair = nullptr;  ///< the pair, if its gears have circular-arc teeth
 };
 
-inline constexpr double kConjugate = 1e-6;  ///< arcsec: a smaller peak to peak is a rounding error
+inline constexpr double kConjugate = 1e-6;  ///< arcsec; a smaller peak-to-peak value is a rounding
+                                            ///< error
 
-/// The result of tooth contact in one or two sentences of plain text, for all interfaces: the
-/// transmission error, and whether flanks touch along lines or in points, or edges touch.
+/// The result of tooth contact in one or two sentences of plain text, for all interfaces. They
+/// state the transmission error, and whether flanks touch along lines, flanks touch in points, or
+/// edges touch.
 std::string contact_words(const ContactResult& contact);
 
 }  // namespace gearwright

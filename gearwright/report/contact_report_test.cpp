@@ -18,8 +18,8 @@ std::vector<ContactSample> samples() {
           testing::ring_contact(),    testing::ring_contact(true), testing::perfect_contact()};
 }
 
-// The heights and diameters in the frames of the gears are computed from the surfaces. Computed
-// from the mounted axes they are the same for either driver and any tilt of the axes.
+// The heights and diameters in the frames of the gears are computed from the surfaces. If they are
+// computed from the mounted axes, they are the same for either driver and any tilt of the axes.
 TEST(ContactReport, PlacesOnTheMountedAxesAreThoseOfTheSurfaces) {
   int count = 0;
   for (const ContactSample& s : samples()) {
@@ -36,8 +36,8 @@ TEST(ContactReport, PlacesOnTheMountedAxesAreThoseOfTheSurfaces) {
   EXPECT_GT(count, 300);
 }
 
-// The ellipse encloses the area in which the exact gap is less than a thin marking. At its border
-// the gap is the marking, on gear 1 according to a raster of that gear.
+// The ellipse encloses the area in which the exact gap is less than a thin marking. At its border,
+// the gap in a raster of gear 1 equals the thickness of the marking.
 TEST(ContactReport, TheEllipseIsTheContourOfTheGap) {
   ContactSample s = testing::crossed_contact();
   constexpr double kThin = 2e-4;  // mm
@@ -59,9 +59,9 @@ TEST(ContactReport, TheEllipseIsTheContourOfTheGap) {
     return (1 - fr) * ((1 - fc) * raster.at(r0, c0) + fc * raster.at(r0, c0 + 1)) +
            fr * ((1 - fc) * raster.at(r0 + 1, c0) + fc * raster.at(r0 + 1, c0 + 1));
   };
-  // Between nodes 0.025 mm apart a bilinear value is too high by k h²/8, 2e-6 mm for each
-  // direction: 2 % of the marking. The outline reaches some 0.1 mm over surfaces of 10 mm radius:
-  // third order terms are another 1 %.
+  // Between nodes 0.025 mm apart, a bilinear value is too high by k h²/8, which is 2e-6 mm for each
+  // direction or 2 % of the marking. The ellipse extends over about 0.1 mm on surfaces of 10 mm
+  // radius, so terms of third order contribute another 1 %.
   for (const FlankPlace& at : ellipse) EXPECT_NEAR(value(at) / kThin, 1.0, 0.05);
 }
 

@@ -73,14 +73,12 @@ std::string beside(const std::string& figure, const char* words) {
 std::string te_part(const ContactReport& report) {
   const std::string spectrum = html_of(spectrum_figure(report.driving));
   const std::string curves =
-      "<h3>Transmission error: what makes the noise</h3>\n<p>Turn gear 1 evenly, and a perfect "
-      "gear "
-      "2 would turn evenly too. The <em>transmission error</em> is how far gear 2 is really ahead "
-      "(above zero) or behind. A constant part is a small shift and does nothing. What comes back "
-      "with every tooth pushes the shafts to and fro at the tooth frequency: that is the whine of "
-      "gears. The lower and the rounder the curve, the quieter the pair; a sharp corner is a "
-      "knock. "
-      "The teeth are rigid here and carry no load.</p>\n" +
+      "<h3>Transmission error, the cause of gear noise</h3>\n<p>If gear 1 turns evenly, a perfect "
+      "gear 2 turns evenly too. The <em>transmission error</em> is the angle by which gear 2 is "
+      "ahead (above zero) or behind. A constant part is a small shift without effect. The part "
+      "that repeats with every tooth excites the shafts at the tooth frequency and causes gear "
+      "whine. The lower and smoother the curve, the quieter the pair. A sharp corner causes an "
+      "impact. The teeth are rigid here and carry no load.</p>\n" +
       side_by_side(html_of(transmission_error_figure(report, report.driving)) +
                    html_of(transmission_error_figure(report, report.other)));
   if (spectrum.empty())
@@ -89,12 +87,12 @@ std::string te_part(const ContactReport& report) {
                                     ? "There is no spectrum, because contact is lost."
                                     : "The curve is flat: it has no waves.");
   return curves + beside(spectrum,
-                         "A periodic curve is a sum of harmonics. The first bar is one wave per "
-                         "tooth: the tooth frequency, teeth × revolutions per second. The next are "
-                         "its overtones. One tall bar at the left is a pure, low tone; bars that "
-                         "fall off slowly come from sharp corners, where one tooth pair hands over "
-                         "to the next, and sound harsh. A tall bar near a resonance of the housing "
-                         "is the one to lower.");
+                         "A periodic curve is a sum of harmonics. The first bar belongs to the "
+                         "tooth frequency, teeth × revolutions per second, and the next bars to "
+                         "its multiples. One tall bar at the left is a pure, low tone. Bars that "
+                         "decrease slowly are caused by sharp corners, where one tooth pair hands "
+                         "over to the next, and sound harsh. A tall bar near a resonance of the "
+                         "housing should be lowered.");
 }
 
 std::string pattern_part(const ContactReport& report) {
@@ -141,9 +139,9 @@ std::string multiples_part(const ContactReport& report) {
         std::isnan(peak) ? "<br>nothing touches" : "<br>peak to peak " + shown_arcsec(peak) + "″";
     pictures += figure_html(f, 240.0, u.as_specified ? " class=\"own\"" : "");
   }
-  return "<h3>Which error moves the pattern</h3>\n<p>The pattern on gear 1 under each error by "
-         "itself, one way and the other, and under all of them together. What a fitter sees on the "
-         "real gears can be compared with these: the picture it is like names the error to "
+  return "<h3>Which error moves the pattern</h3>\n<p>The pattern on gear 1 under each error "
+         "alone, in both directions, and under all of them together. The pattern on the real gears "
+         "can be compared with these pictures. The one that resembles it shows the error to "
          "correct.</p>\n<div class=\"multiples contact\">\n" +
          pictures + "</div>\n";
 }
@@ -163,12 +161,10 @@ std::string arc_part(const ContactReport& report) {
   const std::string figures = arc_contact_figures(*report.arc_pair);
   if (figures.empty()) return {};
   return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave one and touches it "
-         "in a point; both centres lie on the common normal through it. Across the tooth the fit "
-         "is "
-         "close, which is why such teeth carry much. The point runs along the tooth while the "
-         "gears "
-         "turn. The price: a wrong centre distance changes the angle at which the arcs touch, and "
-         "the point climbs or sinks on the flank.</p>\n" +
+         "in a point. Both centres lie on the common normal through it. Across the tooth the fit "
+         "is close, so such teeth carry high loads. The point moves along the tooth while the "
+         "gears turn. However, a wrong centre distance changes the angle at which the arcs touch, "
+         "and the point moves up or down the flank.</p>\n" +
          figures;
 }
 
@@ -180,7 +176,8 @@ std::string contact_section(const ContactReport& report) {
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
   GW_EXPECTS(share(report.driving, nowhere) < 1.0);
   const std::string what = fmt::format(
-      "\n<p>No pair is mounted perfectly. Here it is turned through one pitch with the errors and "
+      "\n<p>No pair is mounted perfectly. Here the pair is turned through one pitch with the "
+      "errors and "
       "modifications of the specification, and the first contact of the flanks is computed at each "
       "position.</p>\n<p><strong>{}</strong></p>\n{}",
       contact_words(report.driving), assumed(report));

@@ -21,7 +21,7 @@ using testing::StrictHtml;
 void expect_sound_section(const std::string& section) {
   const auto facts = StrictHtml::read(testing::as_page(section));
   for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
-  // "nan" and "inf" as words of their own.
+  // "nan" and "inf" as separate words.
   for (const std::string_view word : {"nan", "inf"}) {
     for (std::size_t at = section.find(word); at != std::string::npos;
          at = section.find(word, at + 1)) {

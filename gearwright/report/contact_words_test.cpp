@@ -25,7 +25,7 @@ void agree(const ContactResult& result) {
   EXPECT_EQ(say("at the start of a relief"), ridge && !any(result, is_edge)) << words;
 }
 
-// The text was "an edge touches" where the picture has "start of a relief".
+// The text used to be "an edge touches" where the picture has "start of a relief".
 TEST(ContactWords, TheStartOfAReliefIsNoEdgeOfATooth) {
   testing::SamplePair p = testing::involutes(20, 41, 12);
   FlankModifications m;

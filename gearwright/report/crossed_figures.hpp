@@ -1,20 +1,21 @@
-// The pictures of a crossed pair: in plan, in section, on its faces, and over the pressure angle of the
-// rack between its gears.
+// The pictures of a crossed pair: in plan, in section, on its faces, and over the pressure angle of
+// the common rack.
 //
 //   leading line A–E, trailing line A′–E′: its image under the half turn about the centre line
 //   T_1, T_2  base tangent points      C  pitch point of gear 1
-//   plan      seen along the centre line, from gear 2's side: y to the right, z up, axis 1 upright.
-//             True to scale
-//   section   cut by the plane of the leading line, normal to the teeth of the common rack: it
-//             shows the rack undistorted, the line of action at its true length at the angle α_wn,
-//             and cylinders as ellipses. The trailing line, in a parallel plane, is projected into
-//             it along the teeth
-//   h         to the right, the way the rack moves    x   up, along the centre line, gear 1 to gear 2
-//   z_L       the plane's offset along the teeth from the centre line, mm
+//   plan      view along the centre line from the side of gear 2, true to scale: y points to the
+//             right, z up, and axis 1 is upright
+//   section   cut by the plane of the leading line, normal to the teeth of the common rack. It
+//             shows the rack undistorted, the line of action in true length at the angle α_wn, and
+//             cylinders as ellipses. The trailing line lies in a parallel plane and is projected
+//             along the teeth.
+//   h         to the right, in the direction of motion of the rack    x   up, along the centre
+//             line, from gear 1 to gear 2
+//   z_L       offset of the plane along the teeth from the centre line, mm
 //   f, f′     face widths of one flank, and of both flanks about the common perpendicular, mm
-//   s_i       axial place on gear i, from the middle of its face, mm
+//   s_i       axial position on gear i, from the middle of its face, mm
 //
-// Domain    crossed axes (contract), of all that follows
+// Domain    crossed axes (contract), for all functions below
 #pragma once
 
 #include <array>
@@ -28,10 +29,10 @@ namespace gearwright {
 /// A point of the housing in plan, mm: (y, z).
 Vec2 in_plan(const Point<Housing>& p);
 
-/// Corners in plan of gear `which` (0, 1): its cylinder of `radius` from face to face.
+/// Corners in plan of gear `which` (0, 1), from its cylinder of `radius` from face to face.
 std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
-/// The figures: lines of action in plan, and both complete gears.
+/// The figures of the lines of action in plan and of both complete gears.
 std::string plan_figures(const InvolutePair& pair);
 
 /// A point of the housing in section, mm: (h, x).
@@ -55,10 +56,11 @@ std::string section_figure(const InvolutePair& pair);
 
 /// Centre distance, shaft angle and contact ratio without backlash over the pressure angle α_wn of
 /// the common rack, one curve per panel. Marks show the least centre distance, its approximations
-/// and the place where the pair is mounted.
+/// and the position at which the pair is mounted.
 std::string range_figure(const CrossedPair& pair);
 
-/// The face widths that the lines of action need: f and f′ over α_wn, with the actual face widths.
+/// The face widths required by the lines of action, f and f′, over α_wn, with the actual face
+/// widths.
 std::string face_width_figure(const CrossedPair& pair);
 
 /// The faces from end to end, with the parts that the leading and the trailing line use.
@@ -66,22 +68,23 @@ std::string face_width_figure(const CrossedPair& pair);
 /// Domain    the flanks meet (contract)
 std::string face_use_figure(const CrossedPair& pair);
 
-/// Sliding of the flanks: across the teeth, as on parallel axes, and along them, as of a screw. A
-/// figure and a table: speeds of the contact over the flanks, mm per radian of gear 1.
+/// Sliding of the flanks, across the teeth as on parallel axes and along them as in a screw. A
+/// figure and a table show the speeds of the contact over the flanks, mm per radian of gear 1.
 ///
 /// Domain    the flanks meet (contract)
 std::string speed_figures(const CrossedPair& pair);
 
-/// The least centre distance, exact and by approximations for manual calculation: the places of the
-/// solutions of pair/series.hpp on the curve a(α_wn), magnified. Empty if there is nothing to
-/// compare: no least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
+/// The least centre distance, exact and by approximations for manual calculation. The solutions of
+/// pair/series.hpp are shown on the curve a(α_wn), magnified. Empty if there is nothing to compare:
+/// no least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
 std::string min_distance_figure(const CrossedPair& pair);
 
-/// The solutions with the exact place at the angle of each; Δ is the difference from the exact
-/// solution. A sentence if all agree (the sum of shifts is 0), empty if there are none.
+/// A table of the solutions with the exact values at the angle of each. Δ is the difference from
+/// the exact solution. If all agree (the sum of shifts is 0), a sentence replaces the table. Empty
+/// if there are none.
 std::string min_distance_table(const CrossedPair& pair);
 
-/// Both, folded, for users who check a manual calculation.
+/// Both of these, folded, for users who check a manual calculation.
 std::string min_distance_part(const CrossedPair& pair);
 
 }  // namespace gearwright

@@ -20,12 +20,12 @@ constexpr double kPlanWidth = 640.0;
 constexpr double kPlanHeight = 520.0;
 constexpr double kWholeWidth = 420.0;
 constexpr double kWholeHeight = 400.0;
-constexpr double kMaxReduction = 5.0;  // limit relative to the scale of the whole gears, for lines
-                                       // far outside the faces
+// Greatest reduction, relative to the scale of the whole gears, for lines far outside the faces.
+constexpr double kMaxReduction = 5.0;
 constexpr double kMaxEnlargement = 12.0;
 constexpr int kTeethShown = 400;  // with more teeth, a grey area is drawn
 
-// Along the axis of a gear, and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
+// Directions along the axis of a gear and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
 struct PlanFrame {
   Vec2 along, across;
   Vec2 at(double s, double t) const { return s * along + t * across; }
@@ -42,7 +42,7 @@ void draw_face(Svg& svg, const Viewport& view, const InvolutePair& pair, std::si
   svg.polygon(view.px(std::vector<Vec2>(corners.begin(), corners.end())), style + kInk[i]);
 }
 
-// Half the size of the area of the tips of both gears, mm.
+// Half the size of the area that contains the tips of both gears, mm.
 Vec2 extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const std::size_t i : {0u, 1u}) {
@@ -52,7 +52,7 @@ Vec2 extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the size of the area of the lines of action.
+// Half the size of the area that contains the lines of action.
 Vec2 lines_extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const double rho1 : line_ends(pair))
@@ -60,7 +60,7 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// A window for the lines with room for letters, and a sufficient part of the gears.
+// A window that contains the lines, room for letters and a sufficient part of the gears.
 Viewport plan_window(const InvolutePair& pair) {
   const Vec2 lines = lines_extent(pair);
   const auto scale = [](const Vec2& half) {
@@ -80,7 +80,7 @@ void draw_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   }
 }
 
-// Names of the axes where they leave the picture.
+// The names of the axes are where the axes leave the picture.
 void name_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   for (const std::size_t i : {0u, 1u}) {
     const Vec2 d(frame_of(pair, i).along.x(), -frame_of(pair, i).along.y());  // on the screen
@@ -131,7 +131,7 @@ void draw_teeth(Svg& svg, const Viewport& view, const InvolutePair& pair, std::s
   const double reach = std::abs(turn) * half + std::numbers::pi / 2;
   const double pitch = 2 * std::numbers::pi / z;
   for (int k = static_cast<int>(-reach / pitch); k * pitch <= reach; ++k) {
-    // The range in which φ = k pitch + turn s is on the visible half.
+    // The range of s in which φ = k pitch + turn s is on the visible half.
     double lo = -half;
     double hi = half;
     if (turn != 0.0) {
@@ -162,7 +162,7 @@ Viewport whole_window(const InvolutePair& pair) {
   return {kWholeWidth, height, Vec2::Zero(), scale};
 }
 
-// The size of the plan in the picture of the whole pair, px; none if the plan shows more than that
+// The size of the plan in the picture of the whole pair, px. None if the plan shows more than that
 // picture.
 std::optional<Vec2> frame_of_plan(const InvolutePair& pair) {
   const Viewport whole = whole_window(pair);

@@ -14,7 +14,7 @@ TEST(CrossedPicture, FacesLieAcrossTheirAxes) {
     for (const std::size_t i : {0u, 1u}) {
       const double radius = pair.gears[i].actual_tip_radius();
       const auto c = face_in_plan(pair, i, radius);
-      // The far corners of the cylinder itself, moved by its pose.
+      // The outermost corners of the cylinder itself, moved by its pose.
       const double half = pair.input.face_width[i] / 2;
       const Vec3 axis = i == 0 ? Vec3(pair.pose_1().isometry().linear().col(2))
                                : Vec3(pair.pose_2().isometry().linear().col(2));

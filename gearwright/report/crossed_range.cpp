@@ -16,7 +16,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteps = 240;
-constexpr double kMargin = 0.07;  // of the shown angles, on both sides
+constexpr double kMargin = 0.07;  // relative to the range of shown angles, on both sides
 // rad. If a helix approaches 90°, its pitch radius has no limit. At this distance, α_n differs by
 // less than 1e-6 rad from its limit.
 constexpr double kBeforeLimit = 1e-3;
@@ -44,7 +44,7 @@ std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, doubl
   return CrossedSample{place, mesh.path_ratio, face_widths(mesh)};
 }
 
-// The gears as one rack cut them, or nothing.
+// The gears as cut by one common rack, or nothing.
 std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {

@@ -1,7 +1,7 @@
-// A crossed pair over the pressure angle of the rack between its gears: its backlash-free positions
-// and their data, and the common axis of its pictures.
+// A crossed pair over the pressure angle of the common rack: its positions without backlash with
+// their data, and the common axis of its pictures.
 //
-//   α_wn  pressure angle of the common rack, the one free parameter     Σ, a  its place
+//   α_wn  pressure angle of the common rack, the only free parameter     Σ, a  position of the axes
 //   ε     contact ratio, tip to tip       f, f′  face widths, of one flank and of both
 #pragma once
 
@@ -21,15 +21,15 @@ struct CrossedSample {
   FaceWidths<double> faces;  ///< f, f′
 };
 
-/// The pair free of backlash on the rack with the pressure angle α_wn; none if there is no such
+/// The pair without backlash on the rack with the pressure angle α_wn. None if there is no such
 /// rack.
 ///
-/// Formula   crossed_place, then mesh_of at that place
+/// Formula   crossed_place, then mesh_of at that position
 /// Domain    crossed axes (contract)
 std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
-/// Samples by growing α_wn over the relevant part: where ε ≥ 1, the place of the pair and the
-/// least centre distance, with some margin, and no further than racks exist.
+/// Samples with increasing α_wn over the relevant range. It contains all angles with ε ≥ 1, the
+/// position of the pair and the least centre distance, with some margin, as far as racks exist.
 ///
 /// Domain    crossed axes (contract)
 /// Laws      at least two samples; the pair's α_wn lies within, to 1e-6 rad
@@ -42,16 +42,16 @@ struct Approximation {
   Angle normal_pressure_angle;
 };
 
-/// The approximate solutions of the least centre distance (pair/series.hpp); none unless both gears
-/// have one rack, module and pressure angle equal to 1e-9 of themselves. Those without a rack are
-/// omitted.
+/// The approximate solutions of the least centre distance (pair/series.hpp). There are none unless
+/// both gears have the same rack, with module and pressure angle equal within a relative 1e-9.
+/// Solutions without a rack are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 
 /// The α_wn axis of these pictures, in degrees.
 Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area);
 
-/// The ground of a picture over α_wn, with its foot: shaded where ε ≥ 1, lines at the least centre
-/// distance and at the pair's place, named above the plot.
+/// The background of a picture over α_wn, with its x axis. It is shaded where ε ≥ 1 and has lines
+/// at the least centre distance and at the position of the pair, which are named above the plot.
 void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area);
 
 /// The words of an axis of α_wn (SVG markup).

@@ -20,7 +20,7 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
     for (std::size_t i = 1; i < samples.size(); ++i) {
       EXPECT_LT(samples[i - 1].place.normal_pressure_angle, samples[i].place.normal_pressure_angle);
     }
-    // At the pair's own α_wn: its shaft angle, and its distance free of backlash.
+    // At the pair's own α_wn, the sample has its shaft angle and its distance without backlash.
     const auto s = crossed_sample(pair, here);
     ASSERT_TRUE(s.has_value());
     EXPECT_NEAR(s->place.shaft_angle.rad(), pair.shaft_angle.rad(), 1e-12);
@@ -61,7 +61,7 @@ TEST(CrossedRangePicture, NearTheLimitItself) {
       testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 0.11, 0.0);
   const auto s = crossed_sample(pair, Angle::radians(pair.mesh.rack.normal_pressure_angle));
   ASSERT_TRUE(s.has_value());
-  // Not nearer than 1e-8 rad to the limit, where a changes by r_b per rad.
+  // The samples end at least 1e-8 rad before the limit, where a changes by r_b per rad.
   EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance,
               1e-8 * pair.input.gears[0].radius);
   EXPECT_GT(crossed_samples(pair).size(), 100u);
@@ -71,8 +71,8 @@ TEST(CrossedRangePicture, ApproximationsOfTheExample) {
   const CrossedPair pair = testing::crossed_pair();
   const auto all = approximations(pair);
   ASSERT_EQ(all.size(), 5u);
-  // 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual pair, 18° 42' 18.6" corrected, from
-  // the example's table of data.
+  // The values are 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual pair and 18° 42'
+  // 18.6" corrected, from the data table of the example.
   EXPECT_NEAR(all[2].normal_pressure_angle.deg(), 18 + (42 + 13.9 / 60) / 60, 0.05 / 3600);
   EXPECT_NEAR(all[3].normal_pressure_angle.deg(), 18 + (43 + 15.4 / 60) / 60, 0.05 / 3600);
   EXPECT_NEAR(all[4].normal_pressure_angle.deg(), 18 + (42 + 18.6 / 60) / 60, 0.05 / 3600);

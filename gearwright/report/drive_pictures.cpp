@@ -19,7 +19,7 @@ namespace {
 constexpr double kSectionWidth = 640.0, kSectionTall = 1.0;  // px; height over width
 constexpr double kPhaseWidth = 170.0, kPhaseTall = 140.0;
 constexpr double kPhaseModules = 6.5;    // size of the region in a picture of a phase
-constexpr double kTeethPerSecond = 1.2;  // of the fastest mesh while the picture turns
+constexpr double kTeethPerSecond = 1.2;  // frequency of the fastest mesh while the picture turns
 constexpr int kSliderSteps = 240;        // of the slider
 
 // Degrees, clockwise as in SVG, by which a body with `ratio` to the input turns while t runs from 0
@@ -77,7 +77,7 @@ class Pictures {
             turn_attribute(turn_of(relative, turns_)));
   }
 
-  // Rings first, so that gears inside them are drawn over their rims.
+  // Rings are drawn first, so that gears inside them are on top of their rims.
   std::vector<std::size_t> drawn_order(const DriveSection& section) const {
     std::vector<std::size_t> order = section.gears;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -192,11 +192,10 @@ class Pictures {
       }
       if (pictures.empty()) continue;
       text += fmt::format(
-          "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Every planet as its "
-          "carrier "
-          "sees it, turned upright. Equal pictures touch at the same time; γ is the part of a "
-          "period "
-          "by which a mesh comes after that of the first planet.</p>\n<div class=\"multiples\">\n{}"
+          "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Every planet is shown in "
+          "the frame of its carrier, turned upright. Planets with equal pictures touch at the same "
+          "time. γ is the part of a period by which a mesh lags behind that of the first "
+          "planet.</p>\n<div class=\"multiples\">\n{}"
           "</div>\n{}</div>\n",
           escaped(graph_.bodies[set.group.carrier].name), pictures, resultants(set));
     }
@@ -250,8 +249,8 @@ class Pictures {
                       fixed(r.force_backward, 4)});
     }
     return value_table(
-        "What is left of each harmonic of the mesh frequency, as a part of what one "
-        "planet makes times their number",
+        "Resultant of each harmonic of the mesh frequency, relative to the contribution of one "
+        "planet times the number of planets",
         {"Harmonic", "Torque, axial force", "Force turning with the sun",
          "Force turning against it"},
         rows);

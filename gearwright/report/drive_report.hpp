@@ -1,7 +1,8 @@
-// One HTML page about a whole drive: verdict, scheme, the drive in section and turning, power, phases,
-// then each mesh as a pair of gears.
+// One HTML page about a whole drive: verdict, scheme, the drive in section with its control, power,
+// phases, then each mesh as a pair of gears.
 //
-// The page is a function of its input alone, as report_html()'s: its laws hold here too.
+// The page depends only on its input, like that of report_html(). The laws of that function hold
+// here too.
 #pragma once
 
 #include <string>
@@ -13,11 +14,11 @@
 namespace gearwright {
 
 struct DriveReportInput {
-  std::string title;  ///< if empty, one is made from the tooth numbers
+  std::string title;  ///< if empty, a title is made from the tooth numbers
   const Drive* drive = nullptr;
   const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed (no scheme)
   const DriveLayout* layout = nullptr;  ///< null if it cannot be assembled
-  std::string why_no_layout;            ///< a sentence
+  std::string why_no_layout;            ///< the reason, a sentence
   Verdict verdict;
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; left out if empty

@@ -21,8 +21,9 @@ constexpr PlotArea kArea{640, 58, 18, 58, 230, 50};
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// The range extends up to the required and the actual width. It includes the curves within ε ≥ 1 up
-// to twice that, because f′ has no limit if the lines of action move along the teeth.
+// The range extends at least to the required and the actual width. It includes the curves for ε ≥
+// 1, but only up to twice that width, because f′ is unbounded if the lines of action move along the
+// teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
@@ -63,8 +64,8 @@ std::string widths_svg(const CrossedPair& pair) {
   }
   svg.end_group();
   labels.keep_off({{here.x(), kArea.top}, {here.x(), kArea.bottom()}});
-  // The actual faces; equal ones share a line. Their names are at its right end, or further left
-  // next to the curves.
+  // The actual faces. Equal faces share a line. Their names are at its right end, or further left
+  // if they would touch the curves.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;
@@ -93,7 +94,8 @@ constexpr double kStrip = 34.0;  // px, height of a face
 constexpr double kRow = 104.0;
 constexpr PlotArea kFaces{640, kArea.left + 14, 18, 30, 2 * kRow - 6, 46};
 
-// A line's part of the face: the reach of the tips, and within it the part left by flanks and faces.
+// The part of the face used by a line: the reach of the tips, and within it the part that flanks
+// and faces leave.
 void draw_use(Svg& svg, const CrossedPair& pair, std::size_t i, bool leading, const Axis& x,
               double y) {
   const Mesh<double>& m = pair.mesh;

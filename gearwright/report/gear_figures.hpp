@@ -1,5 +1,5 @@
-// The pictures of one gear: its tooth, the actual root of a gear with few teeth and the root cut by
-// the rack alone, and the tooth at other profile shifts.
+// The pictures of one gear: its tooth, the actual root of a gear with few teeth compared with the
+// root cut by the rack alone, and the tooth at other profile shifts.
 //
 //   F    where undercut begins: the flank on the base circle, ξ = 0
 //   C, J where a circular root fillet and a circular tip fillet touch the flank
@@ -8,7 +8,8 @@
 //   x    profile shift         x_E  the same with the thickness allowance
 //                                              theory: docs/theory/06-few-teeth.md
 //
-// `shape` is the name of the gear's definitions (gear_shape.hpp), `name` is for people: "Gear 1".
+// `shape` is the name of the gear's definitions (gear_shape.hpp). `name` is shown to users: "Gear
+// 1".
 #pragma once
 
 #include <optional>
@@ -22,19 +23,19 @@ namespace gearwright {
 /// The classes of the page's style for an arc of that name.
 const char* arc_style(ArcName name);
 
-/// The tooth, upright, its arcs in colours, with the circles of the drawing and its legend; if
-/// there is no outline, a paragraph with the reason.
+/// The tooth, upright, with its arcs in colours, the circles of the drawing and a legend. If there
+/// is no outline, a paragraph gives the reason.
 std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// True if the picture of the root is useful: for a gear cut by a rack, with an outline, that has a
-/// circular root fillet, undercut, or at most 12 teeth.
+/// True if the picture of the root is useful. The gear must be cut by a rack and have an outline,
+/// and it must have a circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
-/// The gear of the same spec without circular fillets, as its rack cuts it; none if the spec has
-/// none, or if there is no such gear.
+/// The gear of the same spec without circular fillets, as cut by its rack. None if the spec has no
+/// circular fillets or if there is no such gear.
 std::optional<Gear> by_rack_alone(const Gear& gear);
 
-/// The flank's point on the base circle, side y > 0, mm.
+/// The point of the flank on the base circle, side y > 0, mm.
 ///
 /// Formula   r_b e^{i ψ_b}, ψ_b = s_bt/d_b
 Vec2 undercut_limit_point(const Gear& gear);
@@ -50,19 +51,19 @@ struct ShiftedTooth {
   std::optional<Gear> rounded;  ///< with the circular root fillet, where one fits
 };
 
-/// True if the choice of the shift matters: at most 8 teeth, cut by a rack, with a circular root
-/// fillet or undercut.
+/// True if the choice of the shift matters: the gear has at most 8 teeth, is cut by a rack, and has
+/// a circular root fillet or undercut.
 bool shift_is_worth_a_picture(const Gear& gear);
 
-/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and its own shift, by growing x, with tips as the rack
-/// has them. The root fillet is that of the gear, or begins at the undercut limit. The gear's tip
-/// fillet is included if it fits.
+/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and its own shift, in the order of x, with tips as left
+/// by the rack. The root fillet is that of the gear, or begins at the undercut limit. The tip
+/// fillet of the gear is included if it fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// The tooth at those shifts, with the root cut by the rack and with a circular one, to one scale;
-/// empty if they show nothing of interest.
+/// The tooth at those shifts, with the root cut by the rack and with a circular one, at the same
+/// scale. Empty if they show nothing of interest.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// Pieces of HTML: links, pictures in columns, tables of values; words and symbols are figure/markup's.
+// Writes pieces of HTML: links, pictures in columns and tables of values. Words and symbols are in
+// figure/markup.hpp.
 #pragma once
 
 #include <string>
@@ -13,21 +14,21 @@ constexpr int kLengthDigits = 4;  ///< mm: 0.1 µm, the last digit that a gear d
 constexpr int kAngleDigits = 5;   ///< degrees: 0.17 µm on a radius of 1 m
 constexpr int kRatioDigits = 4;   ///< pure numbers
 
-/// A relative link to a file of that name: everything but letters, digits, - . _ ~ and / in
-/// percent.
+/// A relative link to a file of that name. All characters except letters, digits, - . _ ~ and / are
+/// percent-encoded.
 std::string file_link(std::string_view name);
 
-/// Figures side by side.
+/// Returns figures side by side.
 std::string side_by_side(std::string_view figures);
 
-/// The key of gear 1 and gear 2.
+/// Returns the key of gear 1 and gear 2.
 std::string caption_of_gears();
 
-/// Two columns.
+/// Returns two columns.
 std::string in_columns(std::string_view left, std::string_view right);
 
-/// A table of values under their headings, each row with its own heading at the left; all HTML.
-/// `style` is the table's class.
+/// Returns a table of values under their headings. Each row has its own heading at the left. All
+/// texts are HTML, and `style` is the class of the table.
 std::string value_table(std::string_view caption, const std::vector<std::string>& heads,
                         const std::vector<std::vector<std::string>>& rows,
                         std::string_view style = "");

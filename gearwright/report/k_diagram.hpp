@@ -1,5 +1,5 @@
-// The K-diagram of a flank: profile and helix as modified, and the band in which a measured trace
-// of the grade must lie.
+// The K-diagram of a flank: profile and helix as modified, and the band within which a measured
+// trace of this accuracy grade must lie.
 //
 //   L   roll length, mm       z   height from the middle of the face, mm      deviations in µm, up is
 //                                                                             out of the material
@@ -14,9 +14,10 @@
 
 namespace gearwright {
 
-/// One trace: profile in the middle of the face, or helix in the middle of the profile.
+/// One trace, either the profile in the middle of the face or the helix in the middle of the
+/// profile.
 struct FlankTrace {
-  std::vector<Vec2> design;          ///< mm, µm; by growing first number
+  std::vector<Vec2> design;          ///< mm, µm; in the order of the first number
   std::array<double, 2> evaluation;  ///< mm
   std::optional<double> tolerance;   ///< µm, F_αT or F_βT
 };
@@ -26,7 +27,7 @@ struct KDiagram {
   FlankTrace profile, helix;
 };
 
-/// Pictures side by side, with their captions; empty without any.
+/// Pictures side by side, with their captions. Empty if there are none.
 std::string k_figures(const std::vector<KDiagram>& diagrams);
 
 }  // namespace gearwright

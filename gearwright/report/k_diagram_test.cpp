@@ -7,7 +7,7 @@
 namespace gearwright {
 namespace {
 
-// A helix without modification is flat; its scale is a micrometre, not the rounding.
+// A helix without modification is flat. Its scale is a micrometre, not the rounding error.
 TEST(KDiagram, AFlatTraceHasAReadableScale) {
   const FlankTrace flat{{{-15.0, 0.0}, {15.0, 0.0}}, {-13.5, 13.5}, {}};
   const FlankTrace relieved{{{4.0, 0.0}, {18.0, 0.0}, {20.0, -12.0}}, {4.0, 19.2}, {}};

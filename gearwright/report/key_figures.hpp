@@ -1,4 +1,4 @@
-// The most important numbers of a pair, at the head of the report.
+// The most important quantities of a pair, at the top of the report.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@
 
 namespace gearwright {
 
-/// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at
-/// both ends of tolerances), safeties, pressure, unevenness. Rows of the catalogue with their words,
-/// symbols and units; empty without any.
+/// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
+/// ends of tolerances), safeties, pressure, unevenness. The boxes are rows of the catalogue with
+/// their words, symbols and units. Empty if there are none.
 std::string key_figures(const ReportInput& input);
 
-/// A box for each of these keys that the records have, in the order of the keys; of several records from
-/// the first's value to the last's.
+/// A box for each of these keys that the records have, in the order of the keys. For several
+/// records it shows the range from the value of the first to that of the last.
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
                       std::span<const std::string_view> keys);
 

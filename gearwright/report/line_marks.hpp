@@ -1,7 +1,7 @@
-// Both lines of action of a crossed pair in a picture: drawn and lettered in any view.
+// Draws and letters both lines of action of a crossed pair, in any view.
 //
 //   A, E    ends of the leading line: tip of gear 2, tip of gear 1      C  pitch point of gear 1
-//   A′ …    the same of the trailing line                    T_1, T_2  base tangent points
+//   A′ …    the same for the trailing line                    T_1, T_2  base tangent points
 #pragma once
 
 #include <functional>
@@ -14,28 +14,28 @@
 
 namespace gearwright {
 
-/// A point of a line of action by its letter.
+/// A point of a line of action with its letter.
 struct PathMark {
   const char* letter;
   double rho1;
-  const char* style = "";  ///< of its dot
+  const char* style = "";  ///< style of its dot
 };
 
-/// Sorts the marks by growing ρ_1.
+/// Sorts the marks by increasing ρ_1.
 void sort_marks(std::vector<PathMark>& marks);
 
-/// A to E, in this order, those from A to `last`: with ε_α > 2 the end of a period lies beyond the
-/// path, and B and D have no meaning.
+/// The points A to E, in this order, of which those from A to `last` are used. If ε_α > 2, the end
+/// of a period lies beyond the path, and B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
-/// ρ_1 of the points that a picture should contain: A, E, and C and the base tangent points unless
-/// far from them.
+/// ρ_1 of the points that a picture should contain: A and E, and also C and the base tangent points
+/// unless they are far away.
 std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
 
-/// Draws the lines; `on` maps the housing to px. Letters keep a distance from the lines and each
-/// other: they are on the side away from the other line.
+/// Draws the lines. `on` maps the housing to px. Letters keep a distance from the lines and from
+/// each other, on the side away from the other line.
 void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
                           const std::function<Vec2(const Point<Housing>&)>& on,
                           Lines lines = Lines::both);

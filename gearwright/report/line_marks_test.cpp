@@ -18,7 +18,7 @@ std::string drawn(const CrossedPair& pair, Lines lines) {
 
 TEST(LineMarksPicture, BaseTangentsFarFromTheLineAreLeftOut) {
   EXPECT_EQ(line_ends(testing::crossed_pair()).size(), 5u);
-  // A worm and 300 teeth: T_1 and T_2 lie three and eight lengths of the path away.
+  // A worm and a gear of 300 teeth: T_1 and T_2 lie three and eight lengths of the path away.
   const CrossedPair worm = testing::crossed_sample_pair(testing::sample_gear(1, 2, 86, 0),
                                                         testing::sample_gear(300, 2, 4, 0), 90);
   EXPECT_EQ(line_ends(worm).size(), 4u);

@@ -45,8 +45,8 @@ std::string facts(const LoadScene& report) {
   TableBuilder table("Under load", columns);
   for (const TextGroup& group : text_groups(quantities.table(), records, kPage)) {
     for (const TextRow& row : group.rows) {
-      if (row.info->key == "torque_Nm") continue;  // heads the columns
-      // The texts of one torque: one for each gear if there are two.
+      if (row.info->key == "torque_Nm") continue;  // it is the heading of the columns
+      // The texts of one torque, one for each gear if there are two.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)
@@ -74,10 +74,9 @@ std::string te_part(const LoadScene& report) {
 bool at_points(const LoadScene& report) { return report.contact.regime == LoadRegime::point; }
 
 std::string share_part(const LoadScene& report) {
-  return "<h3>Load shares and stiffness</h3>\n<p>How the tooth pairs share the load. A share that "
-         "rises from nothing and falls to nothing without a jump takes no blow where teeth come "
-         "in. "
-         "The stiffness of the mesh is the " +
+  return "<h3>Load shares and stiffness</h3>\n<p>The curves show how the tooth pairs share the "
+         "load. If a share rises from zero and falls to zero without a jump, the teeth enter "
+         "contact without an impact. The stiffness of the mesh is the " +
          std::string(at_points(report) ? "force" : "line load") +
          " divided by the approach of the gears; its variation during rotation causes "
          "vibration.</p>\n" +

@@ -44,8 +44,8 @@ TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
     EXPECT_NE(text.find("id=\"" + std::string(id)), text.npos) << id;
   EXPECT_EQ(count_of(text, "<h3>"), 4u);
   EXPECT_NE(text.find("quietest at"), text.npos);
-  // Each position has a place on the slider, in three pictures, one of which is visible without the
-  // slider.
+  // Each position has a place on the slider and occurs in three pictures. One position is visible
+  // without the slider.
   EXPECT_EQ(count_of(text, "data-frame=\""), 30u);
   EXPECT_EQ(count_of(text, "data-frames=\"10\">"), 3u);
 }
@@ -61,7 +61,7 @@ TEST(LoadSection, OfHelicalGearsAndEitherDriver) {
     sound(load_sample(testing::helical_pair(), {40e3, 80e3}, 0.02, gear2_drives));
 }
 
-// The tip of a ring is also drawn at the top, and the bars lie in the material.
+// The tip of an internal gear is also drawn at the top, and the bars lie in the material.
 TEST(LoadSection, OfAnInternalPair) {
   for (const bool gear2_drives : {false, true}) {
     const LoadSample s = load_sample(testing::pinion_in_cut_ring(), {20e3}, 0.0, gear2_drives);

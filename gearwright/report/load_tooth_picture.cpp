@@ -17,17 +17,18 @@ namespace {
 using Eigen::Index;
 
 constexpr double kWidth = 520.0, kHeight = 360.0;
-constexpr double kLongest = 0.7;  // normal modules: drawn length of the greatest stress
+constexpr double kLongest = 0.7;  // normal modules, drawn length of the greatest stress
 
 struct Fillet {
   std::vector<Vec2> at, in;    // mm, and the direction into the material
-  std::vector<double> stress;  // MPa, at the place of the face where it is greatest
+  std::vector<double> stress;  // MPa, at the position along the face where it is greatest
   std::size_t worst = 0;
   Index slice = 0;
 };
 
 Fillet fillet_of(const LoadScene& report, std::size_t which) {
-  // The outline runs to the tip with the material on its right, of an internal gear on its left.
+  // The outline runs to the tip with the material on its right, or on its left for an internal
+  // gear.
   const double side = report.gears[which]->side();
   const Eigen::MatrixXd& stress = shown_torque(report).root_stress[which];
   Fillet f;
@@ -50,15 +51,15 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double module = gear.spec.normal_module;
   const double most = f.stress[f.worst];
   const std::string name = fmt::format("Gear {}", which + 1);
-  // From a module behind the root to almost one beyond the fillet, with the side in tension in the
-  // middle.
+  // The window extends from one module behind the root to almost one module beyond the fillet, with
+  // the side in tension in the middle.
   const double out = gear.side();
   const double root = f.at.front().norm() - out * 1.0 * module;
   const double flank = f.at.back().norm() + out * 0.9 * module;
   const auto [lo, hi] = std::minmax(root, flank);
   const double scale = kHeight / (hi - lo);
   const Vec2 middle = f.at[f.worst];
-  // The side in tension is drawn on the right, which is y < 0 of the gear frame.
+  // The side in tension is drawn on the right, which is the side y < 0 of the gear frame.
   const Viewport view{kWidth, kHeight, mirrored({0.5 * (lo + hi), middle.y()}), scale, true};
   Svg svg(fmt::format("root-stress{}", which + 1), kWidth, kHeight,
           name + ": stress along the fillet",

@@ -30,7 +30,7 @@ std::set<std::string> classes_of(const std::string& page) {
   return names;
 }
 
-// Names without a style: sections, and hooks for programs that read a page.
+// Names without a style are sections, or hooks for programs that read a page.
 const std::set<std::string> kPlain{"green", "pair",  "compensate", "scatter",
                                    "front", "words", "shade",      "circle-name"};
 

@@ -20,7 +20,7 @@ enum class Along { objective, distance, ratio };
 struct Quantity {
   FigureAxis axis;
   Along along;
-  bool greater = false;  // of objectives: greater is better
+  bool greater = false;  // for an objective, true if greater values are better
 };
 
 struct Dot {
@@ -43,8 +43,8 @@ std::string title_of(const DesignRow& row, const Vec2& value) {
                      fixed(row.shift[0], 4), fixed(row.shift[1], 4), value.x(), value.y());
 }
 
-// The second axis for a single objective: the centre distance, or the ratio if the distance is
-// given.
+// The second axis for a single objective: the centre distance, or the ratio if the centre distance
+// is given.
 Quantity across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])
@@ -74,7 +74,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
 }  // namespace
 
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater) {
-  // The objectives as costs. A lower cost is better.
+  // The objectives as costs. Lower costs are better.
   const Vec2 sign(greater[0] ? -1.0 : 1.0, greater[1] ? -1.0 : 1.0);
   std::vector<Vec2> costs;
   for (const Vec2& p : points) costs.push_back(p.cwiseProduct(sign));

@@ -24,7 +24,7 @@ TEST(ParetoPicture, TheStaircaseIsTheBorderOfWhatWasFound) {
     const std::array<bool, 2> greater{trial % 2 == 0, trial % 4 < 2};
     std::vector<Vec2> points;
     for (int i = 0; i < 1 + trial % 30; ++i)
-      points.push_back({std::floor(place(random)), std::floor(place(random))});  // ties too
+      points.push_back({std::floor(place(random)), std::floor(place(random))});  // includes ties
     const std::vector<Vec2> corners = staircase(points, greater);
     ASSERT_FALSE(corners.empty());
     // (1) for every point there is a corner that is at least as good in both
@@ -33,7 +33,7 @@ TEST(ParetoPicture, TheStaircaseIsTheBorderOfWhatWasFound) {
         return at_least(c.x(), p.x(), greater[0]) && at_least(c.y(), p.y(), greater[1]);
       }));
     }
-    // (2) steps go one way, along an axis each
+    // (2) steps go in one direction, each along an axis
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const Vec2 step = corners[i] - corners[i - 1];
       EXPECT_TRUE((step.x() == 0.0) != (step.y() == 0.0));
@@ -79,11 +79,11 @@ TEST(ParetoPicture, AxesSayWhatTheyAre) {
   EXPECT_TRUE(has(testing::exact_search(), "Designs by gear ratio and contact ratio"));
   EXPECT_TRUE(has(testing::ring_search(), "mm², less is better"));
   EXPECT_TRUE(has(testing::pareto_search(), "Filled: the Pareto front over all objectives"));
-  // 1 to 5 mm modules: sizes of 1 to 30, on an axis of powers
+  // modules of 1 to 5 mm give sizes of 1 to 30, on a logarithmic axis
   EXPECT_TRUE(has(testing::pareto_search(), ">1\u202f000</text>"));
 }
 
-// Many designs: the best of them and the whole front.
+// If there are many designs, the best of them and the whole front are drawn.
 TEST(ParetoPicture, NoMoreDotsThanAReaderTellsApart) {
   SearchAnswer answer;
   const SearchProblem problem = testing::spur_problem();

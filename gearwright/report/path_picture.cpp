@@ -20,8 +20,8 @@ namespace {
 constexpr PlotArea kArea{640, 46, 22, 112, 230, 58};
 constexpr double kStripTop = 34.0, kStripHeight = 26.0;
 constexpr double kDeepest = -8.0;  // specific sliding at which a shown curve ends
-constexpr double kEndless = -4.0;  // and for a curve that falls without limit, towards a base
-                                   // tangent point
+// The same for a curve that falls without limit, towards a base tangent point.
+constexpr double kEndless = -4.0;
 
 std::string count_words(int pairs, double width) {
   if (pairs == 0) return width > 80 ? "no contact" : "0";
@@ -61,7 +61,7 @@ void draw_strip(Svg& svg, const InvolutePair& pair, const Axis& x) {
   svg.text({(x.from + x.to) / 2, kArea.height() - 8},
            "distance from the pitch point C along the line of action, mm", Anchor::middle, "tick");
 
-  // The remaining path when it is clipped to the usable flanks.
+  // The remaining path after clipping to the usable flanks.
   const double clip = 1e-9 * mesh.path_length;
   const bool clipped =
       mesh.rho1_true_begin > mesh.rho1_A + clip || mesh.rho1_true_end < mesh.rho1_E - clip;
@@ -81,7 +81,7 @@ std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
   return gear == 1 ? s.zeta_1 : s.zeta_2;
 }
 
-// The range begins slightly below the lower of the ends, in halves.
+// The range begins at a multiple of one half slightly below the lower of the ends.
 double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
@@ -110,7 +110,7 @@ void label_end(Svg& svg, const InvolutePair& pair, bool at_A, const Axis& x, con
   std::vector<double> wanted;
   for (const auto& v : values) {
     const double shown = std::max(v.value_or(y.lo), y.lo);
-    // Below the end of a curve that rises from it, above one that falls.
+    // Labels are below the end of a curve that rises from it and above the end of one that falls.
     wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 13.0));
     if (v && *v >= y.lo) svg.dot({x(rho1), y(*v)}, 3.0, wanted.size() == 1 ? "mark g1" : "mark g2");
   }
@@ -152,7 +152,7 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double e_alpha = mesh.path_ratio;
   const double e_true = mesh.true_ratio;
   const double e_beta = mesh.overlap_ratio;
-  constexpr double kBarWidth = 420.0;  // the same as the picture of the whole pair, above it
+  constexpr double kBarWidth = 420.0;  // equal to that of the picture of the whole pair, above it
   constexpr double kBarLeft = 136.0;
   constexpr double kBarRight = 122.0;
   constexpr double kRow = 34.0;
@@ -164,7 +164,7 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double height = kTop + 3 * kRow + 10;
   Svg svg("ratios", kBarWidth, height, "Contact ratios",
           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
-  const double by = std::ceil(most / 6);  // so that adjacent numbers do not overlap
+  const double by = std::ceil(most / 6);  // chosen so that adjacent numbers do not overlap
   for (double v = 0.0; v <= most; v += by) {
     svg.line({x(v), kTop - 6}, {x(v), height - 8}, "grid");
     svg.text({x(v), kTop - 11}, tick_text(v, 0), Anchor::middle, "tick");

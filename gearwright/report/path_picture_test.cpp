@@ -23,21 +23,21 @@ TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
 }
 
-// The x of the label `words`, px; -1 without it.
+// The x of the label `words`, px, or -1 if there is no such label.
 double label_x(const std::string& figure, const std::string& words) {
   const std::size_t text = figure.find(">" + words + "<");
   if (text == std::string::npos) return -1.0;
   return std::atof(figure.c_str() + figure.rfind("translate(", text) + 10);
 }
 
-// ε_β 0.824 would cross the line at 1, whose number is above it.
+// The bar for ε_β 0.824 would cross the line at 1, whose number is above it.
 TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   const std::string figure = ratio_figure(testing::helical_pair());
   EXPECT_EQ(label_x(figure, "0.824"), label_x(figure, "1"));
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
 }
 
-// A wide face has room for ticks at steps of three, and still has the line at 1.
+// A wide face has room for ticks only at steps of three, but still has the line at 1.
 TEST(RatioFigure, ManyPairsInContact) {
   const std::string figure = ratio_figure(testing::two_and_sixty(150.0));  // ε_γ 14.3
   EXPECT_NE(figure.find("class=\"one\""), std::string::npos);

@@ -10,20 +10,20 @@
 
 namespace gearwright {
 
-/// Values lo … hi at the places from … to, px.
+/// Maps the values lo … hi to the positions from … to, px.
 struct Axis {
   double lo, hi;
   double from, to;
 
   double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
-  /// The same, but no further outside than the axis is long, for curves that leave their plot.
+  /// The same mapping, limited to one axis length outside, for curves that leave their plot.
   double near(double v) const;
 };
 
 /// The position of a plot in its picture, px.
 struct PlotArea {
   double width;        ///< of the picture
-  double left, right;  ///< from the picture's edges to the plot's
+  double left, right;  ///< distances between the edges of the picture and of the plot
   double top, tall, foot;
 
   constexpr double bottom() const { return top + tall; }
@@ -32,15 +32,15 @@ struct PlotArea {
   Axis up(double lo, double hi) const { return {lo, hi, bottom(), top}; }
 };
 
-/// At most `most` + 1 horizontal lines with their values at the left of the plot, and one at its
-/// bottom.
+/// Draws at most `most` + 1 horizontal lines with their values at the left of the plot, and one at
+/// its bottom.
 void draw_rows(Svg& svg, const Axis& x, const Axis& y, int most);
 
-/// Values below the plot, with the words under them (SVG markup).
+/// Draws values below the plot, with the words under them (SVG markup).
 void draw_foot(Svg& svg, const Axis& x, double top, double bottom, int most,
                std::string_view words);
 
-/// Points as one curve, without pieces of it that are far outside; it ends before a point that is
+/// Draws points as one curve, without pieces that are far outside. It ends before a point that is
 /// not finite and continues after it.
 void draw_curve(Svg& svg, const Axis& x, const Axis& y, const std::vector<Vec2>& values,
                 std::string_view style);

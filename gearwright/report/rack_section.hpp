@@ -1,4 +1,5 @@
-// The part of the report about a rack and its pinion: the mesh in section, and the numbers of both.
+// The part of the report about a rack and its pinion: the mesh in section and the quantities of
+// both.
 #pragma once
 
 #include <string>
@@ -7,8 +8,9 @@
 
 namespace gearwright {
 
-/// The section of the page. `shape` is the name of the pinion's definition (gear_shape.hpp). If the
-/// rack has no outline, a paragraph gives the reason in place of the picture.
+/// Returns the section of the page. `shape` is the name of the pinion's definition
+/// (gear_shape.hpp). If the rack has no outline, a paragraph gives the reason in place of the
+/// picture.
 std::string rack_section(const RackPair& pair, const std::string& shape);
 
 }  // namespace gearwright

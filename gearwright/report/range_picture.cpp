@@ -16,11 +16,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kPanel = 124.0, kGap = 34.0;  // px, height of a panel and from one to the next
+constexpr double kPanel = 124.0, kGap = 34.0;  // px, height of a panel and distance between panels
 constexpr PlotArea kArea{640, 66, 18, 58, 3 * kPanel + 2 * kGap, kGap + 20};
-constexpr double kNear = 12.0;  // px, a label's height
+constexpr double kNear = 12.0;  // px, height of a label
 
-// One of the three quantities: on the curve, and for the mounted pair.
+// One of the three quantities, with its curve and its value for the mounted pair.
 struct Quantity {
   std::string words;  // SVG markup
   std::function<double(const CrossedSample&)> value;
@@ -38,8 +38,8 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
        [](const CrossedSample& s) { return s.contact_ratio; }, pair.contact_ratio(), 3}};
 }
 
-// The range of a panel: the mounted pair and the curve. If the contact ratio reaches 1, only the
-// part of the curve with ε ≥ 1 counts.
+// The range of a panel contains the mounted pair and the curve. If the contact ratio reaches 1,
+// only the part of the curve with ε ≥ 1 counts.
 std::array<double, 2> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                             const Quantity& q) {
   double lo = q.mounted;
@@ -118,7 +118,7 @@ constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
 
-// µm of centre distance at α_wn (degrees) above the least.
+// Excess of the centre distance at α_wn (degrees) over the least one, µm.
 double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
@@ -166,7 +166,7 @@ std::string zoom_svg(const CrossedPair& pair, const std::vector<Approximation>& 
 
 std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle) {
   const auto s = crossed_sample(pair, angle);
-  GW_EXPECTS(s.has_value());  // for approximations(), and for the exact one
+  GW_EXPECTS(s.has_value());  // holds for those of approximations() and for the exact one
   const double off = s->place.center_distance - pair.min_distance->center_distance;
   const double seconds = kArcsecPerDeg * (angle - pair.min_distance->normal_pressure_angle).deg();
   return {escaped(name),
@@ -199,7 +199,7 @@ std::string min_distance_figure(const CrossedPair& pair) {
       zoom,
       "<strong>The least centre distance, approximately</strong>: 0 exact, 1 to 3 terms of the "
       "series, v the virtual spur pair, v′ the same corrected. The curve is the exact distance at "
-      "each angle: near its least it hardly changes.");
+      "each angle. Near its minimum it hardly changes.");
 }
 
 std::string min_distance_table(const CrossedPair& pair) {

@@ -69,7 +69,7 @@ std::string definitions(const ReportInput& input) {
          "</defs></svg>\n";
 }
 
-// Roots and tips of gears with few teeth; empty for others.
+// Roots and tips of gears with few teeth. Empty for other gears.
 std::string few_teeth_section(const ReportInput& input) {
   std::string roots;
   std::string shifts;
@@ -82,7 +82,7 @@ std::string few_teeth_section(const ReportInput& input) {
   }
   const std::string table = few_teeth_table(input.gears);
   if (table.empty() && pictures == 0) return {};
-  // One picture has the table next to it; two are side by side above it.
+  // A single picture has the table next to it. Two pictures are side by side above the table.
   const std::string first = pictures == 0 ? table
                             : pictures == 1 && !table.empty()
                                 ? in_columns(roots, table)
@@ -211,7 +211,7 @@ std::string report_html(const ReportInput& input) {
                                   : input.rack ? "Rack and pinion"
                                                : ""),
       picture_hint());
-  // The decisive parts come first; data sheets of the gears follow.
+  // The decisive parts come first, then the data sheets of the gears.
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(

@@ -1,8 +1,8 @@
-// One HTML page about the gears and their pair, for users: words, tables and pictures in one
+// Writes one HTML page about the gears and their pair, for users: words, tables and pictures in one
 // self-contained file.
 //
-// The page is a function of its input alone: no clock, no random number, no path of a machine.
-// Every number it shows is read from the gears and the pair, rounded to the digits of a drawing.
+// The page depends only on its input, not on a clock, a random number or a path. Every value is
+// taken from the gears and the pair and rounded to the digits of a drawing.
 #pragma once
 
 #include <optional>
@@ -31,14 +31,16 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;                   ///< if empty, a title is made from the tooth numbers
-  DrawingInput drawing;                ///< the title block; may be empty
-  std::vector<const Gear*> gears;      ///< one or two, with a pair its gears
-  std::optional<Pair> pair;            ///< none if the gears are not mounted
-  const RackPair* rack = nullptr;      ///< of the pinion, which is the only gear; null if none
-  std::vector<ValueRecord> pair_ends;  ///< of tolerances: least backlash, most; may be empty
+  std::string title;               ///< if empty, a title is made from the tooth numbers
+  DrawingInput drawing;            ///< the title block; may be empty
+  std::vector<const Gear*> gears;  ///< one or two; with a pair, its gears
+  std::optional<Pair> pair;        ///< none if the gears are not mounted
+  const RackPair* rack = nullptr;  ///< the rack of the pinion, which is then the only gear; null if
+                                   ///< none
+  std::vector<ValueRecord> pair_ends;  ///< at the ends of tolerances: least backlash, greatest
+                                       ///< backlash; may be empty
   std::vector<ValueRecord> measures;   ///< of the gears; may be empty
-  std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty
+  std::vector<std::vector<ValueRecord>> measure_ends;  ///< at the ends of tolerances; may be empty
   std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
   const LoadScene* load = nullptr;             ///< null if the spec requests no load
@@ -54,11 +56,11 @@ struct ReportInput {
 /// The page, UTF-8.
 ///
 ///   Laws      (1) same input, same bytes
-///             (2) no request leaves the page: style, script and pictures are in it
-///             (3) title, spec, findings and file names are text, with any content
-/// Units     shown lengths mm to 0.1 µm, angles degrees to 0.00001°; missing values are “–”
+///             (2) the page loads nothing; style, script and pictures are in it
+///             (3) title, spec, findings and file names may contain any text
+/// Units     lengths in mm to 0.1 µm, angles in degrees to 0.00001°; missing values are “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in report/gear_shape.hpp)
-/// Domain    one or two gears, none null; with a pair two (contract)
+/// Domain    one or two gears, none null; exactly two if there is a pair (contract)
 std::string report_html(const ReportInput& input);
 
 }  // namespace gearwright

@@ -21,7 +21,7 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
 }
 
-// The result of an aim under load, at the torque that is worst before correction.
+// The result under load, at the torque that is worst before correction.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;
   const auto aimed = [&](const LoadedScore& s) {
@@ -45,7 +45,7 @@ std::string finding(const CompensateView& v) {
     return fmt::format("Nothing to correct: none of these corrections improves the pair by {}.",
                        least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
-  // The pattern's position along the face, or otherwise along the profile.
+  // The position of the pattern along the face, or along the profile if that is the aim.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
   const auto place = [&](const ContactScore& s) {
     return percent(face ? s.along_face : s.along_profile);

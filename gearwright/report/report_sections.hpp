@@ -1,5 +1,5 @@
-// The sections of the page, each HTML from <section> to </section>. `shapes` are the names of the
-// gears' definitions (gear_shape.hpp).
+// The sections of the page, each in HTML from <section> to </section>. `shapes` are the names of
+// the gears' definitions (gear_shape.hpp).
 #pragma once
 
 #include <array>
@@ -18,56 +18,58 @@
 
 namespace gearwright {
 
-/// The findings, worst first; `whole` names the subject of a finding without a gear.
+/// The findings, worst first. `whole` is the subject of findings that belong to no gear.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
-/// A pair of involute gears: pictures, numbers, interference.
+/// A pair of involute gears: pictures, quantities, interference.
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes);
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes);
 
-/// The files beside the page; empty without any.
+/// The files that accompany the page. Empty if there are none.
 std::string file_section(const std::vector<ReportFile>& files);
 
-/// The inspection dimensions. A column per gear, with records of catalogue/measure_quantities.hpp,
-/// their two ends for gears with tolerances, and the K-diagrams of flanks. Empty without any.
+/// The inspection dimensions, with a column per gear. They contain the records of
+/// catalogue/measure_quantities.hpp, both ends for gears with tolerances, and the K-diagrams of
+/// flanks. Empty if there are none.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
                             const std::vector<KDiagram>& diagrams);
 
-/// A pair of circular-arc gears: its numbers, and each contact in the transverse section through it.
+/// A pair of circular-arc gears: its quantities, and each contact in the transverse section through
+/// it.
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
 
-/// The rotations of the gears in the section through a contact, rad counter-clockwise: the angles
-/// of their x axes.
+/// The rotations of the gears in the section through a contact, as counter-clockwise angles of
+/// their x axes, rad.
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact);
 
 /// Tooth contact: pictures, and text for users without experience of such an analysis.
 ///
-/// Domain    two gears with teeth; results of the same positions over one pitch, one at least with
-///           contact; rasters of 2 × 2 or more (contract)
+/// Domain    two gears with teeth; results of the same positions over one pitch, at least one of
+///           which has contact; rasters of at least 2 × 2 nodes (contract)
 std::string contact_section(const ContactReport& report);
 
 /// Teeth under load, with one paragraph and its pictures for each subject.
 ///
-/// Domain    at least one torque; positions evenly over one pitch, some of which touch (contract)
+/// Domain    at least one torque; positions evenly spaced over one pitch, some of which have
+///           contact (contract)
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
 /// The root stress, along the drawn fillet of each gear and over the face; empty if there is none.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
-/// Corrections: the changes for a workshop, and their effect on each of the aims.
+/// Corrections: the changes for a workshop, and their effect on each objective.
 ///
-/// Domain    `before` of a pair that touches somewhere (contract)
+/// Domain    the pair of `before` has contact at some position (contract)
 std::string compensate_section(const CompensateView& view);
 
-/// Effect of tolerances on the pair: percentiles, figures of the distributions, the share of each
-/// tolerance.
+/// Effect of tolerances on the pair: percentiles, figures of the distributions, and the share of
+/// each tolerance.
 ///
 /// Domain    a scatter with samples (contract)
 std::string scatter_section(const ScatterView& view);
 
-/// Strength: inputs, factors, stresses, safeties, each with its place in the standard, as licences
-/// print them.
+/// Strength: inputs, factors, stresses and safeties, each with its clause in the standard.
 std::string rating_section(const RatingView& view);
 
 }  // namespace gearwright

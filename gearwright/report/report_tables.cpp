@@ -21,7 +21,7 @@ std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDi
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
-// A factor as given, with no more digits than the input.
+// A factor as given, with no more digits than in the input.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
 constexpr int kRackDigits = 6;  // for arcs, in modules or degrees
@@ -30,7 +30,7 @@ std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
-// Rows without a number for any rack are omitted. A gear that a pinion has cut has no rack.
+// Rows without a value for any rack are omitted. A gear cut by a pinion cutter has no rack.
 void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
@@ -110,11 +110,11 @@ std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears) {
   return text_groups(gear_quantities().table(), records, kPage);
 }
 
-// The checked parts, if no interference was found.
+// The parts that were checked, if no interference was found.
 std::string nothing_strikes(const InvolutePair& p) {
   if (p.overlap) {
     return fmt::format(
-        "<p>No interference: in every position of a pitch, and over the whole backlash, the two "
+        "<p>No interference. In every position of a pitch, and over the whole backlash, the two "
         "finished {}.</p>\n",
         p.crossed() ? "gears meet flank on flank only; tips keep clear of roots and fillets"
                     : "outlines meet flank on flank only");
@@ -123,7 +123,7 @@ std::string nothing_strikes(const InvolutePair& p) {
     return w.code == WarningCode::contact_lost_to_undercut;
   });
   return fmt::format(
-      "<p>No interference was found: tips keep clear of roots, and {}. The internal gear’s root "
+      "<p>No interference was found. Tips keep clear of roots, and {}. The internal gear’s root "
       "fillet is not checked.</p>\n",
       lost ? "nothing collides where undercut removed the flank"
            : "none reaches below the mating gear’s usable flank");
@@ -159,7 +159,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// The rows that are not already among those of the overlap.
+// The rows that do not already occur among those of the overlap.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;

@@ -1,4 +1,5 @@
-// The tables of the page: of gears side by side and of the pair. Digits: html_text.hpp.
+// The tables of the page, for gears side by side and for the pair. Numbers of digits are in
+// html_text.hpp.
 #pragma once
 
 #include <string>
@@ -11,17 +12,17 @@ namespace gearwright {
 /// "Gear 1", "Gear 2"
 std::vector<std::string> gear_headings(std::size_t gears);
 
-/// Gears side by side: the data of the drawing, the derived values, and how they were cut.
+/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut.
 std::string gear_table(const std::vector<const Gear*>& gears);
 
-/// Additional data of gears with few teeth: the points F, C and J, and circular fillets (symbols:
-/// gear_figures.hpp); empty if no gear has any.
+/// Additional data of gears with few teeth: the points F, C and J, and circular fillets (symbols in
+/// gear_figures.hpp). Empty if no gear has any.
 std::string few_teeth_table(const std::vector<const Gear*>& gears);
 
 /// The catalogue's quantities of a pair, under their headings.
 std::string pair_table(const Pair& pair);
 
-/// A … E: distance from the pitch point, radii of curvature, sliding.
+/// Points A … E: distance from the pitch point, radii of curvature, sliding.
 std::string path_table(const InvolutePair& pair);
 
 /// Interference by name and amount, or the sentence that none was found.

@@ -31,7 +31,7 @@ std::string printed(double value, int decimals) {
   return text;
 }
 
-// The values of the table row that begins with these words; the first such row.
+// The values of the first table row that begins with these words.
 std::vector<std::string> row(const std::string& page, const std::string& words) {
   const std::size_t at = page.find("<tr><th scope=\"row\">" + words + "</th>");
   if (at == page.npos) return {"no such row"};
@@ -113,7 +113,7 @@ TEST(Report, SameInputSameBytes) {
 TEST(Report, GearNumbersAreTheGears) {
   const ParallelPair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
-  // d = z m_n/cos β and d_b = d cos α_t are computed here, the other values are those of the gears.
+  // d = z m_n/cos β and d_b = d cos α_t are computed here. The other values are those of the gears.
   const double pi = std::numbers::pi;
   const double cos_beta = std::cos(15 * pi / 180);
   const double cos_t = std::cos(std::atan(std::tan(20 * pi / 180) / cos_beta));
@@ -249,9 +249,9 @@ TEST(Report, TextIsText) {
   const auto facts = StrictHtml::read(page);
   EXPECT_EQ(facts.elements.at("script"), 1);
   EXPECT_EQ(facts.elements.at("pre"), 1);
-  EXPECT_EQ(
-      facts.elements.at("b"),
-      static_cast<int>(1 + input.verdict.findings.size()));  // of the verdict and of each finding
+  EXPECT_EQ(facts.elements.at("b"),
+            // One for the verdict and one for each finding.
+            static_cast<int>(1 + input.verdict.findings.size()));
   EXPECT_EQ(page.find("<script>alert"), page.npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp;"), page.npos);
 }

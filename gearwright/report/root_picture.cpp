@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kHeight = 400.0;
-constexpr double kPlotWidth = 400.0;  // the rest is for labels
+constexpr double kPlotWidth = 400.0;  // the remaining width is for labels
 constexpr double kMargin = 22.0;      // px around the essential part
 constexpr int kFewTeeth = 12;  // with more teeth, a root without undercut looks like any other
 
-// Points are marked on the right of the tooth, which is the side y < 0 of the gear frame, so they
+// Points are marked on the right of the tooth. That is the side y < 0 of the gear frame, so they
 // are mirrored.
 
 const Arc& flank_of(const Gear& gear) {
@@ -45,8 +45,8 @@ bool shows_limit(const Gear& gear) {
          std::numbers::pi / gear.spec.teeth;
 }
 
-// The essential part, mm: the whole tooth if its tip matters, otherwise the root on the right,
-// slightly higher than the flank's start.
+// The essential part, mm: the whole tooth if its tip matters, otherwise the root on the right, up
+// to slightly above the start of the flank.
 std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
   const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
   const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));
@@ -71,14 +71,14 @@ std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack
 Viewport window(const Gear& gear, const std::optional<Gear>& rack) {
   Bounds box;
   for (const Vec2& p : points_shown(gear, rack)) box.cover(p);
-  // The gear's y runs to the left, its x up.
+  // The y axis of the gear points to the left and its x axis up.
   const double scale = std::min((kPlotWidth - 2 * kMargin) / box.size().y(),
                                 (kHeight - 2 * kMargin) / box.size().x());
   const double shift = (kWidth - kPlotWidth) / 2 / scale;
   return {kWidth, kHeight, (box.lo + box.hi) / 2 - Vec2(0.0, shift), scale, true};
 }
 
-// The flank that undercut removed: from the base circle to the present start of the flank.
+// The flank that undercut removed, from the base circle to the present start of the flank.
 void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
   const Involute flank(gear.base_radius(),
                        gear.reference().base_tooth_thickness / gear.reference().base_diameter);
@@ -101,7 +101,7 @@ void draw_fillet(Svg& svg, const Viewport& view, const FilletArc& arc, const Vec
   svg.circle(c, arc.radius * view.scale, "thin dot");
   svg.line(c, p, "thin");
   svg.dot(c, 2.2, "mark hollow");
-  if ((p - c).norm() < 34.0) return;  // no room next to so short a line
+  if ((p - c).norm() < 34.0) return;  // there is no room next to such a short line
   svg.text((c + p) / 2, symbol_svg(symbol), Anchor::middle, "halo", {0.0, -6.0});
 }
 
@@ -180,7 +180,7 @@ std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
   }
   if (gear.tooth->root_fillet || gear.tooth->tip_fillet)
     return "The rack alone would leave no tooth. ";
-  return gear.undercut ? key("flank that the undercut took away") : "";
+  return gear.undercut ? key("flank removed by undercut") : "";
 }
 
 }  // namespace
@@ -212,7 +212,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   std::string words = behind_words(gear, rack);
   words += fmt::format("<b>F</b>: {}.", gear.involute()->undercut_l < 0.0
                                             ? "the flank would begin here at the earliest; the "
-                                              "rack does not reach it, there is no undercut"
+                                              "rack does not reach it, so there is no undercut"
                                             : "undercut begins where the rack reaches it");
   if (gear.tooth->root_fillet) {
     words += fmt::format(" <b>C</b>: the root fillet, {} = {} mm, touches the flank.",

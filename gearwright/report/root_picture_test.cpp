@@ -43,7 +43,7 @@ TEST(RootPicture, UndercutBeginsWhereTheFlankMeetsTheBaseCircle) {
   for (const Gear& gear : {testing::two_teeth(), sample_gear(12, 2, 15, 0.4, 0.0, -0.05)}) {
     const Vec2 F = undercut_limit_point(gear);
     EXPECT_NEAR(F.norm(), gear.base_radius(), 1e-13 * gear.base_radius());
-    // The actual flank, continued back to ξ = 0.
+    // The actual flank, extended back to ξ = 0.
     const Arc* flank = gear.tooth->outline.find(ArcName::flank);
     EXPECT_LT((flank->curve->point(0.0) - F).norm(), 1e-12);
   }
@@ -51,18 +51,18 @@ TEST(RootPicture, UndercutBeginsWhereTheFlankMeetsTheBaseCircle) {
 
 TEST(RootPicture, ShowsBothRootsAndThePoints) {
   const std::string page = root_figure(testing::two_teeth(), "gear1", "Gear 1");
-  EXPECT_GT(count_of(page, "class=\"before\""), 4u);             // the rack's tooth, both flanks
-  EXPECT_EQ(count_of(page, "class=\"arc c-root-fillet\""), 2u);  // the gear's
+  EXPECT_GT(count_of(page, "class=\"before\""), 4u);  // the tooth cut by the rack, both flanks
+  EXPECT_EQ(count_of(page, "class=\"arc c-root-fillet\""), 2u);  // those of the gear
   for (const char* letter : {">F<", ">C<", ">J<"})
     EXPECT_NE(page.find(letter), page.npos) << letter;
-  // Table 1 of the paper: l 0.236 and 0.246, radii 1.045 and 0.332.
+  // The values of table 1 of the paper are l 0.236 and 0.246, radii 1.045 and 0.332.
   for (const char* value : {" 0.2359<", " 0.2459<", " 1.9008<", "= 1.0454 mm", "= 0.3320 mm"})
     EXPECT_NE(page.find(value), page.npos) << value;
   EXPECT_NE(page.find("as the rack alone would cut it: undercut"), page.npos);
 
   const std::string undercut = root_figure(sample_gear(8, 2, 0, 0), "gear1", "Gear 1");
   EXPECT_EQ(count_of(undercut, "class=\"before\""), 2u);  // the lost flank, both sides
-  EXPECT_NE(undercut.find("flank that the undercut took away"), undercut.npos);
+  EXPECT_NE(undercut.find("flank removed by undercut"), undercut.npos);
   EXPECT_EQ(undercut.find(">C<"), undercut.npos);
   const std::string sound = root_figure(sample_gear(10, 2, 0, 0.6), "gear1", "Gear 1");
   EXPECT_EQ(count_of(sound, "class=\"before\""), 0u);

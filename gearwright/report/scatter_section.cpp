@@ -105,7 +105,7 @@ std::string loosening_part(const ScatterView& view) {
   const Loosening& l = *view.scatter->loosening;
   const SpreadEntry& te = scatter_entries()[0];
   TableBuilder table(
-      fmt::format("How far each tolerance may grow until the {} % point grows by {:g} %",
+      fmt::format("Factor by which each tolerance may grow until the {} % point grows by {:g} %",
                   format_number(l.percent), 100 * kLooser),
       {"Factor", "The point with half the tolerance"});
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {

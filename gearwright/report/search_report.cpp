@@ -39,7 +39,7 @@ std::string kind_of(const SearchProblem& problem) {
   return kind;
 }
 
-// "by contact ratio"; with several objectives: "by size, the Pareto front over size and contact
+// "by contact ratio"; for several objectives, "by size, the Pareto front over size and contact
 // ratio first".
 std::string order_in_words(const SearchProblem& problem) {
   const auto& objectives = problem.objectives;
@@ -131,7 +131,7 @@ std::string thumbnail_section(const SearchReport& report) {
 std::string chart_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
-  Trial trial;  // of the first rack and helix, if there is no design
+  Trial trial;  // for the first rack and helix, if there is no design
   trial.helix = {problem.helix.front(), Angle()};
   if (best != nullptr) trial = best->trial;
   return "<section>\n<h2>What tooth numbers allow</h2>\n" + (best ? "" : picture_hint()) +
@@ -146,8 +146,8 @@ std::string foot(const SearchReport& report) {
       "<footer>\n<p>Gearwright{}. Nominal geometry of gears cut by racks; symbols and terms of ISO "
       "21771. Lengths in mm, angles in degrees, profile shifts and regions in normal modules, "
       "“{}”: "
-      "there is no such value.</p>\n<p>Every combination of module and tooth numbers is tried; its "
-      "profile shifts are not: the region that the limits leave them is solved exactly. "
+      "there is no such value.</p>\n<p>Every combination of module and tooth numbers is tried. Its "
+      "profile shifts are not sampled, because their region within the limits is solved exactly. "
       "Manufacturing deviations, load and strength are not considered.</p>\n</footer>\n",
       version, kNoValue);
 }

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: the design, its rank, its values. They include the
-// meaning of a column if the text for the page differs from that for documents.
+// The quantities in the order of the page: the design, its rank, its values. A quantity includes
+// the meaning of its column if the text for the page differs from that for documents.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;
@@ -52,13 +52,13 @@ constexpr Entry kEntries[] = {
 
 struct Cell {
   std::string text;
-  std::optional<double> key;  // value by which the column is sorted; none comes last
+  std::optional<double> key;  // value by which the column is sorted; rows without one come last
 };
 
 struct Column {
   const QuantityInfo* info;
   std::string_view meaning;
-  std::optional<std::size_t> gear;  // for a value of each gear
+  std::optional<std::size_t> gear;  // for quantities with a value for each gear
 };
 
 Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
@@ -111,7 +111,7 @@ std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAn
   return records;
 }
 
-// The symbol with the gear's number, or the words of a quantity without a symbol.
+// The symbol with the number of the gear, or the words of a quantity that has no symbol.
 std::string symbol_of(const Column& c) {
   if (c.info->symbol.empty()) return c.info->key;
   if (!c.gear) return symbol_html(c.info->symbol);

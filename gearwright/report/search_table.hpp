@@ -7,8 +7,8 @@
 
 namespace gearwright {
 
-/// The first `rows` designs; a row has the id "design-1", … . Columns that have no meaning for this
-/// search (helix of spur gears, a front of one objective) are omitted.
+/// The first `rows` designs. The ids of the rows are "design-1", … . Columns that have no meaning
+/// for this search (helix of spur gears, front of a single objective) are omitted.
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer,
                          std::size_t rows);
 
@@ -16,8 +16,8 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
                              std::size_t rows);
 
-/// Turns the headings of the table into buttons; without it the table is static.
-/// The file report/page/sort_script.js.
+/// Makes the headings of the table buttons that sort it. Without this script the table is static.
+/// The file is report/page/sort_script.js.
 std::string_view sort_script();
 
 }  // namespace gearwright

@@ -120,7 +120,7 @@ TEST(SearchTable, EveryRowHasACellForEveryHeadingAndEveryHeadingWords) {
     for (int i = 1; i <= n; ++i) EXPECT_EQ(cells(table, i).size(), headings);
     EXPECT_EQ(count_of(table, "<tr id="), static_cast<std::size_t>(n));
     const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);
-    EXPECT_EQ(count_of(key, "<dt>"), headings - 1);  // the rank needs none
+    EXPECT_EQ(count_of(key, "<dt>"), headings - 1);  // the rank needs no explanation
     EXPECT_EQ(count_of(table, "aria-sort=\"ascending\""), 1u);
   }
 }

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// In the order of Limit.
+// The order is that of Limit.
 constexpr std::array<std::string_view, kLimits> kLimitWords{
     "no profile shift between undercut and a thin tip",
     "centre distance out of reach",

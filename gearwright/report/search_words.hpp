@@ -1,4 +1,4 @@
-// Words of a design search: limits, objectives, designs.
+// Words for the limits, objectives and designs of a search.
 #pragma once
 
 #include <optional>
@@ -18,15 +18,15 @@ struct ObjectiveWords {
   std::string_view name;    ///< "contact ratio"
   std::string_view symbol;  ///< "ε_α", as in html_text.hpp; may be empty
   std::string_view unit;    ///< may be empty
-  bool greater = false;     ///< greater is better
+  bool greater = false;     ///< greater values are better
 };
 ObjectiveWords words_of(Objective objective);
 
-/// Its value for a design, ranked or not; none for |ζ| at a base tangent point.
+/// The value of the objective for a design, ranked or not. None for |ζ| at a base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 
-/// "2.5 · 28:54", helical "2.5 · 28:54 · 8°"
+/// "2.5 · 28:54"; for a helical pair "2.5 · 28:54 · 8°"
 std::string design_name(const Trial& trial);
 
 }  // namespace gearwright

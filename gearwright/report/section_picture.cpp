@@ -45,7 +45,7 @@ Viewport window(const InvolutePair& pair) {
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
   const double scale =
       std::min((kWidth - 2 * kMargin - 60) / size.x(), (kTallest - 110) / size.y());
-  // The height is no more than the lines need, with letters and a part of the cylinders.
+  // The height is only as large as the lines require, with letters and a part of the cylinders.
   return {kWidth, std::max(220.0, scale * size.y() + 110.0), (box.lo + box.hi) / 2, scale};
 }
 
@@ -66,7 +66,7 @@ std::optional<Vec2> leaves_at(const SectionEllipse& e, const Viewport& view, boo
   std::optional<Vec2> last;
   for (int k = 0; k <= kSteps; ++k) {
     const double from_top = 0.5 * std::numbers::pi * k / kSteps;
-    const double up = below ? 1.0 : -1.0;  // gear 1 lies below the mesh, with its top there
+    const double up = below ? 1.0 : -1.0;  // gear 1 is below the mesh, so its top is there
     const Vec2 p = view.px(on_ellipse(e, up * (0.5 * std::numbers::pi - side * from_top)));
     if (inside(view, p))
       last = p;
@@ -77,7 +77,7 @@ std::optional<Vec2> leaves_at(const SectionEllipse& e, const Viewport& view, boo
 }
 
 void draw_cylinders(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
-  const double side = i == 0 ? 1.0 : -1.0;  // gear 1's labels to the right, gear 2's to the left
+  const double side = i == 0 ? 1.0 : -1.0;  // labels of gear 1 to the right, of gear 2 to the left
   std::vector<Vec2> ends;
   std::vector<double> wanted;
   std::vector<std::string> symbols;

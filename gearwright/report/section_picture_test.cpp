@@ -9,7 +9,7 @@
 namespace gearwright {
 namespace {
 
-// (h/half width)² + (x/half height)² about the centre: 1 on the ellipse.
+// (h/half width)² + (x/half height)² about the centre, which is 1 on the ellipse.
 double level(const SectionEllipse& e, const Vec2& p) {
   return std::pow((p.x() - e.center.x()) / e.half_width, 2) +
          std::pow((p.y() - e.center.y()) / e.half_height, 2);

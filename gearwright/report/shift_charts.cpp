@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSoundContactRatio = 1.2;  // the usual least contact ratio of spur gears
 
-// Over the tooth numbers of the charts.
+// Functions over the tooth numbers of the charts.
 Figure over_teeth(Figure f) {
   f.x = {.words = "number of teeth", .unit = {}, .lo = kChartMin, .hi = kChartMax, .symbol = "z"};
   f.x.log = true;
@@ -24,8 +24,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The shifts within the limits of the problem, a piece for each run of tooth numbers with possible
-// shifts.
+// The shifts within the limits of the problem, with a piece for each run of tooth numbers for which
+// shifts exist.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -120,9 +120,9 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
            {9.0, i == 0 ? -8.0 : 18.0});
   }
   f.caption = fmt::format(
-      " of gear 1’s rack{}. Below the line “undercut” the cutter hollows the root; above the tip "
-      "lines the tooth is thinner at its tip than 0, 0.2 and 0.4 modules. They meet at the fewest "
-      "teeth that can be made{}{}.{}",
+      " of gear 1’s rack{}. Below the line “undercut” the cutter undercuts the root. Above the tip "
+      "lines the tooth is thinner at its tip than 0, 0.2 and 0.4 modules. The lines meet at the "
+      "least number of teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " Ringed: the best design." : "");
   return figure_html(f);
@@ -143,7 +143,7 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
   constexpr std::array kNames{"least shift", "¼ of the way", "½", "¾", "greatest shift"};
   double lowest = 1.0;
   double highest = 1.8;
-  std::optional<int> first;  // to reach 1.2, at the least shift
+  std::optional<int> first;  // the least tooth number that reaches 1.2, at the least shift
   for (std::size_t k = 0; k < kNames.size(); ++k) {
     std::vector<Vec2> points;
     for (const IdenticalGears& row : chart) {
@@ -174,11 +174,11 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
   }
   f.caption = fmt::format(
       "{}, at shifts 0, ¼, ½, ¾ and 1 of the way from the least to the greatest that this search "
-      "allows. The straight line: 1.2, below which spur gears call for unusual care{}. {}The less "
-      "shift, the more teeth in mesh; few teeth leave little of either.",
+      "allows. The straight line is 1.2, below which spur gears require unusual care{}. {}A "
+      "smaller shift gives a greater contact ratio. With few teeth, both are limited.",
       helix_words(trial),
-      asked != kSoundContactRatio ? fmt::format("; dashed: {:g}, asked here", asked) : "",
-      first ? fmt::format("From {} teeth on some shift reaches it. ", *first) : "");
+      asked != kSoundContactRatio ? fmt::format("; dashed: {:g}, required here", asked) : "",
+      first ? fmt::format("From {} teeth on, some shift reaches it. ", *first) : "");
   return figure_html(f);
 }
 

@@ -44,10 +44,10 @@ TEST(ShiftChartPictures, TwelveTeethReachTheSoundContactRatio) {
   expect_sound_figure(figure);
   EXPECT_NE(figure.find("From 12 teeth on some shift reaches it."), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"curve share"), 5u);
-  EXPECT_EQ(figure.find("asked here"), figure.npos);
+  EXPECT_EQ(figure.find("required here"), figure.npos);
   SearchProblem quiet = testing::spur_problem();
   quiet.limits.contact_ratio = 1.4;
-  EXPECT_NE(identical_gears_figure(quiet, Trial{}).find("dashed: 1.4, asked here"),
+  EXPECT_NE(identical_gears_figure(quiet, Trial{}).find("dashed: 1.4, required here"),
             std::string::npos);
 }
 

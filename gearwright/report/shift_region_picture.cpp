@@ -14,9 +14,10 @@ constexpr double kWidth = 640.0;
 constexpr double kAspect = 554.0 / 450.0;
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 200.0 / 170.0;
-constexpr double kFairPart = 0.62;  // of the rectangle: a region at least this long is shown in it
-constexpr double kSmallFairPart = 0.12;  // the small ones are side by side, so one scale is
-                                         // preferred
+// Fraction of the rectangle; a region at least this long is shown in the rectangle.
+constexpr double kFairPart = 0.62;
+// The same for the small pictures, where a common scale is preferred.
+constexpr double kSmallFairPart = 0.12;
 
 Vec2 design_of(const DesignRow& row) { return {row.shift[0], row.shift[1]}; }
 

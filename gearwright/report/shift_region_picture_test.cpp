@@ -22,7 +22,7 @@ std::string figure_of(const SearchSample& sample, const DesignRow& row) {
   return shift_region_figure(sample.search->graph(row.trial), row);
 }
 
-// A region of one pair of tooth numbers by itself.
+// The region of a single pair of tooth numbers.
 SearchSample one_pair(int z1, int z2, double least, double greatest) {
   SearchProblem p = testing::spur_problem();
   p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
@@ -86,7 +86,7 @@ TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
     for (const char* words : {"least centre distance", "greatest centre distance",
                               "gear 1 least shift", "gear 2 least shift"})
       EXPECT_EQ(count_of(figure, std::string(">") + words + "<"), 2u)
-          << words;  // beside the edge and in the key
+          << words;  // next to the edge and in the key
     EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 2u);
     return;
   }
@@ -103,7 +103,8 @@ TEST(ShiftRegionPicture, OneExactDistanceIsALine) {
   EXPECT_NE(figure.find("without area"), figure.npos);
 }
 
-// The least sum of both shifts is -1: at 59 mm the band and the corner have one point in common.
+// The least sum of both shifts is -1. At 59 mm, the range of centre distances and this corner have
+// one point in common.
 TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   const SearchSample point = one_pair(40, 80, 58.0, 59.0);
   ASSERT_EQ(point.answer->designs.size(), 1u);

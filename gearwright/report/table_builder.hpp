@@ -16,23 +16,24 @@ class TableBuilder {
   TableBuilder(std::string_view caption, const std::vector<std::string>& columns);
 
   void group(std::string_view title);
-  /// One value per column; the symbol as in html_text.hpp, may be empty.
+  /// Adds one value per column. The symbol is written as in html_text.hpp and may be empty.
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
   void row(const QuantityInfo& info, const std::vector<std::string>& values);
-  /// One value common to all columns, or to all except the last, which then contains a note.
+  /// Adds one value common to all columns, or to all except the last, which then contains a note.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
   void common(const QuantityInfo& info, const std::string& value,
               const std::optional<std::string>& note = {});
-  /// The rows of the catalogue, without the group's heading: a value per column, or one that is common
-  /// to all. The table has as many columns as there are records, or two for one record (a pair).
+  /// Adds the rows of the catalogue without the heading of the group, with a value per column or
+  /// one that is common to all. The table has as many columns as there are records, or two for one
+  /// record (a pair).
   void rows(const TextGroup& group);
-  /// The same under their headings.
+  /// Adds the same rows under their headings.
   void groups(const std::vector<TextGroup>& groups);
 
-  /// Returns the table. A long table is folded behind its caption and its first values, and
-  /// unfolded on paper.
+  /// Returns the table. On screen, a long table is folded behind its caption and its first values.
+  /// On paper it is unfolded.
   std::string str() const;
 
  private:

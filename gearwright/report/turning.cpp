@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteps = 120;  // of the slider, and of an arrow key, per pitch
+constexpr int kSteps = 120;  // number per pitch of slider positions and of arrow key steps
 
 }  // namespace
 

@@ -17,7 +17,7 @@ ${StrStr}
 ${UnStrRep}
 
 !define KEY "Software\Microsoft\Windows\CurrentVersion\Uninstall\Gearwright"
-; A variable of NSIS holds fewer characters than a PATH may have. A longer PATH is left alone.
+; A variable of NSIS contains fewer characters than a PATH may have. A longer PATH is not changed.
 !define PATH_MAX_CHANGED 900
 
 Name "Gearwright ${VERSION}"
@@ -40,7 +40,8 @@ VIAddVersionKey LegalCopyright "The Gearwright developers"
 !insertmacro MUI_UNPAGE_INSTFILES
 !insertmacro MUI_LANGUAGE "English"
 
-; True in $1 if the user has a PATH of his own; its text in $0, empty if it is too long to be read.
+; $1 is true if the user has a PATH variable. $0 contains its text, or is empty if it is too long to be
+; read.
 !macro READ_PATH
   ClearErrors
   ReadRegStr $0 HKCU "Environment" "Path"
@@ -72,7 +73,7 @@ Section
     CreateShortcut "$SMPROGRAMS\Gearwright\Gearwright page.lnk" "$INSTDIR\gearwright.html"
   ${EndIf}
   CreateShortcut "$SMPROGRAMS\Gearwright\Examples.lnk" "$INSTDIR\examples"
-  ; The console begins in the user's documents, because the program writes beside the spec.
+  ; The console starts in the user's documents, because the program writes next to the spec.
   SetOutPath "$DOCUMENTS"
   CreateShortcut "$SMPROGRAMS\Gearwright\Gearwright console.lnk" "$SYSDIR\cmd.exe" \
     '/k set "PATH=$INSTDIR;%PATH%" && gearwright --version'
@@ -115,7 +116,7 @@ Section
 SectionEnd
 
 Section "Uninstall"
-  ; The list of files was made with the installer. Other files in the folder are the user's.
+  ; The list of files was made with the installer. Other files in the folder belong to the user.
   !include "${FILES}"
   Delete "$INSTDIR\uninstall.exe"
   RMDir "$INSTDIR"

@@ -9,9 +9,9 @@
 
 namespace gearwright::ledger {
 
-// Chord and height by the same lines in double and in 50 digits. Teeth of every size up to θ_t =
-// 1.2; a tooth of half the circumference (π/2) at ψ = 45° is a triple root, where Δh has a
-// condition without bound and no calliper fits.
+// Chord and height by the same formulas in double and in 50 digits, for teeth of every size up to
+// θ_t = 1.2. A tooth of half the circumference (π/2) at ψ = 45° is a triple root, at which Δh is
+// arbitrarily ill-conditioned and no calliper fits.
 std::vector<Row> chord_rows() {
   constexpr int kInputs = 4000;
   const std::string where = fmt::format("ψ 0…80°, θ_t 1e-4…1.2, {} inputs", kInputs);

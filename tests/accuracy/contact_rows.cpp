@@ -26,7 +26,7 @@ Result<Gear> cut(int teeth, double module, double helix_deg, const ArcRack& rack
   return make_gear(s);
 }
 
-// What the pair is in 50 digits, lengths in modules.
+// The data of the pair in 50 digits, lengths in modules.
 struct ExactDrive {
   Exact r1, r2, lambda, rho_f, a_f, b_f, rho_p, a_p, b_p;
 
@@ -68,7 +68,7 @@ struct ExactDrive {
     return mu * (r1 / r2 + 1) + along / (r2 * tan(lambda));
   }
 
-  // K_2 − K_1 where nothing is displaced: trace and determinant give the principal values. [T7.14]
+  // K_2 − K_1 without displacement. Trace and determinant give the principal values. [T7.14]
   std::array<Exact, 2> gap_curvature(const Exact& psi) const {
     const Exact sl = sin(lambda), cl = cos(lambda), sp = sin(psi);
     std::array<Exact, 3> gap{0, 0, 0};
@@ -92,8 +92,8 @@ struct ExactDrive {
 
 }  // namespace
 
-// The search for the greatest gap, which knows nothing of circular arcs but their outline, against
-// the closed forms that these have.
+// The search for the greatest gap, which uses only the outline of circular arcs, is compared with
+// their closed forms.
 std::vector<Row> contact_rows() {
   constexpr int kInputs = 300;
   const std::string where = fmt::format(

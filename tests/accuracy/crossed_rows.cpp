@@ -54,7 +54,7 @@ std::string words(const BasePair<double>& g) {
                      g[1].radius);
 }
 
-// Errors of lengths that are differences count against a.
+// Errors of lengths that are differences are relative to a.
 double of_distance(double got, const Exact& e, double a) {
   return std::abs(static_cast<double>((Exact(got) - e) / Exact(a)));
 }
@@ -63,7 +63,8 @@ struct CrossedRows {
   Row alpha, helix, a, radius, X, z_L, backlash, contact, face, min_a, min_angle, two;
 };
 
-// `more`: what nearly parallel axes multiply the errors by that sin Σ divides.
+// `more` is the factor by which nearly parallel axes increase the errors, due to the division by
+// sin Σ.
 CrossedRows rows_of(const std::string& prefix, const std::string& where, double more) {
   const auto row = [&](const char* name, const char* unit, double claim) {
     return Row{prefix + name, where, unit, claim, 0.0, ""};
@@ -135,7 +136,8 @@ void see_min(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   const double a = detail::distance_and_line(g, *alpha).a.value;
   rows.min_a.see(relative_error(a, detail::distance_and_line(e, alpha_e).a.value), w);
   rows.min_angle.see(relative_error(rack.shaft_angle, rack_e.shaft_angle), w);
-  // The two places of a greater distance; at the least one their condition has no bound.
+  // The two positions of a greater distance. At the least distance their condition number is
+  // unbounded.
   const double more = a * (1 + draw.uniform(1e-3, 0.05));
   const auto two = transverse_angles_at_distance(g, more);
   const auto two_e = transverse_angles_at_distance(e, Exact(more));

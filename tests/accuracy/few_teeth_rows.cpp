@@ -18,8 +18,9 @@ struct Circle {
   Exact radius, distance;
 };
 
-// The circle about the ray of polar angle γ that touches the involute at ξ, in coordinates: the
-// flank's normal at its point is cut with the ray. No angle of a triangle is used.
+// The circle that is centred on the ray of polar angle γ and touches the involute at ξ, by
+// coordinates. The normal of the flank at its point is intersected with the ray. No angle of a
+// triangle is used.
 Circle circle_on_ray(double r_b, double psi_b, double xi, const Exact& gamma) {
   const Exact delta = Exact(psi_b) - Exact(xi);
   const Exact c = cos(delta), s = sin(delta);
@@ -70,7 +71,7 @@ std::vector<Row> few_teeth_rows() {
   return {root, end, tip, tip_end};
 }
 
-// [T6.8] for convex and hollow arcs of a cutter, external gears and rings.
+// [T6.8] for convex and concave arcs of a cutter, external and internal gears.
 std::vector<Row> pinion_envelope_rows() {
   constexpr int kInputs = 4000;
   const std::string where = fmt::format(

@@ -54,8 +54,8 @@ std::vector<std::string> claims(const std::string& table) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("| `", 0) != 0) continue;
-    // quantity, unit, claimed: the measured column may differ in its last digit between math
-    // libraries.
+    // Quantity, unit and claimed accuracy must agree. The measured column may differ in its last
+    // digit between math libraries.
     std::size_t at = 0;
     for (int bar = 0; bar < 4; ++bar) at = line.find('|', at) + 1;
     list.push_back(line.substr(0, at));
@@ -77,7 +77,7 @@ TEST(Ledger, ErrorsAreWithinTheirClaims) {
     EXPECT_GT(r.measured, 0.0) << r.name << ": nothing was measured";
   }
   if (const char* path = std::getenv("GW_WRITE_LEDGER")) {
-    // The sections after the ledger are written by hand and stay.
+    // The sections after the ledger are written by hand and are kept.
     const std::string old = ledger_text();
     const std::size_t section = old.find("\n## ");
     std::ofstream(path) << markdown(rows)

@@ -1,4 +1,5 @@
-// Teeth under load: percent, against other elements, and against finer divisions of its own.
+// Teeth under load, in percent, against other finite elements and against finer divisions of the
+// same method.
 //
 // Other elements: gmsh triangles with up to 68 000 unknowns, CalculiX C3D20 with 105 840, two gears
 // of triangles in nodewise contact; 25 teeth, x = 0, rack 1.25/0.38, bore radius 6 m, ν = 0.3. Rings
@@ -67,7 +68,8 @@ Row ring_section() {
   return row;
 }
 
-// Away from the load, where the bricks have no Hertz strip; of the greatest value of the bricks.
+// Compared away from the load, where the bricks have no Hertz strip, relative to the greatest value
+// of the bricks.
 Row along_face() {
   Row row{"load.along_face",
           "spur, b = 10 m, loads at the end and in the middle; bricks",
@@ -119,7 +121,8 @@ Row approach() {
   request.torques = {100 * face * rb};
   const double phases[] = {0.05, 0.15, 0.3, 0.5, 0.75, 0.8, 0.95};
   const double want[] = {5.0349, 4.9662, 4.9286, 4.9852, 7.3650, 7.3547, 7.4242};  // µm
-  // Where the flanks touch at rotation 0 says at which rotation they touch in each phase.
+  // The position of contact at rotation 0 gives the rotation at which the flanks touch in each
+  // phase.
   request.rotations = {Angle()};
   const auto compliance = pair_compliance(gear, gear, request);
   const LoadedContact start = loaded_contact(pair, gear, gear, *compliance, request);

@@ -1,10 +1,10 @@
-// Reads mesh files with other people's code and says what is wrong with them.
+// Reads mesh files with independent software and prints their errors.
 //
 //   node check_meshes.mjs FILE.glb FILE.stl FILE.3mf …     [--modules FOLDER]
 //
 // .glb        the Khronos validator: no error, no warning
 // .stl, .3mf  manifold-3d: every body (3MF object, STL part) is an oriented manifold of positive volume
-// Exit status 0: nothing wrong; 1: something is; 77: the npm packages are not installed (npm ci here).
+// Exit status 0: no errors; 1: errors; 77: the npm packages are not installed (npm ci here).
 import {existsSync, readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {basename, dirname, join, resolve} from 'node:path';

@@ -1,14 +1,15 @@
-// How much of two mounted gears is in the same place, by manifold-3d.
+// Computes the volume in which two mounted gears overlap, by manifold-3d.
 //
 //   node check_overlap.mjs GEAR1.stl GEAR2.stl Z1 Z2 PHASES A [A …]     [--shaft DEG] [--enough MM3]
 //                                                                       [--modules FOLDER]
 //
-// Each gear in its own frame; gear 2 is put at the distance A with space 0 to the mesh, its axis along
-// (0, sin Σ, cos Σ), and both are turned through one pitch in PHASES steps. A ring (Z2 < 0) turns as its
-// pinion does, and its mesh lies at −x, to where tooth 0 of the pinion is turned. Prints
-// {"overlap_mm3": greatest volume} for every A, as one JSON list; more than MM3 ends the search of an A.
-// Of external gears only what can reach the other one is intersected, the teeth near the mesh.
-// Exit status 77: manifold-3d is not installed.
+// Each gear is in its own frame. Gear 2 is placed at the distance A with space 0 at the mesh and
+// its axis along (0, sin Σ, cos Σ), and both gears are turned through one pitch in PHASES steps. An
+// internal gear (Z2 < 0) turns in the same direction as its pinion, and its mesh lies at −x,
+// towards which tooth 0 of the pinion is turned. The script prints {"overlap_mm3": greatest volume}
+// for every A, as one JSON list. A volume of more than MM3 ends the search for an A. For external
+// gears, only the teeth near the mesh, which can reach the other gear, are intersected. Exit status
+// 77: manifold-3d is not installed.
 import {existsSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
@@ -46,8 +47,9 @@ const distances = args.slice(5).map(Number);
 const turned1 = (turn) => (z2 < 0 ? 180 : 0) - turn;
 const turned2 = (turn) => 180 - 180 / Math.abs(z2) + turn * z1 / z2;
 
-// What of a gear can come to x > least, in the frame of the housing, at any phase: its own x is least but for half a
-// pitch of turn from the middle one. Gear 2 looks the other way.
+// Returns the part of a gear that can reach x > least in the frame of the housing at any phase,
+// where its own x exceeds least up to half a pitch of rotation from the middle one. Gear 2 faces
+// the other way.
 function near({solid, radius}, least, teeth, turned, sense) {
   if (z2 < 0) return solid;
   const half = Math.PI / teeth, middle = turned(180 / z1);

@@ -1,9 +1,10 @@
-// Reads 3MF files with lib3mf, the 3MF consortium's library, and says what it finds wrong.
+// Reads 3MF files with lib3mf, the library of the 3MF consortium, and prints the errors that it
+// finds.
 //
 //   lib3mf_read_test FILE.3mf …     exit status 0: every file was read without a warning, and every
 //   object in it is a manifold and oriented mesh placed by one build item
 //
-// test_meshes.py compiles this with lib3mf 1.8 (the COM-style interface) where that is installed.
+// test_meshes.py compiles this with lib3mf 1.8 (the COM-style interface) if that is installed.
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// A binary STL as vertices and triangles; corners are one vertex where their twelve bytes agree.
+// Reads a binary STL as vertices and triangles. Corners with the same twelve bytes are one vertex.
 import {readFileSync} from 'node:fs';
 
 export function readStl(file) {

@@ -1,4 +1,4 @@
-"""Workshop drawings as other readers see them.
+"""Tests workshop drawings with independent readers.
 
     PDF   pdftotext finds the words, the Greek letters and a page for each gear
     SVG   well-formed, in mm; the paths of the gear lie on the sheet
@@ -117,7 +117,7 @@ def check_dxf(folder):
     for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1", "Scale"):
         check(words in texts, f"the DXF says {words}: {texts}")
     check({e.dxf.style for e in model.query("TEXT")} == {"SHEET"}, "words have a style of their own")
-    # Of each sheet the outline about the reference circle is the gear at its scale.
+    # On each sheet, the outline about the reference circle is the gear at the scale of the sheet.
     for low, high, scale, tip in ((0, 210, 1.0, 50.4992), (230, 440, 0.5, 116.2922)):
         outlines = [e for e in model.query('LWPOLYLINE[layer=="OUTLINE"]') if e.closed and low < e[0][0] < high]
         middle = [e.dxf.center for e in model.query('CIRCLE[layer=="AXIS"]') if low < e.dxf.center.x < high][0]

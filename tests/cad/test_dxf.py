@@ -1,4 +1,4 @@
-"""DXF files of gears as another reader sees them.
+"""Tests DXF files of gears with an independent reader.
 
     audit     ezdxf finds nothing to correct and nothing wrong
     units     millimetres, said by $INSUNITS; AutoCAD 2000
@@ -6,8 +6,9 @@
               ends meet; counter-clockwise, once round the axis
     bore      a circle or a closed polyline on the layer BORE, inside the profile (a ring's: around it)
 
-Usage: test_dxf.py [FILE.dxf ...]. Without files it has the program (GW_BIN) export gears of its own
-and checks those. Each check is first tried on a drawing that breaks it. Exits 77 without ezdxf.
+Usage: test_dxf.py [FILE.dxf ...]. Without files, the program (GW_BIN) exports sample gears, and the
+script checks those. Each check is first applied to a drawing that breaks it. The script exits with
+77 without ezdxf.
 """
 
 import math
@@ -25,7 +26,7 @@ except ImportError:
     print("skipped: no ezdxf (Debian: python3-ezdxf)")
     sys.exit(77)
 
-MEET = 1e-12  # of the radius: what angles in degrees in a double lose
+MEET = 1e-12  # relative to the radius; angles in degrees lose this much in a double
 SPECS = {
     "spur": "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n",
     "bored": "[gear1]\nteeth = 31\nnormal_module_mm = 1.5\nhelix_angle_deg = 18\nface_width_mm = 10\n"
@@ -37,7 +38,7 @@ SPECS = {
 
 
 class Edge:
-    """A directed edge: its ends and points between them."""
+    """A directed edge: its ends and the points between them."""
 
     def __init__(self, points):
         self.points = points
@@ -87,7 +88,8 @@ def area_and_turn(edges):
 
 
 def chain_faults(name, entities):
-    """What keeps the entities, in their order, from being one closed chain about the axis."""
+    """Returns the reason why the entities, in their order, are not one closed chain about the
+    axis."""
     if any(e.dxftype() == "LWPOLYLINE" and not e.closed for e in entities):
         return [f"{name}: the polyline is not closed"]
     edges = [edge for e in entities for edge in edges_of(e)]
@@ -140,7 +142,7 @@ def faults_of(path):
 
 
 def try_the_checks(folder):
-    """Each check must catch the drawing that breaks it."""
+    """Checks that each check detects the drawing that breaks it."""
     def drawing(units=4, version="R2000", close=True, bulge=1.0, gap=0.0, bore=None):
         document = ezdxf.new(version, units=units)
         for layer in ("PROFILE", "BORE"):

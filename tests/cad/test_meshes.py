@@ -1,4 +1,4 @@
-"""Mesh files, read by programs that are not ours.
+"""Tests mesh files with independent programs.
 
   test_meshes.py [FILE.stl FILE.glb FILE.3mf ...]
 
@@ -9,8 +9,8 @@ the wheel that they cut, a tooth alone with its wheel, a ring cut by a pinion, d
   .3mf  lib3mf 1.8 through lib3mf_read_test.cpp, and Python's zipfile
   .glb  the Khronos validator, and manifold-3d for the two others: check_meshes.mjs
 
-A reader that is not installed is named and left out. Exit status 0: nothing wrong; 1: something is;
-77: no reader at all is installed.
+A reader that is not installed is reported and skipped. Exit status 0: no errors; 1: errors; 77: no
+reader is installed.
 """
 
 import os
@@ -116,7 +116,8 @@ def fault(file, message):
 
 
 def run(command, **options):
-    # admesh 0.98.4 prints bytes of its own memory after the 80 of the header, which need not be text.
+    # admesh 0.98.4 prints bytes of its own memory after the 80 of the header, which need not be
+    # text.
     return subprocess.run([str(c) for c in command], capture_output=True, text=True, errors="replace", **options)
 
 
@@ -144,7 +145,7 @@ def check_stl(files):
         print("admesh: not installed")
         return
     readers += 1
-    # Names as admesh 0.98 prints them, and what they must be before any repair.
+    # Names as printed by admesh 0.98, and their required values before any repair.
     zero = ("Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed",
             "Facets added", "Facets reversed", "Backwards edges", "Normals fixed")
     for file in files:

@@ -1,5 +1,5 @@
-"""The mounted pair, as exported, on parallel and on crossed axes, gears cut by gears among them: no overlap at the
-backlash-free distance, overlap 0.05 mm closer.
+"""Tests the mounted pair, as exported, on parallel and on crossed axes, including gears cut by gears. There is no
+overlap at the backlash-free distance, but an overlap if the gears are 0.05 mm closer.
 
 The meshes are turned through a pitch in five steps and intersected by manifold-3d. Flanks are convex, so
 their chords lie inside the tooth and touching flanks leave no common volume but that of the coordinates'
@@ -7,11 +7,13 @@ rounding (float32, about 2 nm, times some square millimetres); 0.05 mm closer th
 0.05 sin α = 0.017 mm along at least the face width times a tenth of a millimetre. Crossed flanks overlap in
 a lens of that depth h: π h² ρ with ρ the radius of its curvature, some millimetres at least.
 
-A ring's flanks are hollow: their chords stand out of the tooth by up to h, the tolerance of the mesh, and touching
-flanks share a sliver of that height and the width 2 √(2 ρ h), 1/ρ = 1/ρ1 - 1/ρ2. Four flanks at most touch.
+The flanks of an internal gear are concave. Their chords extend out of the tooth by up to h, the
+tolerance of the mesh, and touching flanks share a sliver of that height and the width 2 √(2 ρ h),
+1/ρ = 1/ρ1 - 1/ρ2. At most four flanks touch.
 
-A concave circular-arc flank is hollow likewise, and is touched in a point: the two share a lens of the height h and the
-relative curvatures k1, k2 there, π h²/√(k1 k2). Both flanks of the teeth in mesh touch, at most two pairs of them.
+A concave circular-arc flank touches in a point. The two flanks share a lens of the height h with
+the relative curvatures k1, k2 there, π h²/√(k1 k2). Both flanks of the teeth in mesh touch, at most
+two pairs of them.
 """
 
 import json
@@ -25,7 +27,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 BIN, NODE = os.environ["GW_BIN"], os.environ.get("GW_NODE") or "node"
 TOLERANCE = 0.0005  # mm, of the meshes
-SCREW_TOLERANCE = 0.002  # mm, of those on crossed axes: convex both, and wide; a quarter of the triangles
+# mm, for gears on crossed axes, which are convex and wide; gives a quarter of the triangles
+SCREW_TOLERANCE = 0.002
 
 PAIRS = {
     "helical": dict(z=(17, 31), m=2.5, beta=15, x=(0.3, 0.1), b=12),
@@ -38,8 +41,9 @@ PAIRS = {
 }
 
 
-# Two teeth and the wheel they cut, a tooth alone and its wheel, a ring and what a pinion cutter leaves of it. Cutters are
-# longer than the gears: fillets that touch all along would be chords against hollows.
+# Two teeth and the wheel cut by them, one tooth and its wheel, and an internal gear cut by a pinion
+# cutter. Cutters are longer than the gears, because fillets that touch all along would be chords
+# against concave arcs.
 FILLETED = """
 teeth = {z}
 profile_shift = {x}
@@ -147,7 +151,8 @@ def main():
                 subprocess.run([BIN, "export", file, "--gear", str(gear), "--stl", f"{folder}/{gear}.stl",
                                 "--mesh-tolerance", str(SCREW_TOLERANCE if "shaft" in p else TOLERANCE)], check=True, capture_output=True)
             a = pair["backlash_free_center_distance_mm"] or pair["reference_center_distance_mm"]
-            closer_by = 0.05 if p["z"][1] > 0 else -0.05  # a pinion goes outward into its ring
+            # a pinion moves outward to come closer to its internal gear
+            closer_by = 0.05 if p["z"][1] > 0 else -0.05
             least = 3.14 * 0.017**2 * 1.0 if "shaft" in p else 0.017 * 0.1 * p["b"]
             modules = ["--modules", os.environ["GW_MODULES"]] if os.environ.get("GW_MODULES") else []
             run = subprocess.run([NODE, HERE / "check_overlap.mjs", f"{folder}/1.stl", f"{folder}/2.stl",

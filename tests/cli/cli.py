@@ -1,4 +1,4 @@
-"""Runs the built program in a folder of its own; shared by the tests of the command line."""
+"""Runs the built program in a folder of its own. The tests of the command line share it."""
 import atexit
 import json
 import os
@@ -10,7 +10,8 @@ import unittest
 
 BIN = os.environ["GW_BIN"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
-# Every spec that a test runs, with how it ended: tests/schema asks a validator what it says to it.
+# Every spec that a test runs, with its result. tests/schema validates them with an independent
+# validator.
 SPECS = pathlib.Path(os.environ["GW_SPECS"]) if "GW_SPECS" in os.environ else None
 if SPECS:
     SPECS.parent.mkdir(parents=True, exist_ok=True)
@@ -34,7 +35,7 @@ face_width_mm = 25
 
 
 def new_folder():
-    """Empty; gone when the tests end."""
+    """Returns an empty folder, which is removed when the tests end."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
@@ -69,7 +70,7 @@ class Run:
             file.write(json.dumps(kept) + "\n")
 
     def files(self):
-        """Without the list of its files that `run` keeps."""
+        """Returns the files without the list of files that `run` keeps."""
         files = (f for f in self.folder.rglob("*") if f.is_file() and f.name != ".gearwright_files")
         return sorted(str(f.relative_to(self.folder)) for f in files)
 
@@ -79,7 +80,8 @@ def raw(*args):
 
 
 class Asked(unittest.TestCase):
-    """Asks the program and expects an answer, or a refusal that names the key and leaves no file behind."""
+    """Runs the program and expects an answer, or an error that contains the key and leaves no
+    file behind."""
 
     def ok(self, verb, spec, *args):
         r = Run(verb, spec, "--json", *args)

@@ -1,4 +1,5 @@
-"""Circular-arc gears as a user types them: racks F and P, double arcs, any arcs, and every way to say it wrong."""
+"""Tests circular-arc gears as a user specifies them: racks F and P, double arcs, any arcs, and
+every kind of error."""
 import json
 import math
 import unittest
@@ -100,7 +101,7 @@ class Gears(Asked):
             self.refused(lines, f"gear1.rack.{key}", "missing", verb="gear")
 
     def test_any_arcs(self):
-        # Rack F again, arc by arc.
+        # This is rack F again, arc by arc.
         joint = math.asin((0.243893 - 0.3 + 0.35) / 1.75)
         y = -0.422436 + 1.75 * math.cos(joint)
         top = math.degrees(math.acos(0.422436 / 1.4))

@@ -1,4 +1,5 @@
-"""The command line as people type it: slips of verbs, pipes, tables for a spreadsheet, folders that are used again, batches."""
+"""Tests the command line as users type it: typing errors in verbs, pipes, tables for a
+spreadsheet, reused folders, batches."""
 import csv
 import io
 import json
@@ -56,7 +57,7 @@ class Words(unittest.TestCase):
 
     def test_it_starts_at_once(self):
         best = min(self.start() for _ in range(10))
-        self.assertLess(best, 0.1)  # 20 ms on an idle machine; with OCCT linked in 0.2 s
+        self.assertLess(best, 0.1)  # 20 ms on an idle machine; 0.2 s if OCCT is linked
         libraries = subprocess.run(["ldd", BIN], capture_output=True, text=True).stdout
         self.assertNotIn("libTK", libraries)
 
@@ -75,7 +76,7 @@ class Pipes(unittest.TestCase):
         p = piped(GEAR + "x_y = 1\n", "gear", "-", "--json")
         self.assertEqual(p.returncode, 1)
         self.assertIn("standard input:5:1: gear1.x_y", p.stderr)
-        self.assertEqual(piped(GEAR, "run", "-").returncode, 2)  # no name for the folder
+        self.assertEqual(piped(GEAR, "run", "-").returncode, 2)  # there is no name for the folder
         self.assertEqual(piped("", "gear", "-").returncode, 1)
 
     def test_what_take_prints_pipes_back(self):
@@ -209,7 +210,7 @@ class Batches(unittest.TestCase):
             file.write(text)
             file.flush()
             self.assertEqual(piped("", "batch", file.name).stdout, p.stdout)
-        # the last line needs no end
+        # the last line needs no line feed
         self.assertEqual(len(piped(lines[0] + "\n" + lines[1], "batch", "-").stdout.splitlines()), 2)
 
     def test_the_answers_are_those_of_the_verb(self):

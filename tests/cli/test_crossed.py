@@ -1,11 +1,12 @@
-"""Crossed pairs as a user types them: the gear as itself, any shaft angle, fit, measure, other racks."""
+"""Tests crossed pairs as a user specifies them: gears by their base cylinders, any shaft angle,
+fit, measure, other racks."""
 import json
 import math
 import unittest
 
 from cli import Run
 
-# The paper's pair: z 9/15, each gear by its base cylinder.
+# The pair of the paper, z 9/15, with each gear given by its base cylinder.
 BASIC = """[gear1]
 teeth = 9
 tip_diameter_mm = 46.65
@@ -77,7 +78,7 @@ class Crossed(unittest.TestCase):
         self.assertAlmostEqual(Run("gear", BASIC.format(""), "--as-rack", "3,", "--json").json["gears"][1]["as_rack"]["normal_pressure_angle_deg"], 20, places=9)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", "3,21").status, 1)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", ",50").status, 1)
-        for module in ("1e16", "1e17", "1e300", "50"):  # beyond 60°: an angle of 90° is none
+        for module in ("1e16", "1e17", "1e300", "50"):  # beyond 60°; an angle of 90° is impossible
             r = Run("gear", BASIC.format(""), "--as-rack", module + ",")
             self.assertEqual(r.status, 1, r.err)
             self.assertIn("60°", r.err)
@@ -162,7 +163,7 @@ class Crossed(unittest.TestCase):
         text = WISH.format("helix_angle_deg = 45\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         p = Run("pair", text, "--json").json
         self.assertAlmostEqual(p["pair"]["backlash"]["normal_base_mm"], 0, places=11)
-        # without the angle: the pair whose minimum centre distance this is
+        # without the angle, the pair for which this is the minimum centre distance
         text = WISH.format("helix_angle_deg = 46\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         r = Run("pair", text.replace("shaft_angle_deg = 90", ""), "--json")
         self.assertAlmostEqual(r.json["pair"]["minimum_center_distance"]["center_distance_mm"], 38.4, places=10)

@@ -1,4 +1,5 @@
-"""run and export on drives: every example is green and has its files; bad drives say what would help."""
+"""Tests run and export on drives: every example is green and has its files, and errors of drives
+contain a remedy."""
 import json
 import re
 import unittest
@@ -61,7 +62,7 @@ class Files(unittest.TestCase):
         self.assertEqual([n["name"] for n in scene["nodes"]], ["sun", "planet 1", "planet 2", "planet 3", "ring"])
         self.assertEqual([n["mesh"] for n in scene["nodes"]], [0, 1, 1, 1, 2])
         self.assertEqual(len(scene["meshes"]), 3)
-        # Planet 2 stands a third of a turn round the sun, at the centre distance of 45 mm.
+        # Planet 2 is at a third of a turn about the sun, at the centre distance of 45 mm.
         at = scene["nodes"][2]["matrix"][12:15]
         self.assertAlmostEqual(at[0], -0.0225, places=9)
         self.assertAlmostEqual(at[1], 0.045 * 3 ** 0.5 / 2, places=9)

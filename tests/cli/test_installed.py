@@ -1,4 +1,5 @@
-"""What the installation carries: the program, completion, manual page, documents; only what was built."""
+"""Tests the content of the installation: program, completion, manual page, documents, and only
+what was built."""
 import gzip
 import os
 import pathlib
@@ -49,7 +50,8 @@ class Installed(unittest.TestCase):
         self.assertTrue((folder / "a.step").read_text().startswith("ISO-10303-21"))
 
     def test_what_was_not_built_is_not_asked_for(self):
-        # `make demo` builds the program alone; the script that installs must not need the others.
+        # `make demo` builds only the program, so the install script must not need the other
+        # targets.
         script = (BUILD / "cmake_install.cmake").read_text()
         programs = [l for l in script.splitlines() if "TYPE EXECUTABLE" in l and "gearwright-mpi" in l]
         for line in programs:

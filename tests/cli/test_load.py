@@ -1,4 +1,5 @@
-"""The verb load as a user meets it: keys, refusals by key, the form of the answer, laws that show in it."""
+"""Tests the verb load as a user meets it: keys, errors by key, the form of the answer, laws of
+the results."""
 
 import json
 import tempfile
@@ -96,7 +97,7 @@ class Load(unittest.TestCase):
             self.assertIn(">Under load</h2>", page)
             self.assertIn("Harris map", page)
             self.assertIn("Transverse load factor", page)
-            # Other rotations are the answer's; the page turns a pitch.
+            # The answer has the given rotations, but the page always turns through one pitch.
             some = rest.replace("positions = 4", "rotation1_deg = [0.0, 1.0]")
             result, page = self.run_of(folder, some)
             self.assertEqual(result["load"], self.answer(rest=some))
@@ -104,14 +105,14 @@ class Load(unittest.TestCase):
 
     def test_run_without_load_has_none(self):
         with tempfile.TemporaryDirectory() as folder:
-            for rest in ("", DRAFT):  # what [rating] may read, and no torque
+            for rest in ("", DRAFT):  # [load] without a torque, whose other keys [rating] may use
                 result, page = self.run_of(folder, rest)
                 self.assertNotIn("load", result)
                 self.assertNotIn(">Under load</h2>", page)
 
     def test_run_says_why_there_is_none(self):
         with tempfile.TemporaryDirectory() as folder:
-            # An internal gear for which the program knows no cutter has no outline.
+            # An internal gear without a known cutter has no outline.
             def bare_ring(rest):
                 text = PAIR.format(gear1="profile_shift = 0.5", gear2="profile_shift = -1.2", rest=DRAFT + rest)
                 text = text.replace("teeth = 25", "teeth = 8").replace("teeth = 43", "teeth = -30")
@@ -139,7 +140,7 @@ class Load(unittest.TestCase):
         worst = [max(l[when]["max_pressure_MPa"] for l in answer["under_load"]) for when in ("before", "after")]
         self.assertLess(worst[1], 0.8 * worst[0])
         self.assertEqual(answer["corrections"][0]["spec_key"], "gear1.modifications.right_lead_slope_um")
-        # What is told before is what load has.
+        # The values before the correction are those of load.
         load = self.compensated("", verb="load").json["load"]["torques"]
         for l, t in zip(answer["under_load"], load):
             self.assertEqual(l["before"]["max_pressure_MPa"], t["max_pressure_MPa"])
@@ -258,7 +259,7 @@ class Points(unittest.TestCase):
                     self.assertAlmostEqual(k["pressure_MPa"] * area, 1.5 * k["force_N"], delta=1e-4 * whole)
         low, high = answer["torques"]
         self.assertGreater(high["max_pressure_MPa"], low["max_pressure_MPa"])
-        # A Hertz point stiffens under load.
+        # A Hertz contact point becomes stiffer under load.
         self.assertGreater(high["contact_stiffness_N_per_um"]["mean"], low["contact_stiffness_N_per_um"]["mean"])
 
     def test_double_arcs_touch_at_two_places(self):
@@ -286,7 +287,7 @@ gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_m
         self.assertEqual(run.json["error"]["key"], "load.deflection_bow_um")
 
 
-# Gear 1 ends in a line below its tip diameter.
+# Gear 1 is pointed below its tip diameter.
 POINTED = """
 [gear1]
 teeth = 14

@@ -1,4 +1,5 @@
-"""How helical teeth yield along the face, against bricks of CalculiX (tests/oracle/bricks)."""
+"""Compares the deflection of helical teeth along the face with bricks of CalculiX
+(tests/oracle/bricks)."""
 import importlib.util
 import json
 import unittest
@@ -6,9 +7,11 @@ import unittest
 from cli import SOURCE, Run
 
 FROM = SOURCE / "tests/oracle/bricks/tooth_bricks.py"
-OF_ALL = 0.02  # of the greatest of the row, under the load, where bumps of the bricks are made a strip
-AWAY = 1.25     # m_n from the middle of the load, where strip or bump plays no part
-OF_AWAY = 0.05  # of the greatest there
+# Relative to the greatest value of the row, under the load, where the bumps of the bricks are
+# replaced by a strip.
+OF_ALL = 0.02
+AWAY = 1.25  # m_n from the middle of the load, where strip or bump has no effect
+OF_AWAY = 0.05  # relative to the greatest value there
 MODULE = 3.0
 MODULUS = 200000.0
 
@@ -21,7 +24,7 @@ def bricks():
 
 
 def probes(data, gear):
-    """E u m_n / F of the program, a row for each load."""
+    """Returns E u m_n / F from the program, with a row for each load."""
     half = data["face_width"] / 2
     text = f"""
 [gear1]

@@ -1,4 +1,5 @@
-"""Measuring a gear as a workshop asks for it: tools, tolerances, and the way back to the gear."""
+"""Tests the measurement of a gear as a workshop requires it: tools, tolerances, and the
+identification of the gear."""
 import json
 import math
 import tomllib
@@ -145,7 +146,7 @@ class Measuring(Asked):
             self.assertAlmostEqual(flank["active_root_diameter_mm"], root, 9)
             self.assertAlmostEqual(flank["active_tip_roll_length_mm"], flank["tip_form_roll_length_mm"], 9)
         self.assertIn("active root diameter", Run("measure", pair).out)
-        # Gears that cannot be mounted are measured all the same.
+        # Gears that cannot be mounted can still be measured.
         apart = self.ok("measure", pair + "normal_module_mm = 3\n")["gears"][0]["measure"]
         self.assertNotIn("active_root_diameter_mm", apart["flank"])
 

@@ -1,4 +1,5 @@
-"""A rack as gear 2: its numbers, its section, its solids, its report, and what other verbs say."""
+"""Tests a rack as gear 2: its quantities, section, solids and report, and the messages of other
+verbs."""
 
 import json
 import math
@@ -87,7 +88,8 @@ class ARack(unittest.TestCase):
                 page = (out / "report.html").read_text()
                 for words in ("rack and pinion</p>", "The mesh at the pitch point", "Travel per turn"):
                     self.assertTrue(words in page, words)
-                # The drawing of the rack alone is as large as the bar, 10 pitches by 14 mm and a margin.
+                # The drawing of the rack alone has the size of the bar, 10 pitches by 14 mm, plus a
+                # margin.
                 length = 10 * 2 * math.pi / math.cos(math.radians(20 if helix else 0))
                 w, h = map(float, re.search(r'width="([\d.]+)mm" height="([\d.]+)mm"', (out / "gear2.svg").read_text()).groups())
                 self.assertAlmostEqual(h - w, length - 14, 5)

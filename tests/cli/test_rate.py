@@ -1,5 +1,5 @@
-"""The verb rate as a user meets it: the keys of the interface, the published report, refusals by key,
-verdict and remedies, JSON, CSV and listing that say the same."""
+"""Tests the verb rate as a user meets it: the keys of the interface, the published report, errors by key, verdict
+and remedies, and the agreement of JSON, CSV and listing."""
 
 import csv
 import io
@@ -84,11 +84,12 @@ class Rate(unittest.TestCase):
 
     def test_report(self):
         r = self.rated(spec())
-        # The report prints 1165.9 of its speed: half a unit of that is 10.3 N.
+        # The report prints 1165.9 for its speed. Half a unit of the last digit is 10.3 N.
         self.assertAlmostEqual(r["F_t_N"], 240064.4, delta=10.3)
         self.assertAlmostEqual(r["sigma_H0_MPa"], 570.79, delta=0.02)
         for got, want in zip(r["S_H"], (1.81, 1.88)):
-            self.assertAlmostEqual(got, want, delta=0.03)  # without the web of the report's wheels
+            # Without the web of the wheels in the report.
+            self.assertAlmostEqual(got, want, delta=0.03)
         self.assertEqual(r["formulas"]["Z_epsilon"]["branch"], "helical, ε_β ≥ 1")
 
     def test_every_key_of_the_interface(self):
@@ -136,7 +137,8 @@ class Rate(unittest.TestCase):
         for plastic in ("POM", "pa66-GF30", "Delrin 500", "PEEK"):
             self.refused(spec(material1=f'[gear1.material]\nname = "{plastic}"\n'), "gear1.material.name", "VDI 2736")
         self.refused(spec(material1=""), "gear1.material", "is missing")
-        self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))  # gear 1's
+        # The material of gear 1.
+        self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))
         self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
                      "gear1.material.surface_hardness_HV", "off the line")
         self.refused(spec(""), "rating", "is missing")
@@ -152,11 +154,12 @@ class Rate(unittest.TestCase):
         self.assertEqual((run.status, run.json["error"]["key"]), (1, "rating.torque_Nm"))
         for word in (*lines.values(), *list(lines)[1:], "gear1.material", "gear2.material"):
             self.assertIn(word, run.json["error"]["message"])
-        # Without the table its sentence has them all; and with them there is a rating.
+        # Without the table, the message lists all missing keys. With them, there is a rating.
         for line in (*lines.values(), 'name = "16MnCr5"'):
             self.refused(gears, "rating", line)
         self.rated(gears + materials + "\n".join(["[rating]", *lines.values()]))
-        # Whatever is given is not asked for, and the first of what is not is the key.
+        # Values that are given are not listed as missing. The key of the error is the first missing
+        # one.
         for key, line in lines.items():
             rest = [other for other in lines if other != key]
             run = Run("rate", gears + f"[rating]\n{line}\n", "--json")
@@ -248,7 +251,7 @@ face_load_factor = 1.0
 
 
 class Contact(unittest.TestCase):
-    """The teeth under load beside the standard."""
+    """Tests the teeth under load together with the standard."""
 
     def test_beside_the_standard(self):
         r = Run("rate", CONTACT.replace("face_load_factor", "tooth_contact = true\nface_load_factor"), "--json").json["rating"]
@@ -265,7 +268,7 @@ class Contact(unittest.TestCase):
         for i in (0, 1):
             self.assertAlmostEqual(r["contact_pressure_over_sigma_H"][i], r["contact_pressure_MPa"] / r["sigma_H_MPa"][i], delta=1e-14)
             self.assertAlmostEqual(r["contact_root_stress_over_sigma_F"][i], r["contact_root_stress_MPa"][i] / r["sigma_F_MPa"][i], delta=1e-14)
-            # Two ways of a century between them, one tooth: they are of one size.
+            # Two methods for the same tooth, developed decades apart, must agree in magnitude.
             self.assertTrue(0.7 < r["contact_pressure_over_sigma_H"][i] < 1.5, r["contact_pressure_over_sigma_H"])
             self.assertTrue(0.5 < r["contact_root_stress_over_sigma_F"][i] < 1.5, r["contact_root_stress_over_sigma_F"])
 

@@ -36,7 +36,7 @@ def table(gear, rest):
 
 class Starts(Asked):
     def drawn(self, text):
-        """Start diameters as the report prints them, by gear and relief."""
+        """Returns the start diameters as printed in the report, by gear and relief."""
         run = Run("run", text, "--out", "made", "--only", "report")
         if run.status == 2:
             run = Run("run", text, "--out", "made")
@@ -47,7 +47,7 @@ class Starts(Asked):
                 for gear, words in found}
 
     def expected(self, text):
-        """Of the path that `pair` prints: (ε_α − 1) p_bt/2 from each end."""
+        """Returns them from the path that `pair` prints: (ε_α − 1) p_bt/2 from each end."""
         answer = self.ok("pair", text)
         line, gears = answer["pair"], answer["gears"]
         d_b = [g["base_diameter_mm"] for g in gears]

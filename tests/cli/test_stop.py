@@ -1,4 +1,5 @@
-"""Long work says how far it is, and ends at once, with nothing half-written, when it is told to."""
+"""Tests that long work reports its progress and, on a signal, ends at once without half-written
+files."""
 
 import json
 import os
@@ -11,7 +12,8 @@ from pathlib import Path
 
 from cli import BIN, SOURCE, Run
 
-# A million positions with their pattern, and a map of a million points: hours, or minutes at least.
+# A million positions with their pattern, and a map of a million points, take hours or at least
+# minutes.
 POSITIONS = """
 [contact]
 positions = 100000
@@ -38,7 +40,8 @@ def pair():
 
 class Stop(unittest.TestCase):
     def stopped(self, verb, spec, sent, *args):
-        """stderr of a program that was told to stop when it had said how far it is, and how long it then took."""
+        """Stops a program after its first progress line. Returns its stderr and the time that it
+        then took."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "case.toml"
             path.write_text(spec)
@@ -72,7 +75,8 @@ class Stop(unittest.TestCase):
         self.assertEqual((run.status, run.err), (0, ""))
 
     def test_what_pair_refuses_is_marked_by_fit(self):
-        """Two teeth and a wheel at a distance that no standard tooth fills: a line of action, and no teeth."""
+        """Two teeth and a wheel at a distance that no standard tooth fits: a line of action
+        without teeth."""
         wish = ("[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 20\n"
                 "[gear2]\nteeth = 30\nnormal_module_mm = 2\nhelix_angle_deg = -20\n[pair]\ncenter_distance_mm = {}\n")
         marked = 0

@@ -1,4 +1,4 @@
-"""What README and the quick start show is what the program prints.
+"""Tests that README and the quick start show the output of the program.
 
 A block that begins with `$ gearwright …` is a transcript: lines of the program's output in their order, … for
 lines left out, and a remark after the command for what was changed in the spec. The specs are those that the
@@ -20,12 +20,12 @@ GAP = re.compile(r"^\s*…$")
 
 
 def toml(page, number):
-    """The page's block of TOML of that number, from 0."""
+    """Returns the TOML block of the page with this number, from 0."""
     return re.findall(r"```toml\n(.*?)```", page, re.S)[number]
 
 
 def quickstart_specs(page):
-    """File name → its texts, in the order in which the page comes to run them."""
+    """Maps each file name to its texts, in the order in which the page runs them."""
     first, fixed, hob = toml(page, 0), toml(page, 3), toml(page, 4)
     shifted = first.replace("teeth = 17\n", "teeth = 17\n" + toml(page, 1))
     semi_topping = re.sub(r"protuberance.*", "", hob) + toml(page, 5).replace("[gear1.rack]\n", "")
@@ -45,7 +45,7 @@ def quickstart_specs(page):
 
 
 def changed_examples(page):
-    """Command with its remark → the example with that change."""
+    """Applies the change of a command's remark to the example."""
     at_80 = (SOURCE / "examples/crossed_pair.toml").read_text().replace("shaft_angle_deg = 90", "shaft_angle_deg = 80")
     return {"with shaft_angle_deg = 80": at_80}
 
@@ -60,7 +60,7 @@ class Page:
         self.changes = changed_examples(self.text)
 
     def output_of(self, line):
-        """What the program prints when the line of a shell is typed."""
+        """Returns the output of the program for a shell line."""
         command, _, remark = line[2:].partition("#")
         if command.strip() == "echo $?":
             return [str(self.status)]
@@ -81,7 +81,7 @@ class Page:
 
 
 def stretches(lines):
-    """Runs of lines between the gaps; a gap is an empty run."""
+    """Returns runs of lines between the gaps. A gap is an empty run."""
     runs = [[]]
     for line in lines:
         if GAP.match(line):
@@ -92,7 +92,7 @@ def stretches(lines):
 
 
 def most_alike(run, output, begin):
-    """Where in the output the stretch most like this one begins."""
+    """Returns the position of the most similar stretch in the output."""
     def likeness(at):
         return sum(difflib.SequenceMatcher(None, a.split(), b.split()).ratio() for a, b in zip(run, output[at:]))
     return max(range(begin, max(begin + 1, len(output) - len(run) + 1)), key=likeness)

@@ -1,4 +1,4 @@
-"""The verbs as a user types them: outputs, exit status, files."""
+"""Tests the verbs as a user types them: outputs, exit status, files."""
 import json
 import math
 import re
@@ -123,7 +123,8 @@ class Verbs(unittest.TestCase):
         r = Run("outline", spec, "--gear", 2, "--json")
         self.assertEqual(r.status, 0)
         radii = [math.hypot(*p) for a in r.json["arcs"] for p in a["points"]]
-        self.assertTrue(all(b <= a + 1e-12 for a, b in zip(radii, radii[1:])))  # from the root inward
+        # From the root inward.
+        self.assertTrue(all(b <= a + 1e-12 for a, b in zip(radii, radii[1:])))
 
     def test_same_spec_same_bytes(self):
         a, b = Run("run", PAIR), Run("run", PAIR)
@@ -153,7 +154,7 @@ class Verbs(unittest.TestCase):
         self.assertEqual(r.files(), ["case.toml", "one.SVG", "one.step"])
         svg = (r.folder / "one.SVG").read_text()
         self.assertIn(">1/1<", svg)
-        self.assertIn(">Centre distance<", svg)  # of one gear too
+        self.assertIn(">Centre distance<", svg)  # for a single gear too
         for name, words in (("a.png", "ends in .pdf, .svg or .dxf"), ("case.toml", "ends in"), ("pdf", "ends in")):
             r = Run("export", PAIR, "--drawing", name)
             self.assertEqual(r.status, 2, name)
@@ -213,7 +214,8 @@ class Verbs(unittest.TestCase):
             self.assertIn(word, r.out)
 
     def test_every_example_runs(self):
-        # The commands of its opening comment, and `run` unless the example is a question for `fit`, `search` or `identify`.
+        # The commands in its opening comment, and `run` unless the example is for `fit`, `search`
+        # or `identify`.
         examples = sorted((SOURCE / "examples").glob("*.toml"))
         self.assertTrue(examples)
         for example in examples:

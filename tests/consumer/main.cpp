@@ -1,4 +1,4 @@
-// What a user of the installed library writes first: two gears, their pair, a solid.
+// A typical first program with the installed library: two gears, their pair, a solid.
 #include <cmath>
 #include <cstdio>
 

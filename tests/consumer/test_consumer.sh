@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The library as installed: find_package and pkg-config both build a program that runs, from a prefix
-# that was moved after the installation.
+# Tests the installed library. find_package and pkg-config both build a program that runs, from a
+# prefix that was moved after the installation.
 #
 # Environment: GW_BUILD, GW_SOURCE, GW_CXX, GW_CMAKE as set by ctest.
 set -euo pipefail

@@ -32,7 +32,7 @@ class Windows:
             return status, out.read().decode(errors="replace")
 
     def path(self):
-        """The user's own PATH, and None if there is none."""
+        """Returns the user's own PATH, or None if there is none."""
         status, text = self.run("reg", "query", KEY, "/v", "Path")
         if status != 0:
             return None
@@ -96,7 +96,7 @@ def main():
             windows.run(folder / "uninstall.exe", "/S", f"_?={own}")
             check(f"{name}: PATH as before", windows.path() == before, windows.path())
             left = [str(p.relative_to(folder)) for p in folder.rglob("*")] if folder.exists() else []
-            # With _? the uninstaller runs in its folder and waits, and so cannot delete itself.
+            # With _?, the uninstaller runs in its folder and waits, so it cannot delete itself.
             check(f"{name}: only the user's file is left", sorted(set(left) - {"uninstall.exe"}) == ["mine.toml"], left)
             check(f"{name}: no link is left", not [p for p in windows.files("*.lnk") if p.parent.name == "Gearwright"])
             check(f"{name}: no entry is left", windows.run("reg", "query", ENTRY)[0] != 0)

@@ -34,7 +34,8 @@ class Programs:
         self.environment = dict(os.environ, WINEDEBUG="-all", LC_ALL="C.UTF-8")
 
     def run(self, command, *arguments, folder, stdin=None):
-        # Files, not pipes: what Wine starts in the background keeps the ends of a pipe open.
+        # The script uses files instead of pipes, because background processes of Wine keep the ends
+        # of a pipe open.
         with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
             given.write(stdin or b"")
             given.seek(0)
@@ -47,7 +48,8 @@ class Programs:
 
 @contextlib.contextmanager
 def fresh_prefix(programs):
-    """A new Windows for Wine, whose server stays until the end, so that a start of the program takes half a second."""
+    """Creates a new Windows for Wine. Its server runs until the end, so that a start of the
+    program takes half a second."""
     with tempfile.TemporaryDirectory(prefix="gearwright_wine_") as prefix:
         programs.environment.update(WINEPREFIX=prefix, WINEDLLOVERRIDES="mscoree,mshtml=")
         quiet = dict(env=programs.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -73,13 +75,15 @@ class Report:
 
 
 def place(x):
-    """Doubles in order as integers: neighbours differ by 1, the unit in the last place."""
+    """Returns doubles as integers in the same order. Neighbours differ by 1, the unit in the
+    last place."""
     bits = struct.unpack("<q", struct.pack("<d", x))[0]
     return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
 
 
 class Differences:
-    """Numbers of two answers: how many, the ulp of each difference, and where the greatest relative one is."""
+    """Compares the numbers of two answers: their count, the ulp of each difference, and the
+    place of the greatest relative one."""
 
     def __init__(self):
         self.values, self.ulps, self.greatest, self.where, self.broken = 0, [], 0.0, "", ""
@@ -107,7 +111,7 @@ class Differences:
             if relative > self.greatest:
                 self.greatest, self.where = relative, path
         elif a != b and not (isinstance(a, str) and isinstance(b, str)):
-            self.broken = f"{path}: {a} and {b}"  # sentences may hold rounded numbers
+            self.broken = f"{path}: {a} and {b}"  # messages may contain rounded numbers
 
 
 def compare_answers(programs, report, examples, folder):
@@ -160,7 +164,8 @@ def compare_files(programs, report, examples, folder):
 
 
 def needs_nothing(report, program):
-    """Windows itself has the DLLs below; a program for Linux has neither a loader nor libraries."""
+    """Checks the dependencies: Windows itself has the DLLs below, and a program for Linux has
+    neither a loader nor libraries."""
     if program.endswith(".exe"):
         text = subprocess.run(["x86_64-w64-mingw32-objdump", "-p", program], capture_output=True, text=True, check=True).stdout
         needed = {line.split()[-1].lower() for line in text.splitlines() if "DLL Name:" in line}
@@ -206,7 +211,7 @@ def first_minutes(programs, report, windows, folder):
     report.check("a spec on standard input", status == 0, errors)
     status, text, errors = run("--help")
     report.check("help", status == 0 and b"\r" not in text, errors)
-    # A folder that takes no file, also for the administrator of Linux: /proc, which Wine shows on drive Z.
+    # A folder that accepts no file, even for root on Linux: /proc, which Wine shows on drive Z.
     closed = "Z:\\proc\\gearwright_out" if windows else "/proc/gearwright_out"
     status, text, errors = run("run", SOURCE / "examples/spur_pair.toml", "--out", closed)
     report.check("a folder that cannot be made", status == 3 and closed in errors, f"{status} {errors}")

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Checks a package for rpm: what it needs, what rpmlint finds, and that the unpacked program answers as the native one.
+# Checks a package for rpm: its requirements, the findings of rpmlint, and that the unpacked program
+# gives the same answers as the native one.
 #
 #   tests/dist/test_rpm.sh NATIVE PACKAGE.rpm [EMULATOR]
 set -euo pipefail

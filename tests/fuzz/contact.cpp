@@ -1,5 +1,6 @@
-// Any bytes as a spec of two gears under errors: tooth contact, its pattern and map, and the
-// corrections against it end in numbers or in a sentence. What makes them long is made short first.
+// Interprets any bytes as a spec of two gears under errors. Tooth contact, its pattern and map, and
+// the corrections end in numbers or in an error message. Values that make the computation long are
+// reduced first.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ using namespace gearwright;
 using fuzz::require;
 
 constexpr int kPositions = 6;
-// Wide faces have hundreds of tooth pairs that could touch, each of which is looked at.
+// Wide faces have hundreds of tooth pairs that may touch, each of which is examined.
 constexpr int kMostTeeth = 200;
 constexpr double kWidestFace = 100;  // modules
 
@@ -75,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!found.before.lost)
     require(found.after.peak_to_peak <= std::max(kQuiet, found.before.peak_to_peak + kSameError) ||
             spec.compensate.centering_arcsec);
-  // The corrected spec is one that every door takes.
+  // Every verb accepts the corrected spec.
   require(bool(read_spec(toml_text(compensation->corrected->tables), SpecFormat::toml)));
   return 0;
 }

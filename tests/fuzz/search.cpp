@@ -1,5 +1,5 @@
-// Any bytes as a spec with [search]: small searches run to their end, and what they find is read
-// back and mounts; large ones are left alone.
+// Interprets any bytes as a spec with [search]. Small searches run to their end, and their designs
+// are read back and mounted. Large ones are skipped.
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/search_answer.hpp"

@@ -1,5 +1,5 @@
-// Any bytes as a spec: every one ends in gears, a pair, or an error with a sentence. Never a crash,
-// a broken contract or an empty message.
+// Interprets any bytes as a spec. Every spec ends in gears, a pair, or an error with a message, and
+// never in a crash, a broken contract or an empty message.
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/fit_answer.hpp"
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   require(!fit_json(*answer).dump().empty());
   for (const Json& branch : answer->specs) {
-    require(bool(read_spec(toml_text(branch), SpecFormat::toml)));  // fit hands on specs
+    require(bool(read_spec(toml_text(branch), SpecFormat::toml)));  // the branches of fit are specs
   }
   return 0;
 }

@@ -1,4 +1,5 @@
-// Any bytes as a file of cases: outcomes, or one sentence about what is wrong with the file.
+// Interprets any bytes as a file of cases. The result is a list of outcomes, or one error message
+// about the file.
 #include "gearwright/job/verify.hpp"
 
 #include "tests/fuzz/fuzzing.hpp"

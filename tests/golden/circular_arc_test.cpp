@@ -2,8 +2,9 @@
 // with this project (tests/oracle/circular_arc.json, its conventions in
 // tests/oracle/five_equation.hpp).
 //
-// There x points from axis 1 to axis 2, θ is our τ, and the flanks are those on the side y < 0 of
-// gear 1's tooth: mirror images of the outline's. Lengths of either unit serve as mm here.
+// In that computation, x points from axis 1 to axis 2, θ is our τ, and the flanks are those on the
+// side y < 0 of gear 1's tooth, which are mirror images of those of the outline. Lengths in both
+// units are used as mm here.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +37,8 @@ const Json& cases() {
   return all;
 }
 
-// The rack of the drawing, without a tip rounding that a changed centre would not leave room for.
+// The rack of the drawing without tip rounding, because a changed centre would leave no room for
+// it.
 ArcRack rack_of(const Json& numbers, ArcRack::Cutter cutter, double m) {
   ArcRack rack = default_arc_rack(cutter);
   rack.arc_radius = numbers["rho"].get<double>() / m;
@@ -71,7 +73,8 @@ TEST(CircularArc, racks) {
     for (const bool fillet : {true, false}) {
       const Json& want = racks[std::string(name) + (fillet ? "f" : "")];
       const auto& got = std::get<EdgeCircle>(edge->arcs[fillet ? 0 : 1].shape);
-      // F is drawn from the middle of the tooth and away from the axis; P the other way round.
+      // F is drawn from the middle of the tooth and away from the axis, and P in the opposite
+      // direction.
       const double rho = want["rho"], a = want["a"], b = want["b"];
       EXPECT_NEAR(got.q, is_F ? rho : -rho, 1e-15);
       EXPECT_NEAR(got.center.x(), is_F ? -b : b, 1e-15);
@@ -79,7 +82,7 @@ TEST(CircularArc, racks) {
       const double joint = racks[is_F ? "F" : "Pf"]["th_lo_deg"];
       EXPECT_NEAR((fillet ? got.end_tau : got.begin_tau).rad(), joint * kDegree, 1e-13);
     }
-    // The flank goes on past the tip, which is where the source ends it.
+    // The flank continues beyond the tip, where the source ends it.
     const auto& flank = std::get<EdgeCircle>(edge->arcs[1].shape);
     const double tip = racks[name][is_F ? "th_hi_deg" : "th_lo_deg"].get<double>() * kDegree;
     EXPECT_NEAR(flank.center.x() + flank.q * std::sin(tip), (is_F ? 0.9 : 0.0) * m, 1e-13);
@@ -101,7 +104,8 @@ TEST(CircularArc, undercut_limits) {
     const double limit = c["theta_limit_deg"];
     EXPECT_NEAR(gear->arcs()->undercut_limit->deg(), limit, 1e-10);
     EXPECT_FALSE(gear->undercut);
-    // A dedendum that lets the flank begin at the limit: a trifle less is sound, more is undercut.
+    // With this dedendum, the flank begins at the limit. Slightly less is sound, slightly more is
+    // undercut.
     const double at_limit = rack.center_b + rack.root_fillet_radius -
                             (rack.arc_radius + rack.root_fillet_radius) * std::sin(limit * kDegree);
     for (const double more : {-1e-8, 1e-8}) {
@@ -136,14 +140,15 @@ TEST(CircularArc, surfaces) {
     const auto& p = s["position"];
     const double p_z = p[2];
     const double twist = (first ? 1 : -1) / (r * std::tan(lambda));
-    // Mirrored to y < 0; gear 2 has the space on its −x axis, the tooth half a pitch on.
+    // Mirrored to y < 0. Gear 2 has the space on its −x axis, so the tooth is half a pitch further.
     const Complex turn =
         (first ? Complex(1.0) : -std::polar(1.0, kPi / z)) * std::polar(1.0, twist * p_z);
     const Complex point = turn * Complex(w.x(), -w.y());
     EXPECT_NEAR(point.real(), p[0].get<double>(), 2e-14 * r);
     EXPECT_NEAR(point.imag(), p[1].get<double>(), 2e-14 * r);
-    // Out of gear 1 is out of the outline's tooth, on gear 2 into it. The direction of growing
-    // radius has the tooth on its right on y > 0, on its left in the mirror.
+    // The normal out of gear 1 points out of the tooth of the outline; on gear 2 it points into it.
+    // Seen in the direction of increasing radius, the tooth is on the right for y > 0 and on the
+    // left in the mirror image.
     const double forward = (curve.point(theta + 1e-6).norm() > w.norm()) ? 0.0 : kPi;
     const Complex tangent = std::polar(1.0, -(at.tangent_angle + forward));
     const Complex n = turn * tangent * Complex(0.0, first ? -1.0 : 1.0);
@@ -160,7 +165,8 @@ TEST(CircularArc, surfaces) {
   EXPECT_EQ(gears_seen, 12);
 }
 
-// Pairs with a changed centre distance and no other error: the closed form of the contact.
+// Pairs with a changed centre distance and no other error are compared with the closed form of the
+// contact.
 TEST(CircularArc, contacts_at_other_centre_distances) {
   int seen = 0;
   for (const Json& c : cases()["cases"]) {
@@ -209,7 +215,7 @@ TEST(CircularArc, contacts_at_other_centre_distances) {
   EXPECT_EQ(seen, 8);
 }
 
-// The same through gears and their mounting, where the radii are those of one module and lead.
+// The same comparison with gears and their mounting, whose radii have the same module and lead.
 TEST(CircularArc, mounted_pairs) {
   int seen = 0;
   for (const Json& c : cases()["cases"]) {
@@ -217,7 +223,7 @@ TEST(CircularArc, mounted_pairs) {
     const Json& d = c["design"];
     const std::string name = c["name"];
     if (e["dgam"] != 0.0 || e["kap1"] != 0.0 || e["dz"] != 0.0) continue;
-    if (name.find("mixed") != std::string::npos) continue;  // pitch radii of another lead
+    if (name.find("mixed") != std::string::npos) continue;  // pitch radii with another lead
     const double m = 2 * d["r1"].get<double>() * std::sin(d["lamF_deg"].get<double>() * kDegree) /
                      d["N1"].get<double>();
     const double a = d["r1"].get<double>() + d["r2"].get<double>() + e["dC"].get<double>();

@@ -1,8 +1,8 @@
-// Golden cases: published and recomputed numbers with their source, run through the door that
-// users take.
+// Golden cases are published and recomputed numbers with their source. They are run through the
+// same interface as that of users.
 //
-// The same files run by `gearwright verify tests/golden/*.json`. Our own output is never golden:
-// every value comes from a print or from a computation that shares no code with this project.
+// `gearwright verify tests/golden/*.json` runs the same files. Our own output is never golden.
+// Every value comes from a publication or from a computation that shares no code with this project.
 #include <gtest/gtest.h>
 
 #include <filesystem>

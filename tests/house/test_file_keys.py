@@ -1,4 +1,4 @@
-"""No room below the catalogue knows a file: its keys, its tables, its words for them.
+"""Tests that no room below the catalogue uses the keys, tables or terms of a file.
 
 Rooms below the catalogue (CONTRIBUTING.md, the block marked `rooms`) speak of the members of their structs; the catalogue
 turns those into keys. In their string literals must not stand:
@@ -33,7 +33,7 @@ TICK = re.compile(r"`([^`]*)`")
 
 
 def schema_keys():
-    """All keys of a spec, and those that say a unit."""
+    """Returns all keys of a spec, and those that contain a unit."""
     schema = json.loads((ROOT / "docs/schema/spec.schema.json").read_text(encoding="utf-8"))
     keys = set(schema["properties"])
     for table in schema["$defs"].values():
@@ -42,20 +42,22 @@ def schema_keys():
 
 
 def members(keys, catalogue):
-    """What the catalogue can spell: keys without their unit, and the members that its entries name."""
+    """Returns the names that the catalogue can spell: keys without their unit, and the members
+    in its entries."""
     names = {STRENGTH_UNIT.sub("", UNIT.sub("", key)) for key in keys}
     for text in catalogue:
         for fields in re.findall(r"\.fields = \{([^{}]*)\}|\.with_fields\(\{([^{}]*)\}\)", text):
             names |= {part for field in re.findall(r'"([^"]*)"', "".join(fields)) for part in field.split(".")}
-        # A limit of a search is the member of its key without the end.
+        # A limit of a search is the member of its key without the suffix.
         names |= {re.sub(r"_(?:min|max)$", "", key) for key in re.findall(r'\blimit\(\s*"(\w+)"', text)}
-    # Put together in modification_keys.cpp and error_keys.cpp: of a relief, of an error.
+    # These are composed in modification_keys.cpp and error_keys.cpp, for a relief and for an error.
     return names | {"amount", "reach", "shape", "helix_twist", "cutter_lead"}
 
 
 def literals(text):
-    """The string literals of a source, neighbours joined; includes and comments have none."""
-    # Comments go, but not what only looks like one inside a literal.
+    """Returns the string literals of a source, with neighbours joined, but none of includes and
+    comments."""
+    # Comments are removed, but not text inside a literal that looks like a comment.
     out, at = [], 0
     token = re.compile(f"{RAW.pattern}|{LITERAL.pattern}|{COMMENT.pattern}|'(?:[^'\\\\]|\\\\.)'", re.S)
     last_end = None

@@ -1,4 +1,4 @@
-"""docs/programming.md shows every program of examples/cpp as it is.
+"""Tests that docs/programming.md shows every program of examples/cpp unchanged.
 
     <!-- example: gear.cpp -->
     ```cpp
@@ -26,7 +26,8 @@ LINES = range(20, 61)
 
 
 def written(page, programs):
-    """The page with every block made from its program; blocks without one stay."""
+    """Returns the page with every block made from its program. Blocks without one are
+    kept."""
     def block(found):
         text = programs.get(found.group(2))
         return found.group(0) if text is None else f"{found.group(1)}```cpp\n{text}```\n{found.group(3)}"

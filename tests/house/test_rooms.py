@@ -1,4 +1,4 @@
-"""Who includes whom, and the outer form of every source file.
+"""Tests the includes between rooms, and the form of every source file.
 
 The rows of rooms are read from CONTRIBUTING.md (the block marked `rooms`, highest first). Rules:
 
@@ -27,16 +27,16 @@ ROOT = Path(os.environ.get("GW_SOURCE", Path(__file__).resolve().parents[2]))
 MAX_LINES = 450
 SOURCE = re.compile(r"(\.(cpp|hpp|py|mjs|js|ts|sh|cmake|in|toml)|CMakeLists\.txt|Makefile|run)$")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
-# Built from parts, so that this file does not trip over itself.
+# Built from parts, so that this file does not break its own rule.
 MACHINE_PATH = re.compile(r"(?<![\w.])/(?:work|root|home)/\w|\.\./(?:" + "sha" + "red)")
 DOOR = "gearwright/gearwright.hpp"
 KERNEL = re.compile(r"gearwright/cad/(step\w*_test\.cpp|testing/step_reader\.[ch]pp)$")
-# The bootstrap script works inside a chroot of its own, where root's home is a fact.
+# The bootstrap script works in its own chroot, in which root's home is known.
 PATH_EXEMPT = {"tools/bootstrap_check.sh"}
 
 
 def read_rows(contributing):
-    """Room -> height, 0 lowest."""
+    """Returns the height of each room, 0 for the lowest."""
     block = re.search(r"```rooms\n(.*?)```", contributing, re.S)
     if block is None:
         raise SystemExit("CONTRIBUTING.md has no ```rooms block")
@@ -45,7 +45,8 @@ def read_rows(contributing):
 
 
 def own_room(path, rows):
-    """The room that a path lies in: gearwright/ROOM/... or apps/...; None for tests and bench."""
+    """Returns the room of a path: gearwright/ROOM/... or apps/...; None for tests and
+    bench."""
     parts = path.split("/")
     if parts[0] == "apps":
         return "apps"
@@ -114,7 +115,8 @@ def check_form(path, text):
 
 
 def find_cycles(graph):
-    """Cycles of the include graph {file: [files]}, each as the list of files that close it."""
+    """Returns the cycles of the include graph {file: [files]}, each as the list of files that
+    close it."""
     state, stack, cycles = {}, [], []
 
     def visit(node):
@@ -135,7 +137,7 @@ def find_cycles(graph):
 
 
 def check_house(files, rows):
-    """All faults of {path: text}."""
+    """Returns all faults of {path: text}."""
     faults, graph = [], {}
     for path, text in sorted(files.items()):
         if path.endswith((".hpp", ".cpp")):
@@ -147,7 +149,7 @@ def check_house(files, rows):
 
 
 def self_test(rows):
-    """Every rule must find the snippet that breaks it, and leave sound ones alone."""
+    """Checks that every rule finds the snippet that breaks it and accepts valid ones."""
     head = "// An idea.\n#pragma once\n"
 
     def header(*targets):
@@ -197,7 +199,8 @@ def self_test(rows):
 
 
 def source_files():
-    """The sources of the project: what git tracks or would track, else (no git) all but the builds."""
+    """Returns the sources of the project: files that git tracks or would track, or without git
+    all except the builds."""
     listed = subprocess.run(
         ["git", "-C", str(ROOT), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
         capture_output=True)

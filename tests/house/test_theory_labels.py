@@ -1,4 +1,4 @@
-"""Every equation that the code cites stands in the theory pages, once.
+"""Tests that every equation cited by the code occurs in the theory pages exactly once.
 
 An equation is a line inside a ``` block of docs/theory/NN-*.md that ends in its label, [TN.m] or
 [TN.ma]; N is the page's number. A citation is a label anywhere else: in gearwright/, apps/, docs/, in
@@ -26,7 +26,7 @@ SUFFIXES = {".hpp", ".cpp", ".md", ".toml", ".py"}
 
 
 def split_page(text):
-    """Definitions [(line, label)] of a page, and the page without them."""
+    """Returns the definitions [(line, label)] of a page, and the page without them."""
     found, rest, inside = [], [], False
     for number, line in enumerate(text.splitlines(), 1):
         if line.lstrip().startswith("```"):
@@ -40,7 +40,7 @@ def split_page(text):
 
 
 def citations(text):
-    """Every (line, label) that a text cites."""
+    """Returns every (line, label) that a text cites."""
     found = []
     for hit in BRACKET.finditer(text):
         line = text.count("\n", 0, hit.start()) + 1
@@ -56,7 +56,7 @@ def citations(text):
 
 
 def check_labels(pages, texts):
-    """All faults; pages and texts are {path: text}."""
+    """Returns all faults. Pages and texts are {path: text}."""
     faults, where, texts = [], {}, dict(texts)
     numbers = {}
     for path, text in sorted(pages.items()):
@@ -114,7 +114,7 @@ def main():
             if p.suffix in SUFFIXES and name not in pages and p.name != Path(__file__).name:
                 if "node_modules" not in name:
                     texts[name] = p.read_text(encoding="utf-8")
-    # The page on notation explains what a label is; it defines none.
+    # The page on notation explains labels, but defines none.
     cited = sum(len(citations(t)) for n, t in texts.items() if n.startswith("gearwright/"))
     assert len(pages) >= 4 and cited >= 20, f"{len(pages)} pages, {cited} citations: looked in the wrong place"
     faults = check_labels(pages, texts)

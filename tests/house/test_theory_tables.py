@@ -1,4 +1,5 @@
-"""Every equation of the theory pages says which function computes it and which test proves it.
+"""Tests that every equation of the theory pages has the function that computes it and the test
+that proves it.
 
 The last sections of docs/theory/NN-*.md are `In the code and in the tests`, a table, and `Sources`. A row
 of the table has three cells: labels, functions, tests.
@@ -30,7 +31,7 @@ NAME = re.compile(r"`([^`]+)`")
 
 
 def sections(text):
-    """{title without its number: (line, body)} of the second level."""
+    """Returns {title without its number: (line, body)} of the second level."""
     parts = re.split(r"^## (?:\d+\.\d+ )?(.*)$", text, flags=re.M)
     found, line = {}, 1 + parts[0].count("\n")
     for title, body in zip(parts[1::2], parts[2::2]):
@@ -40,7 +41,7 @@ def sections(text):
 
 
 def references(cell):
-    """Every (name, file as linked, or None) of a cell."""
+    """Returns every (name, file as linked, or None) of a cell."""
     found = []
     for part in cell.split(";"):
         link = LINK.search(part)
@@ -54,8 +55,8 @@ def without_comments(text):
 
 
 def declares(text, name):
-    """Whether C++ declares, defines or calls `a::b`: every part stands there, the last as a function,
-    a type or a named lambda."""
+    """Returns true if C++ declares, defines or calls `a::b`: every part occurs, the last one as a function, a
+    type or a named lambda."""
     code = without_comments(text)
     *scopes, last = (re.escape(part) for part in name.split("::"))
     if not all(re.search(rf"\b{scope}\b", code) for scope in scopes):
@@ -79,7 +80,7 @@ def cites(path, label, read):
 
 
 def check_row(where, page, cells, read):
-    """All faults of one row; read(path) is the text of a file of ours, or None."""
+    """Returns all faults of one row. read(path) is the text of a file of ours, or None."""
     if len(cells) != 3:
         return [f"{where}: a row has three cells: equations, functions, tests"], []
     faults, files = [], set()

@@ -1,17 +1,18 @@
-// Two toothed gears by points of their flanks alone, external pairs and rings, any flank driving,
-// modified flanks too: a search over dense places of flank 1 that asks of each when the mate's
-// flank passes it. It shares no formula with the contact room but the definition of an error and
-// of a modification, and knows no derivative.
+// Contact of two gears computed only from points of their flanks. It supports external and internal
+// pairs, either flank driving, and modified flanks. A search over dense points of flank 1 computes
+// for each when the mating flank passes it. It shares no formula with the contact room except the
+// definition of an error and of a modification, and it uses no derivative.
 //
-//   ρ, z     radius and height of a place of a flank, mm, in its gear's frame
+//   ρ, z     radius and height of a point of a flank, mm, in the frame of its gear
 //   θ(ρ)     azimuth of the flank in the section z = 0 of the tooth whose centre line is the x axis
 //   τ        turn per mm of height      k(ρ)   turn per mm removed along the normal, rad/mm
 //   C(ρ, z)  removed, mm                c      +1 the side y > 0 of the tooth, −1 the other
 //
-// Section z of the flank stands at θ + τ z − c k C. Gear 1 turns clockwise by φ_1, gear 2 as it is
-// driven: counter-clockwise, a ring clockwise. A place of flank 1 lies on flank 2 at one rotation
-// φ_2* of gear 2; gear 2 stands at the greatest of them if gear 1 drives, at the least if gear 2
-// does. Places outside the mate's radii or face count as far below the worse they are outside.
+// Section z of the flank is at θ + τ z − c k C. Gear 1 turns clockwise by φ_1, gear 2 as it is
+// driven: counter-clockwise, or clockwise for an internal gear. A point of flank 1 lies on flank 2
+// at one rotation φ_2* of gear 2. Gear 2 is at the greatest of these rotations if gear 1 drives,
+// and at the least if gear 2 drives. The further a point is outside the radii or face of the mating
+// gear, the further below the others it counts.
 #pragma once
 
 #include <array>
@@ -26,10 +27,10 @@
 namespace gearwright::oracle {
 
 struct BruteGear {
-  int teeth = 0;  ///< > 0, of a ring too
+  int teeth = 0;  ///< > 0, also for an internal gear
   std::function<double(double rho)> azimuth;
   std::function<double(double rho)> turn_per_removal;   ///< k
-  std::function<double(double rho, double z)> removed;  ///< C; empty: nothing
+  std::function<double(double rho, double z)> removed;  ///< C; empty if nothing is removed
   double twist = 0.0;                                   ///< τ, errors included
   double side = -1.0;                                   ///< c
   double rho_low = 0.0, rho_high = 0.0, z_low = 0.0, z_high = 0.0;
@@ -66,7 +67,7 @@ class BruteContact {
     double outside;  ///< 0 inside both flanks; mm
   };
 
-  /// A place of flank 1, of tooth pair k.
+  /// A point of flank 1, of tooth pair k.
   Seen look(double rotation_1, int k, double rho, double z) const {
     const double pi = std::numbers::pi, mesh = p_.internal ? pi : 0.0;
     const double n1 = p_.one.teeth, n2 = p_.two.teeth;
@@ -79,7 +80,8 @@ class BruteContact {
                   z - p_.one.z_high, p_.two.rho_low - rho_2, rho_2 - p_.two.rho_high,
                   p_.two.z_low - q.z(), q.z() - p_.two.z_high});
     const double sense = p_.internal ? -1.0 : 1.0;
-    // The tooth of gear 2 on that side of space 0 that tooth 0 of gear 1 pushes, or is pushed by.
+    // The tooth of gear 2 on the side of space 0 on which tooth 0 of gear 1 drives it or is driven
+    // by it.
     const double tooth = p_.gear2_drives ? -pi : pi;
     const double rest = pi + sense * (tooth - 2 * pi * k) / n2;
     const double inside_rho = std::clamp(rho_2, p_.two.rho_low, p_.two.rho_high);
@@ -88,7 +90,7 @@ class BruteContact {
     return {te, broken};
   }
 
-  /// The place of pair k that touches first; nothing where no place lies inside both flanks.
+  /// The point of pair k that touches first. None if no point lies inside both flanks.
   std::optional<BrutePlace> touch_of_pair(double rotation_1, int k, int sections = 60,
                                           int radii = 40) const {
     const double sign = p_.gear2_drives ? -1.0 : 1.0;
@@ -111,7 +113,7 @@ class BruteContact {
     return best;
   }
 
-  /// Of the pairs |k| ≤ reach the one that carries.
+  /// The pair with |k| ≤ reach that carries the load.
   std::optional<BrutePlace> touch(double rotation_1, int reach, int sections = 60,
                                   int radii = 40) const {
     std::optional<BrutePlace> best;
@@ -125,7 +127,7 @@ class BruteContact {
   const BrutePair& pair() const { return p_; }
 
  private:
-  // Steps, then golden section about the best of them.
+  // Equal steps, then golden section about the best of them.
   template <class F>
   static double max_over(F f, double lo, double hi, int steps, double& where) {
     int at = 0;
@@ -159,8 +161,8 @@ class BruteContact {
   Eigen::Vector3d shift_;
 };
 
-/// An involute flank by its numbers; of a ring the tooth grows thicker outwards. An error κ of the
-/// helix turns sections, modifications and all.
+/// An involute flank given by its data. The tooth of an internal gear becomes thicker outwards. A
+/// helix error κ turns the sections together with their modifications.
 inline BruteGear brute_involute(int teeth, bool ring, double base_radius, double half_angle,
                                 double twist, double kappa, double side) {
   BruteGear g;
@@ -170,7 +172,7 @@ inline BruteGear brute_involute(int teeth, bool ring, double base_radius, double
     const double inv = std::tan(alpha) - alpha;
     return side * (ring ? half_angle + inv : half_angle - inv);
   };
-  // A turned involute lies parallel to itself, r_b cos β_b apart.
+  // A turned involute is parallel to the original, at the distance r_b cos β_b.
   const double k = std::hypot(1.0, base_radius * twist) / base_radius;
   g.turn_per_removal = [=](double) { return k; };
   return g;

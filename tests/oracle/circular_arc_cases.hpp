@@ -1,6 +1,7 @@
-// The pairs of circular_arc.json as the five equations take them. Source of the file: a 30-digit
-// computation of the pairs of Litvin and Tsay's paper on circular-arc gears and of more like them,
-// checked by minimising the gap; lengths in inch (names ex…) or mm, the numbers rounded to double.
+// The pairs of circular_arc.json as input of the five equations. The file comes from a 30-digit
+// computation of the pairs in the paper of Litvin and Tsay on circular-arc gears and of similar
+// ones, checked by minimising the gap. Lengths are in inch (names ex…) or mm, and the numbers are
+// rounded to double.
 #pragma once
 
 #include <fstream>

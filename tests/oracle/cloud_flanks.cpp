@@ -1,4 +1,4 @@
-// The outlines that the point cloud of point_cloud.hpp looks at: θ(ρ) of an arc and of an involute.
+// The outlines used by the point cloud of point_cloud.hpp: θ(ρ) of an arc and of an involute.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,7 +36,7 @@ Real ArcOutline::theta(Real rho) const {
                                       [](const Node& a, Real x) { return a.rho < x; });
   const Node &low = *(above - 1), &high = *above;
   Real theta = low.theta + (high.theta - low.theta) * (rho - low.rho) / (high.rho - low.rho);
-  // Newton on A² + B² = ρ²; between two of 64 nodes it has only one way to go.
+  // Newton's method on A² + B² = ρ². Between two of 64 nodes the function is monotone.
   const Real sl = std::sin(flank_.lead_angle), side = flank_.gear == 1 ? 1 : -1;
   for (int i = 0; i < 12; ++i) {
     const Real s = std::sin(theta), c = std::cos(theta);
@@ -46,7 +46,7 @@ Real ArcOutline::theta(Real rho) const {
     const Real size = std::hypot(a, b);
     const Real step = (rho - size) * size / slope;
     theta += step;
-    if (std::abs(step) < 1e-11L) break;  // the next would be below 1e-19
+    if (std::abs(step) < 1e-11L) break;  // the next step would be below 1e-19
   }
   return theta;
 }

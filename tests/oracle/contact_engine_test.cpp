@@ -1,6 +1,6 @@
-// The contact room against the second ways to contact: the case file and the five equations where
-// the flanks touch inside, the point cloud where an edge does, both in long double and sharing no
-// code with the room.
+// Compares the contact room with independent computations: the case file and the five equations
+// where flanks touch inside, and the point cloud where an edge touches. Both are in long double and
+// share no code with the room.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using property::Random;
 
 double number_of(const json& of, const char* key) { return of.at(key).get<double>(); }
 
-/// All positions of `rotations`, each from cold.
+/// All positions of `rotations`, each computed without a start value.
 ContactResult at_rotations(const ContactPair& pair, const std::vector<double>& rotations,
                            double marking = 0.00635) {
   ContactRequest request;
@@ -37,8 +37,9 @@ tca::ArcPair with_ends(tca::ArcPair pair, tca::Real low, tca::Real high, tca::Re
   return pair;
 }
 
-// Every printed number of the file: rotations to 1e-12 rad, places, curvatures and ellipses to
-// 1e-10 of their size. The file has one tooth pair; a face of a pitch keeps the others away.
+// Every printed number of the file is compared: rotations to 1e-12 rad, positions, curvatures and
+// ellipses to 1e-10 of their size. The file has one tooth pair, so a face of one pitch excludes the
+// others.
 TEST(ContactEngine, case_file) {
   int positions = 0;
   for (const json& c : tca::circular_arc_file().at("cases")) {
@@ -65,7 +66,7 @@ TEST(ContactEngine, case_file) {
       const Vec3 want = tca::vector(t, "point_f").cast<double>();
       EXPECT_LT((contact.in_housing(j.w1, touch.z) - want).norm(), 1e-10 * size);
     }
-    // The room's own way to one of them, with what it says about the flanks there.
+    // The room's own result for one of them, with the flank data at this point.
     const json& k = c.at("contact");
     const double rotation = number_of(k, "phi1p"), delta = number_of(k, "delta");
     Transmission transmission(contact);
@@ -91,7 +92,7 @@ TEST(ContactEngine, case_file) {
   EXPECT_GE(positions, 50);
 }
 
-// A lead angle changed after the fact is the gear cut with that lead angle.
+// A lead angle changed afterwards is equivalent to a gear cut with that lead angle.
 TEST(ContactEngine, cutter_lead_is_another_rack) {
   int changed = 0;
   for (const json& c : tca::circular_arc_file().at("cases")) {
@@ -116,8 +117,8 @@ TEST(ContactEngine, cutter_lead_is_another_rack) {
   EXPECT_GE(changed, 1);
 }
 
-// The file's curves with edges, to 1e-6 of their height; its border 0.012 in above the pitch circle
-// ends flank 1 as it ended the file's.
+// The curves of the file with edges, to 1e-6 of their height. The border of the file, 0.012 in
+// above the pitch circle, ends flank 1 here as in the file.
 TEST(ContactEngine, composite_curves_with_edges) {
   for (const json& composite : tca::circular_arc_file().at("composite_te")) {
     tca::ArcPair pair = tca::composite_pair(composite);
@@ -158,7 +159,7 @@ TEST(ContactEngine, composite_curves_with_edges) {
   }
 }
 
-// What was compared, and how it came out.
+// The compared quantities and the results.
 struct ContactTally {
   int pairs = 0, inside = 0, edges = 0, clouds = 0;
   double worst_rotation = 0.0, worst_place = 0.0;
@@ -171,9 +172,9 @@ void report(const char* what, const ContactTally& t) {
       t.pairs, t.inside, t.worst_rotation, t.worst_place, t.edges, t.clouds);
 }
 
-// No point of the cloud touches before `p`, and `p` is a place of both flanks. The cloud itself may
-// stay behind: it passes over what is smaller than its steps, and stops short of a face that runs
-// across flank 1.
+// No point of the cloud touches before `p`, and `p` is a point of both flanks. The cloud itself may
+// find less, because it misses features smaller than its steps and stops before a face that crosses
+// flank 1.
 void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const ContactPoint& p) {
   const auto t = tca::cloud_touch(cloud, p.rotation1.rad());
   if (p.kind == TouchKind::none) {
@@ -189,9 +190,9 @@ void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const Co
   EXPECT_LT(static_cast<double>(t->rotation_2 - ratio * p.rotation1.rad()), p.te.rad() + 1e-12);
 }
 
-// Circular arcs with every error at once. Where the room says `interior` the five equations, from
-// their own closed form, must have the same contact; elsewhere no contact of theirs may be greater,
-// and the cloud has the same edge.
+// Circular arcs with every error at once. If the room finds `interior`, the five equations must
+// have the same contact, from their own closed form. Otherwise no contact of theirs may be greater,
+// and the cloud must have the same edge.
 ContactTally arcs(std::uint64_t seed, int pairs, int clouds) {
   ContactTally tally;
   Random random(seed);
@@ -217,7 +218,7 @@ ContactTally arcs(std::uint64_t seed, int pairs, int clouds) {
             std::abs(p.te.rad() - static_cast<double>(five->touch.transmission_error));
         EXPECT_LT(off, 1e-12);
         tally.worst_rotation = std::max(tally.worst_rotation, off);
-        if (five->pair != p.pair) continue;  // two pairs that touch together
+        if (five->pair != p.pair) continue;  // two pairs that touch at the same time
         const double place = (p.point - five->touch.point_f.cast<double>()).norm() / size;
         const double axes_ratio = std::sqrt(static_cast<double>(five->touch.k_2 / five->touch.k_1));
         EXPECT_LT(place, 1e-11 * axes_ratio * axes_ratio);
@@ -255,8 +256,8 @@ TEST(LongContactEngine, arcs_against_five_equations) {
   EXPECT_GT(t.inside, 400);
 }
 
-// Arcs with modified flanks, which the five equations do not know: no place of a dense grid of the
-// flanks touches before the room's, and that one is a place of both.
+// Arcs with modified flanks, which the five equations do not support. No point of a dense grid of
+// the flanks touches before the contact of the room, and that contact is a point of both flanks.
 TEST(ContactEngine, modified_arcs_against_dense_places) {
   Random random(3);
   for (int i = 0; i < 6; ++i) {
@@ -293,7 +294,7 @@ TEST(ContactEngine, modified_arcs_against_dense_places) {
 }
 
 // Involute screws under every error: crossed, worms, crowned, and crowned on parallel axes. The
-// five equations start beside the room's place.
+// five equations start next to the contact of the room.
 ContactTally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
   ContactTally tally;
   Random random(seed);
@@ -318,7 +319,8 @@ ContactTally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
         EXPECT_LT(off, 1e-12);
         tally.worst_rotation = std::max(tally.worst_rotation, off);
         const double place = (p.point - five.point_f.cast<double>()).norm();
-        // A soft direction carries the rounding of the slope: κ ε L over the curvature.
+        // In a direction of low curvature, the position has the rounding error of the slope: κ ε L
+        // divided by the curvature.
         const double soft = static_cast<double>(five.k_1) * s.size;
         EXPECT_LT(place, (1e-11 + 1e-14 / soft) * s.size);
         tally.worst_place = std::max(tally.worst_place, place / s.size);
@@ -326,7 +328,7 @@ ContactTally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
       } else {
         ++tally.edges;
       }
-      // An inner place may be the lesser of two: the cloud has the last word on a few of either.
+      // An inner contact may be the lesser of two. The cloud checks a few of both kinds.
       const bool looked =
           p.kind == TouchKind::interior ? tally.clouds % 2 == 0 : tally.clouds % 2 == 1;
       if (tally.clouds >= clouds || !looked) continue;

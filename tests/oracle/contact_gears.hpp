@@ -1,5 +1,5 @@
-// The gears of the oracles as the contact room takes them, and the other way round: hand-made gears
-// with the flanks of an ArcPair, brute flanks of an engine's involute gear.
+// Converts gears of the oracles to those of the contact room, and vice versa: gears made by hand
+// with the flanks of an ArcPair, and brute flanks of an involute gear of the engine.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace gearwright::oracle {
 
-/// A gear with one flank arc from root to tip and nothing else.
+/// A gear that has only one flank arc from root to tip.
 inline Gear gear_of_arc(int teeth, double pitch_radius, double twist, double face, Arc arc) {
   Gear g{};
   g.spec.teeth = teeth;
@@ -47,8 +47,8 @@ inline Gear arc_gear(const tca::ArcPair& pair, int which, double face) {
   const double r = d(first ? pair.pitch_radius_1 : pair.pitch_radius_2);
   const double lambda = d(first ? pair.lead_angle_f : pair.lead_angle_p);
   const double rho = d(rack.rho), a = d(rack.a), b = d(rack.b);
-  // F is drawn from the middle of the tooth away from the axis; P the other way round, its tooth
-  // half a pitch on.
+  // F is drawn from the middle of the tooth and away from the axis. P is drawn in the opposite
+  // direction, with its tooth half a pitch further.
   const double half_pitch = std::numbers::pi * r * std::sin(lambda) / teeth;
   const EdgeCircle circle{first ? Vec2(-b, -a) : Vec2(b, a + half_pitch), first ? rho : -rho,
                           Angle::radians(d(rack.theta_low)), Angle::radians(d(rack.theta_high))};
@@ -75,7 +75,7 @@ inline tca::Mounting mounting_of(const ContactMount& m) {
           m.errors.crossing.rad(), m.errors.intersecting.rad(), m.errors.axial};
 }
 
-/// Both gears and their place; keeps what ContactPair only points to.
+/// Both gears and their mounting. It owns the objects to which ContactPair points.
 struct ContactSet {
   std::array<Gear, 2> gears;
   std::array<std::shared_ptr<const RemovalField>, 2> removal{};  ///< on both flanks
@@ -116,7 +116,7 @@ inline BruteGear brute_flank(const Gear& g, double side, double helix_error) {
   return b;
 }
 
-/// Modifications of the set are the caller's to add: BruteGear::removed.
+/// The caller adds modifications of the set: BruteGear::removed.
 inline BrutePair brute_pair(const ContactSet& s) {
   const bool internal = s.gears[1].internal(), second = s.mount.gear2_drives;
   const auto& e = s.mount.errors;

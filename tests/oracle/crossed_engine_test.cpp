@@ -1,5 +1,6 @@
-// The engine's crossed and parallel pairs against solids of unwound strings, turned until they
-// touch: backlash, ratio, line of action and its ends. The oracle shares no code with the engine.
+// Compares crossed and parallel pairs of the engine with solids of unwound strings that are turned
+// until they touch: backlash, ratio, line of action and its ends. The oracle shares no code with
+// the engine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +28,7 @@ oracle::ScrewPair solids(const InvolutePair& p) {
           p.shaft_angle.rad()};
 }
 
-// Pairs whose flanks touch along the whole line: the oracle knows involutes only.
+// The flanks of these pairs touch along the whole line, because the oracle supports only involutes.
 bool runs_cleanly(const InvolutePair& p) {
   return p.mesh.rho1_A > 0.02 * p.mesh.base_tangent_distance && p.mesh.rho2(p.mesh.rho1_E) > 0.1 &&
          p.mesh.path_ratio > 1.1;
@@ -38,7 +39,7 @@ double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - d * d.dot(p - a)).norm();
 }
 
-// Everything at once, for one mounted pair and one rotation of gear 1.
+// All comparisons for one mounted pair and one rotation of gear 1.
 void compare(const InvolutePair& p, double rotation_1) {
   const auto s = solids(p);
   const auto leading = oracle::touch(s, rotation_1, Side::leading);
@@ -49,7 +50,7 @@ void compare(const InvolutePair& p, double rotation_1) {
   const double r_b2 = p.input.gears[1].radius;
   const double play = trailing->rotation_2 - leading->rotation_2;
   EXPECT_NEAR(play * r_b2, p.mesh.backlash.rotation[1] * r_b2, 1e-9);
-  // Half the play on either side of the ratio: the pair stands as its poses say.
+  // Half the backlash is on either side of the ratio, so the poses are those of the pair.
   const double ratio = p.input.gears[0].teeth / static_cast<double>(p.input.gears[1].teeth);
   const double middle = 0.5 * (leading->rotation_2 + trailing->rotation_2);
   EXPECT_NEAR((middle - ratio * rotation_1) * r_b2, 0.0, 1e-9);
@@ -61,7 +62,7 @@ void compare(const InvolutePair& p, double rotation_1) {
   EXPECT_LT(distance_to_line(trailing->point, p.on_trailing_line(p.mesh.rho1_A).r,
                              p.on_trailing_line(p.mesh.rho1_E).r),
             tolerance);
-  // The point is the one that ρ_1, the free string of flank 1, names.
+  // The point is the one given by ρ_1, the free string of flank 1.
   EXPECT_LT((p.on_line_of_action(leading->string_1).r - leading->point).norm(), tolerance);
   EXPECT_NEAR(p.mesh.rho2(leading->string_1), leading->string_2, tolerance);
   const auto place = axial_place(p.mesh, leading->string_1);
@@ -89,7 +90,8 @@ TEST(CrossedEngine, touches_as_the_solids_do) {
   EXPECT_EQ(pairs, 40);
 }
 
-// A flank leaves at E and comes in at A: beyond them tooth 0 touches with an edge, or not at all.
+// A flank leaves contact at E and enters it at A. Beyond them, tooth 0 touches with an edge or not
+// at all.
 TEST(CrossedEngine, the_line_of_action_ends_where_the_solids_say) {
   Random random(302);
   int pairs = 0;
@@ -99,7 +101,7 @@ TEST(CrossedEngine, the_line_of_action_ends_where_the_solids_say) {
     if (!p || !runs_cleanly(*p)) continue;
     ++pairs;
     const auto s = solids(*p);
-    // Tooth 0 stands at ρ_1 when gear 1 has turned by this much, from the point of half play.
+    // Tooth 0 is at ρ_1 after gear 1 has turned by this angle from the point of half the backlash.
     const double v =
         p->input.gears[0].radius * std::pow(std::cos(p->input.gears[0].helix_angle), 2);
     const auto at_rest = oracle::touch_of_tooth(s, 0.0, Side::leading, 0);
@@ -118,7 +120,7 @@ TEST(CrossedEngine, the_line_of_action_ends_where_the_solids_say) {
   EXPECT_EQ(pairs, 12);
 }
 
-// The same oracle on parallel axes: the same law of backlash.
+// The same oracle on parallel axes gives the same law of backlash.
 TEST(CrossedEngine, parallel_pairs_touch_as_the_solids_do) {
   Random random(303);
   int pairs = 0;

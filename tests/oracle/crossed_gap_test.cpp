@@ -1,8 +1,9 @@
-// Tips and roots on crossed axes against the sections of both solids, which share no code with the
-// gap: every place of a tip's edge, over a whole pitch, is put into the mating gear's section there.
+// Compares the clearance of tips and roots on crossed axes with the sections of both solids, which
+// share no code with the gap. Every point of a tip edge, over a whole pitch, is tested against the
+// section of the mating gear.
 //
-//   free     at both ends of the free play no place of an edge lies in the material
-//   tight    where a strike is said to be, both solids have a point
+//   free     at both ends of the backlash, no point of an edge lies in the material
+//   tight    at a reported collision, both solids have a point
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kCrossedShared = 1e-6;  // mm, between the places that are asked
+constexpr double kCrossedShared = 1e-6;  // mm, between the tested points
 constexpr double kCrossedTight = 1e-8;   // mm
 
 // The solid of a gear: its section, turned as it goes up.
@@ -27,7 +28,7 @@ class Screwed {
         place_(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
         section_(gear_.spec.teeth, curves_of(gear_.tooth->outline)) {}
 
-  // Distance in the section of a point of the housing, the gear turned by `turn`; > 0 outside.
+  // Distance in the section of a point of the housing from the gear turned by `turn`; > 0 outside.
   double distance(const Vec3& housing, double turn) const {
     const Vec3 p = place_.inverse() * housing;
     if (std::abs(p.z()) > gear_.spec.face_width / 2) return 1.0;
@@ -35,7 +36,7 @@ class Screwed {
     const double c = std::cos(back), s = std::sin(back);
     return section_.distance({c * p.x() - s * p.y(), s * p.x() + c * p.y()});
   }
-  // A place of the edge in which the flank of tooth 0 ends.
+  // A point of the edge in which the flank of tooth 0 ends.
   Vec3 edge(double z, double turn, double side) const {
     const Vec2 end = gear_.tooth->outline.find(ArcName::flank)->end_point;
     const double angle = side * std::atan2(end.y(), end.x()) + turn +
@@ -51,7 +52,7 @@ class Screwed {
   ToothedOutline section_;
 };
 
-// The deepest place of the edges of `one` in `two`; gear 2 stands `away` from the middle.
+// The deepest point of the edges of `one` in `two`. Gear 2 is `away` from the middle.
 double deepest(const Screwed& one, const Screwed& two, bool first_moves, double away) {
   constexpr int kTurns = 60, kHeights = 81;
   double least = 1.0;
@@ -59,7 +60,7 @@ double deepest(const Screwed& one, const Screwed& two, bool first_moves, double 
   for (int i = 0; i < kTurns; ++i) {
     const double turn = 2 * kPi / one.teeth() * (i - kTurns / 2) / kTurns;
     const double mate = -turn * one.teeth() / two.teeth();
-    // Gear 2 is the one that stands away.
+    // gear 2 is the displaced one
     const double turn_1 = first_moves ? turn : turn + away;
     const double turn_2 = first_moves ? mate + away : mate;
     for (int k = -2; k <= 2; ++k) {
@@ -92,7 +93,7 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
     if (!pair || !pair->overlap || !pair->free_play || !(pair->mesh.path_ratio > 1.0)) continue;
     if (pair->gears[0].pointed() || pair->gears[1].pointed()) continue;
     if (std::min(pair->tip_clearance[0], pair->tip_clearance[1]) < 0.0) continue;
-    // Of pairs in which nothing strikes a dozen will do.
+    // For pairs without collision, a dozen are sufficient.
     if (pair->overlap->empty() && pair->beyond_flank.empty() && pairs >= 12) continue;
     SCOPED_TRACE(describe(specs));
     ++pairs;

@@ -20,7 +20,7 @@ double squared_distance(const Vector2d& p, const Vector2d& a, const Vector2d& b)
   return (p - a - t * d).squaredNorm();
 }
 
-// 0 where the segments a … b and p … q cross.
+// Returns 0 if the segments a … b and p … q cross.
 double squared_distance(const Vector2d& a, const Vector2d& b, const Vector2d& p,
                         const Vector2d& q) {
   const Vector2d d = b - a;
@@ -63,7 +63,8 @@ CrossingPolygons::Gear CrossingPolygons::gear_of(const ToothedPolygon& polygon) 
 CrossingPolygons::CrossingPolygons(const ToothedPolygon& gear_1, const ToothedPolygon& gear_2,
                                    double a)
     : one_(gear_of(gear_1)), two_(gear_of(gear_2)), a_(a) {
-  // The circles about both axes meet in two points; all that both hold lies between them.
+  // The tip circles about both axes meet in two points. The intersection of both polygons lies
+  // between them.
   const double place_2 = two_.ring ? -a : a;
   const double x = (one_.tip * one_.tip - two_.tip * two_.tip + a * a) / (2.0 * place_2);
   const bool meet = std::abs(x) < one_.tip;
@@ -92,11 +93,11 @@ bool CrossingPolygons::cross(double phi, double turn) const {
   const double pitch_1 = 2 * kPi / one_.teeth;
   const double pitch_2 = 2 * kPi / two_.teeth;
   const double ratio = static_cast<double>(one_.teeth) / two_.teeth;
-  // Gear 2 with a space on the x axis: an external one's at half a turn.
+  // Gear 2 has a space on the x axis. That of an external gear is at half a turn.
   const double rest = kPi / two_.teeth + (two_.ring ? 0.0 : kPi);
   const double turned_2 = rest + (two_.ring ? ratio : -ratio) * phi + turn;
-  const double middle_2 = two_.ring ? 0.0 : kPi;  // where the mesh lies about axis 2
-  // Teeth whose middles lie within reach, or half a pitch beyond.
+  const double middle_2 = two_.ring ? 0.0 : kPi;  // direction of the mesh from axis 2
+  // The teeth whose middles lie within reach, or half a pitch beyond.
   const auto first = [](double turned, double middle, double reach, double pitch) {
     return static_cast<int>(std::ceil((middle - reach - turned) / pitch - 0.5 - 1e-9));
   };

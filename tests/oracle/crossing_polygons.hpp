@@ -1,15 +1,16 @@
-// Two toothed polygons turned against each other: whether their edges cross anywhere.
+// Tests whether the edges of two toothed polygons that turn against each other cross anywhere.
 //
-// The frames and the mesh are those of tests/oracle/turned_polygons.hpp, which measures the area that
-// polygons share and costs a hundred times more. Polygons whose edges do not cross share none: gear 1
-// holds its own axis, which lies outside gear 2.
+// The frames and the mesh are those of tests/oracle/turned_polygons.hpp, which measures the common
+// area and takes a hundred times longer. Polygons whose edges do not cross have no common area,
+// because gear 1 contains its own axis, which lies outside gear 2.
 //
 //   chord    from one point of the polygon to a later one
-//   sag      how far the points between lie from it at most
+//   sag      greatest distance of the points between from it
 //
-// The edges of a pitch are a tree of chords, halved down to single edges. Two chords farther apart
-// than their sags have no crossing below them; beside a touch of two flanks few pairs are left on
-// each level, since a chord's sag falls as the square of its length, as the gap of the flanks does.
+// The edges of a pitch form a tree of chords, halved down to single edges. If two chords are
+// farther apart than their sags, there is no crossing below them. Near a contact of two flanks, few
+// pairs remain on each level, because the sag of a chord decreases with the square of its length,
+// as does the gap of the flanks.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +27,8 @@ class CrossingPolygons {
   CrossingPolygons(const ToothedPolygon& gear_1, const ToothedPolygon& gear_2, double a);
 
   bool in_reach() const { return reach_[0] > 0.0; }
-  /// With gear 1 turned counter-clockwise by φ and gear 2 as it rolls, and by `turn` besides.
+  /// With gear 1 turned counter-clockwise by φ, gear 2 as it rolls, and gear 2 additionally by
+  /// `turn`.
   bool cross(double phi, double turn) const;
 
  private:
@@ -42,7 +44,7 @@ class CrossingPolygons {
     std::vector<Eigen::Vector2d> points;  ///< from the middle of a space to that of the next
     std::vector<Chord> chords;
   };
-  /// Gear 2's tooth as the tooth of gear 1 sees it.
+  /// The tooth of gear 2 as seen from the tooth of gear 1.
   struct Place {
     double c, s;
     Eigen::Vector2d shift;

@@ -1,5 +1,5 @@
-// Where polygons begin to cross they begin to share an area, and where they do not they share none:
-// against TurnedPolygons, which knows neither chords nor sags.
+// Polygons have a common area exactly if their edges cross. The reference is TurnedPolygons, which
+// uses neither chords nor sags.
 #include "tests/oracle/crossing_polygons.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace gearwright::oracle {
 namespace {
 
-// Teeth of module 1 with flanks bent by `bulge`, mm, thinned to `width` of half a pitch.
+// Teeth of module 1 with flanks bent by `bulge`, mm, reduced to `width` of half a pitch.
 ToothedPolygon made_up(int teeth, double width, double bulge) {
   const int z = std::abs(teeth);
   const double side = teeth < 0 ? -1.0 : 1.0;
@@ -50,7 +50,7 @@ TEST(CrossingPolygonsOracle, begin_to_cross_where_they_begin_to_share_an_area) {
         const double phi = 2 * kPi / z_1 * i / 12.0;
         if (edges.cross(phi, 0.0)) continue;
         EXPECT_EQ(areas.shared_area(phi, 0.0), 0.0);
-        // Half a pitch on, teeth stand in teeth.
+        // Half a pitch further, teeth overlap teeth.
         double free = 0.0, crossed = kPi / std::abs(z_2);
         ASSERT_TRUE(edges.cross(phi, crossed));
         while (crossed - free > 1e-12) {

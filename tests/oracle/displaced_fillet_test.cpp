@@ -1,11 +1,14 @@
-// Tips and root fillets under errors of mounting against the sections of both solids, which share no
-// code with the contact: every place of a tip's edge is put into the mating gear's section there.
+// Compares tips and root fillets under mounting errors with the sections of both solids, which
+// share no code with the contact. Every point of a tip edge is tested against the section of the
+// mating gear.
 //
-//   free     with gear 2 where the whole outlines hold it no place of an edge lies in the material
-//   tight    where a fillet is said to be met, both solids have a point
-//   said     where the flanks alone would let an edge into the material, a fillet is named
+//   free     with gear 2 in the position given by the whole outlines, no point of an edge lies in
+//            the material
+//   tight    at a reported contact of a fillet, both solids have a point
+//   said     if the flanks alone would let an edge into the material, a fillet is reported
 //
-// Involutes with everything that shapes a tooth, arcs of both kinds, and racks with another lead.
+// The cases are involutes with every feature that shapes a tooth, arcs of both kinds, and racks
+// with another lead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +30,7 @@
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kFilletShared = 1e-6;  // mm, between the places that are asked
+constexpr double kFilletShared = 1e-6;  // mm, between the tested points
 constexpr double kFilletTight = 1e-7;   // mm
 constexpr int kFilletPositions = 10;
 
@@ -67,7 +70,7 @@ double twist_of(const Gear& gear, double delta) {
   return std::copysign(1.0 / (r * std::tan(lead_angle(gear, delta))), gear.twist());
 }
 
-// What the gear's own rack cuts then.
+// The result of cutting with the gear's own rack.
 Outline outline_of(const Gear& gear, double delta) {
   if (delta == 0.0) return gear.tooth->outline;
   const CylindricalSpec& spec = gear.spec;
@@ -95,26 +98,26 @@ class Solid {
         twist_(twist_of(gear_, delta_)),
         outline_(outline_of(gear_, delta_)),
         section_(std::abs(gear_.spec.teeth), curves_of(outline_)) {
-    // At rest tooth 0 of gear 1 and space 0 of gear 2 stand at the mesh.
+    // At rest, tooth 0 of gear 1 and space 0 of gear 2 are at the mesh.
     const bool ring = pair.gears[1].internal();
     rest_ = which == 1 ? (ring ? kPi : 0.0) : kPi - kPi / std::abs(gear_.spec.teeth);
   }
   double distance(const Vec3& housing, double turn) const {
     const Vec3 p = place_.inverse() * housing;
-    constexpr double kFace = 1e-9;  // mm: a touch at a face is one
+    constexpr double kFace = 1e-9;  // mm; a contact this close to a face is at the face
     if (std::abs(p.z()) > half_face() + kFace) return 1.0;
     const double back = -turn - rest_ - twist_ * p.z();
     const double c = std::cos(back), s = std::sin(back);
     return sign_ * section_.distance({c * p.x() - s * p.y(), s * p.x() + c * p.y()});
   }
   Vec3 edge(int tooth, double side, double z, double turn) const {
-    const Vec2 end = outline_.arcs.back().begin_point;  // where the tip land begins
+    const Vec2 end = outline_.arcs.back().begin_point;  // beginning of the tip land
     const double angle = side * std::atan2(end.y(), end.x()) + turn + rest_ + twist_ * z +
                          2 * kPi * tooth / std::abs(gear_.spec.teeth);
     return place_ * Vec3(end.norm() * std::cos(angle), end.norm() * std::sin(angle), z);
   }
   double half_face() const { return gear_.spec.face_width / 2; }
-  /// Of its rotation when gear 1 turns clockwise.
+  /// Angle of its rotation when gear 1 turns clockwise.
   double sense() const { return sign_; }
 
  private:
@@ -125,7 +128,7 @@ class Solid {
   ToothedOutline section_;
 };
 
-// The deepest place of an edge of one gear in the other.
+// The deepest point of an edge of one gear in the other.
 double deepest(const Solid& one, const Solid& two, const ContactPoint& at) {
   constexpr int kHeights = 17, kTeeth = 3;
   double least = 1.0;
@@ -156,21 +159,21 @@ ContactErrors random_errors(Random& random, double m) {
 
 bool has_round_tip(const Gear& gear) { return gear.tooth->outline.find(ArcName::tip_fillet); }
 
-// The same pair as contact sees it: its flanks, or its whole outlines.
+// The same pair for contact, either only with its flanks or with its whole outlines.
 ContactPair seen(const DisplacedPair& pair, bool gear2_drives, bool fillets) {
   return {{&pair.gears[0], {}},
           {&pair.gears[1], {}},
           {pair.center_distance, Angle(), gear2_drives, pair.errors, fillets}};
 }
 
-// Both flanks of a tooth are never touched at once.
+// Both flanks of a tooth never touch at the same time.
 bool has_play(const std::vector<ContactPoint>& driving, const std::vector<ContactPoint>& other) {
   for (std::size_t i = 0; i < driving.size(); ++i)
     if (!(other[i].te.rad() > driving[i].te.rad() + 1e-4)) return false;
   return true;
 }
 
-// Whether a tip would meet a root land: what nobody asks the contact.
+// Returns true if a tip would meet a root land, which the contact does not check.
 bool tips_reach_roots(const DisplacedPair& pair) {
   constexpr double kLeast = 0.01;  // mm
   const double side = pair.gears[1].internal() ? -1.0 : 1.0;
@@ -198,7 +201,8 @@ std::optional<DisplacedPair> displaced_involutes(std::uint64_t seed) {
   return p;
 }
 
-// Two gears of one double arc, or F and P of the paper's example, as wide as one overlap needs.
+// Two gears with one double arc, or F and P of the example in the paper, with the face width
+// required for one overlap.
 std::optional<DisplacedPair> displaced_arcs(std::uint64_t seed) {
   Random random(seed);
   const double m = random.pick({2.0, 3.0, 4.0});
@@ -233,7 +237,7 @@ std::optional<DisplacedPair> displaced_arcs(std::uint64_t seed) {
   return p;
 }
 
-// Either of them, its racks led otherwise than they should be.
+// Either of them, with racks that have a wrong lead.
 std::optional<DisplacedPair> displaced_leads(std::uint64_t seed) {
   auto p = seed % 2 == 0 ? displaced_involutes(seed) : displaced_arcs(seed);
   if (!p) return std::nullopt;
@@ -251,7 +255,7 @@ std::optional<DisplacedPair> displaced_leads(std::uint64_t seed) {
 struct Sample {
   const char* name;
   std::optional<DisplacedPair> (*make)(std::uint64_t seed);
-  int free, met;  ///< pairs without and with a touch of a fillet
+  int free, met;  ///< numbers of pairs without and with contact of a fillet
 };
 
 class DisplacedFilletOracle : public ::testing::TestWithParam<Sample> {};
@@ -286,7 +290,7 @@ TEST_P(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_
       EXPECT_GE(deepest(first, second, whole[i]), -kFilletShared) << text;
       by_flanks_alone = std::min(by_flanks_alone, deepest(first, second, by_flanks.positions[i]));
     }
-    // Tips without a rounding strike nothing but fillets first.
+    // Tips without rounding touch only fillets first.
     if (!has_round_tip(pair->gears[0]) && !has_round_tip(pair->gears[1])) {
       ++explained;
       EXPECT_TRUE(touch || by_flanks_alone >= -2 * kFilletShared) << text << " " << by_flanks_alone;

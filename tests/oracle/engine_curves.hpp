@@ -1,4 +1,4 @@
-// The arcs of the engine's half tooth as plain curves, which the oracles measure distances to.
+// The arcs of the engine's half tooth as plain curves, to which the oracles measure distances.
 #pragma once
 
 #include <vector>

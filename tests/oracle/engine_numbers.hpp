@@ -1,5 +1,5 @@
-// The numbers of an engine's gear as the swept rack wants them, and the finished half tooth as a
-// list of points: all that the oracle and the engine have to share.
+// The data of an engine's gear as input of the swept rack, and the finished half tooth as a list of
+// points. This is all that oracle and engine share.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace gearwright::oracle {
 
-/// The cutter and the blank of a gear with z > 0. Shared with the engine are the two decisions that
-/// are the engine's to make: x_E of the thickness allowance, and the full radius of a named rack.
+/// The cutter and the blank of a gear with z > 0. Two decisions of the engine are shared: x_E of
+/// the thickness allowance, and the full radius of a named rack.
 inline RackNumbers numbers_of(const Gear& gear) {
   const CylindricalSpec& spec = gear.spec;
   const StraightRack& rack = spec.straight_rack();
@@ -38,7 +38,7 @@ inline RackNumbers numbers_of(const Gear& gear) {
   return n;
 }
 
-/// n points of every arc from the root to the tip, the tip land left out where the blank made it.
+/// n points of every arc from the root to the tip, without the tip land if the blank made it.
 inline std::vector<Vec2> cut_points(const GeneratedTooth& tooth, int n) {
   std::vector<Vec2> points;
   for (const Arc& arc : tooth.outline.arcs) {
@@ -62,7 +62,8 @@ inline Vec2 point_near_end(const Arc& arc, bool at_begin, double distance) {
 
 /// A step of `dense_points` turns by no more than this.
 inline constexpr double kMaxTurn = 0.4;  // rad
-/// How far beside every joint `edged_points` puts a point: twenty nudges of the comparison.
+/// Distance from every joint at which `edged_points` places a point: twenty times the nudge of the
+/// comparison.
 inline constexpr double kBeside = 2e-5;  // mm
 
 namespace numbers_detail {
@@ -81,8 +82,8 @@ inline void fill(const Arc& arc, double u, const Vec2& p, double v, const Vec2& 
 
 }  // namespace numbers_detail
 
-/// n points of an arc, and more where two are further apart than `longest` (mm) or the arc turns
-/// much between them. What stays longer for all that is a gap in the arc.
+/// n points of an arc, and more if two are further apart than `longest` (mm) or the arc turns much
+/// between them. If a step stays longer, the arc has a gap.
 inline std::vector<Vec2> dense_points(const Arc& arc, int n, double longest) {
   constexpr int kDepth = 30;
   std::vector<Vec2> points{arc.begin_point};
@@ -95,12 +96,12 @@ inline std::vector<Vec2> dense_points(const Arc& arc, int n, double longest) {
   return points;
 }
 
-/// Points of an arc, its ends, and a point at 2e-5 mm from either end, so that at a joint the chord
-/// of the two neighbours is square to the bisector of the edge, however unequal the arcs' steps
-/// are.
+/// Points of an arc, its ends, and a point at 2e-5 mm from either end. At a joint, the chord of the
+/// two neighbours is then perpendicular to the bisector of the corner, however unequal the steps of
+/// the arcs are.
 inline void append_edged(const Arc& arc, const std::vector<Vec2>& all, std::vector<Vec2>& points) {
   points.push_back(all.front());
-  // An arc shorter than that has its ends only, one a little longer no points between.
+  // A shorter arc has only its ends, and a slightly longer one no points between.
   if ((all.back() - all.front()).norm() > 3 * kBeside) {
     points.push_back(point_near_end(arc, true, kBeside));
     for (std::size_t i = 1; i + 1 < all.size(); ++i) {
@@ -112,8 +113,8 @@ inline void append_edged(const Arc& arc, const std::vector<Vec2>& all, std::vect
   points.push_back(all.back());
 }
 
-/// Edged points of the whole half tooth. `land`: whether the cutter's bottom makes the tip land, or
-/// ends where the blank does.
+/// Edged points of the whole half tooth. If `land`, the tip land made by the bottom of the cutter
+/// is included; otherwise the points end at the blank.
 inline std::vector<Vec2> edged_points(const GeneratedTooth& tooth, int n, bool land,
                                       double longest = std::numeric_limits<double>::infinity()) {
   std::vector<Vec2> points;

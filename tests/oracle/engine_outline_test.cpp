@@ -1,9 +1,9 @@
-// The engine's outlines held against the swept rack, over every kind of cutter and the whole range
+// Compares the engine's outlines with the swept rack, over every kind of cutter and the whole range
 // of shifts, from the cutter through the axis to the pointed tooth.
 //
 //   worst |clearance| of an outline point       at most 1e-9 mm
-//   nudges of 1e-6 mm                           inwards material, outwards none
-//   form radius, flags                          what the sweep finds by walking
+//   nudges of 1e-6 mm                           material inwards, none outwards
+//   form radius, flags                          the values that the sweep finds by walking
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,9 +84,9 @@ CylindricalSpec spec_of(const Cutter& cutter, int teeth, double beta_deg, double
   return spec;
 }
 
-// From a little below the shift at which the cutter reaches the axis or severs the tooth to a
-// little above the one at which it is pointed. Three modules below the undercut limit every tooth
-// is lost.
+// The shifts range from slightly below the one at which the cutter reaches the axis or severs the
+// tooth to slightly above the one at which the tooth is pointed. Three modules below the undercut
+// limit, every tooth is lost.
 std::vector<double> shifts(const Cutter& cutter, int teeth, double beta_deg, int n) {
   const Gear middle = made(spec_of(cutter, teeth, beta_deg, 0.0));
   const double r = middle.reference_diameter / 4;  // in modules
@@ -104,7 +104,7 @@ std::vector<double> shifts(const Cutter& cutter, int teeth, double beta_deg, int
       (pointed(x) ? above : below) = x;
     }
   } else {
-    above = lo + 4.0;  // topped or many teeth: it never is
+    above = lo + 4.0;  // topped or with many teeth, so never pointed
   }
   std::vector<double> all;
   for (int i = 0; i < n; ++i) all.push_back(lo + (above + 0.1 - lo) * i / (n - 1));
@@ -122,7 +122,7 @@ struct OutlineTally {
   double worst = 0.0;
 };
 
-// Points of one tooth on the surface, with material on the inside only.
+// Points of one tooth on the surface must have material on the inside only.
 void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points,
                    OutlineTally& tally) {
   const auto gear = make_gear(spec);
@@ -136,7 +136,7 @@ void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points
   tally.pointed += tooth.pointed;
   tally.undercut += gear->undercut;
   const SweptRack rack(numbers_of(*gear));
-  // A cutter whose bottom is as high as the blank tops the tooth as well.
+  // If the bottom of the cutter is as high as the blank, it also tops the tooth.
   const bool land =
       tooth.tip_cut_by_rack || std::abs(rack.clearance({tooth.tip_radius, 0.0})) <= kOnSurface;
   const OutlineAgainstSweep result = outline_against_sweep(edged_points(tooth, points, land), rack);
@@ -168,13 +168,13 @@ TEST(EngineOutline, is_what_the_rack_leaves) {
   const OutlineTally tally =
       check_grid({3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 21, 25, 32, 40, 60, 80, 130, 200},
                  {0, 8, -15, 22, -30, 45}, 13, 8);
-  // The grid reaches what it is meant to reach.
+  // The grid covers the intended cases.
   EXPECT_GT(tally.teeth, 15000);
   EXPECT_GT(tally.pointed, 500);
   EXPECT_GT(tally.severed, 300);
   EXPECT_GT(tally.through_axis, 100);
   EXPECT_GT(tally.undercut, 1000);
-  EXPECT_LE(tally.worst, 1e-11);  // what the doubles leave at 250 mm, a hundredth of what is asked
+  EXPECT_LE(tally.worst, 1e-11);  // rounding of doubles at 250 mm, a hundredth of the requirement
 }
 
 TEST(LongEngineOutline, is_what_the_rack_leaves) {
@@ -186,7 +186,7 @@ TEST(LongEngineOutline, is_what_the_rack_leaves) {
   EXPECT_LE(tally.worst, 1e-11);
 }
 
-// Mirrored hand: the transverse outline is the same to the last bit.
+// With the mirrored hand, the transverse outline is the same to the last bit.
 TEST(EngineOutline, does_not_know_the_hand) {
   for (const Cutter& cutter : cutters()) {
     for (const double beta : {15.0, 45.0}) {
@@ -198,7 +198,7 @@ TEST(EngineOutline, does_not_know_the_hand) {
   }
 }
 
-// Flags: the oracle walks up the centre line and finds it cut, or whole up to the point.
+// Flags: the oracle walks up the centre line and finds it either cut or whole up to the point.
 TEST(EngineFlags, are_what_the_sweep_finds) {
   int severed_teeth = 0, pointed_teeth = 0, whole = 0;
   for (const Cutter& cutter : cutters()) {
@@ -228,7 +228,8 @@ TEST(EngineFlags, are_what_the_sweep_finds) {
           }
           ++pointed_teeth;
           ASSERT_TRUE(point) << name_of(cutter, spec);
-          // The oracle's 1e-12 mm over the sine of half the angle of the point, 0.2 and more.
+          // The 1e-12 mm of the oracle, divided by the sine of half the angle of the point, at
+          // least 0.2.
           EXPECT_NEAR(*point, tooth.tip_radius, 1e-10) << name_of(cutter, spec);
         }
       }
@@ -239,9 +240,10 @@ TEST(EngineFlags, are_what_the_sweep_finds) {
   EXPECT_GT(whole, 400);
 }
 
-// Where the usable flank starts: from there to its end the main flank's involute is the surface,
-// and 1e-5 mm lower it is not. The oracle's own search, which knows no start, finds the same place;
-// it extrapolates, next to the base circle over a piece where that is good to 5e-5 mm only.
+// The start of the usable flank. From there to its end, the surface is the involute of the main
+// flank, and 1e-5 mm lower it is not. The search of the oracle does not use this start and finds
+// the same point. Next to the base circle it extrapolates over a distance in which that is accurate
+// to 5e-5 mm only.
 TEST(EngineFormRadius, is_where_the_sweep_leaves_the_involute) {
   int compared = 0, left = 0;
   double worst_search = 0.0;
@@ -266,8 +268,7 @@ TEST(EngineFormRadius, is_where_the_sweep_leaves_the_involute) {
             ++left;
             EXPECT_GT(std::abs(gap(form - 1e-5)), 1e-11) << name_of(cutter, spec);
           }
-          // The oracle looks at 400 radii; a flank shorter than a few of its steps may slip
-          // through.
+          // The oracle evaluates 400 radii, so it may miss a flank shorter than a few of its steps.
           if (end - form < 0.02 * (gear.tooth->tip_radius - gear.base_radius())) continue;
           const auto found = form_radius(rack);
           ASSERT_TRUE(found) << name_of(cutter, spec);

@@ -1,10 +1,10 @@
-// Points with normals of gears with few teeth, computed with 40 digits elsewhere, lie on the
-// engine's outlines: rack-cut gears of 1 to 40 teeth, pinions with circular fillets, and the gears
-// that these cut.
+// Tests that points with normals of gears with few teeth, computed independently with 40 digits,
+// lie on the outlines of the engine: rack-cut gears with 1 to 40 teeth, pinions with circular
+// fillets, and gears cut by these pinions.
 //
-//   foot   the place on an arc where the way to the given point is square to the tangent; unlike
-//          the place of equal radius it is well defined where an arc runs along a circle about the
-//          axis
+//   foot   the point on an arc from which the vector to the given point is perpendicular to the
+//          tangent. Unlike the point of equal radius, it is well defined if an arc runs along a
+//          circle about the axis.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,14 +50,14 @@ struct Match {
   double turn = std::numeric_limits<double>::infinity();      ///< rad, between the normals
 };
 
-/// The nearest place of the outline; of several that are the same one, that with the best normal:
-/// at a joint with a corner the source gives one of the two.
+/// The nearest point of the outline. Of several equal ones it is the one with the best normal,
+/// because at a joint with a corner the source gives one of the two.
 Match match(const Outline& outline, const Vec2& p, const Vec2& normal) {
   Match best;
   for (const Arc& arc : outline.arcs) {
     const CurvePoint c = arc.at(foot(arc, p));
     const double distance = (c.point - p).norm();
-    // Walked from root to tip on the side y > 0, the material lies on the right.
+    // Run from root to tip on the side y > 0, the outline has the material on its right.
     const Vec2 out = unit(c.tangent_angle + kPi / 2);
     const double turn =
         std::abs(std::atan2(out.x() * normal.y() - out.y() * normal.x(), out.dot(normal)));
@@ -111,7 +111,7 @@ TEST(FewToothPoints, of_rack_cut_gears) {
   EXPECT_EQ(points, 51);
 }
 
-// A point beside the outline, and a normal that is not the outline's, are seen.
+// A point next to the outline and a normal that is not that of the outline are detected.
 TEST(FewToothPoints, a_wrong_point_would_be_seen) {
   for (const FewToothCase& c : few_tooth_cases()) {
     const Gear gear = made(spec_of(c.rack));
@@ -119,7 +119,8 @@ TEST(FewToothPoints, a_wrong_point_would_be_seen) {
       const Vec2 n = Vec2(p.n_x, p.n_y).normalized();
       for (const double step : {-1e-6, 1e-6}) {
         const Vec2 beside = Vec2(p.x, p.y) + step * n;
-        // Beside a corner the other arc may be nearer, but not by more than the corner is sharp.
+        // Next to a corner, the other arc may be nearer, but by no more than the sharpness of the
+        // corner permits.
         EXPECT_GT(match(gear.tooth->outline, beside, n).distance, 1e-7) << c.name;
       }
       const Vec2 tilted = turned(n, 1e-6);
@@ -160,7 +161,7 @@ TEST(FewToothPoints, of_gears_that_such_pinions_cut) {
       const CutGearPoint& p = c.points[i];
       const Match m =
           match(gear->tooth->outline, turned({p.x, p.y}, turn), turned({p.n_x, p.n_y}, turn));
-      if (c.name[2] == '7' && i == 0) {  // the loop that the root arc of this set swallows
+      if (c.name[2] == '7' && i == 0) {  // the loop of this set that the root arc removes
         EXPECT_NEAR(m.distance, 4.6e-3, 1e-4) << c.name;
         continue;
       }

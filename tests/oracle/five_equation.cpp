@@ -45,9 +45,9 @@ std::pair<Vector3, Vector3> tangents(const FlankPlace& p) {
   return {t, p.n.cross(t)};
 }
 
-/// The five equations with t, t′ of this posture. As n_2·t = 0 they are (n_1 − n_2)·t as well, and
-/// t may be held while differentiating: what is left out is t's turn times n_1 − n_2, zero at the
-/// solution.
+/// The five equations with t, t′ of this position. Since n_2·t = 0, they are also (n_1 − n_2)·t,
+/// and t may be held constant in the derivative. The omitted term is the turn of t times n_1 − n_2,
+/// which is zero at the solution.
 Vector5 equations(const FlankPair& pair, const Posture& p) {
   const auto [t, t_other] = tangents(p.f_2);
   Vector5 f;
@@ -76,7 +76,7 @@ Matrix5 jacobian(const FlankPair& pair, const Posture& p) {
 
 bool within(Real x, Real low, Real high) { return low <= x && x <= high; }
 
-/// Everything about a place but whether it solves the equations.
+/// All data of a contact, without a check that it solves the equations.
 void describe(const FlankPair& pair, Real rotation_1, const Posture& p, FiveEquationTouch& out) {
   const Unknowns& x = out.at;
   out.transmission_error = x.rotation_2 - pair.ratio * rotation_1;
@@ -106,8 +106,8 @@ FiveEquationTouch solve(const FlankPair& pair, Real rotation_1, const Unknowns& 
   out.at = start;
   Posture here = posture(pair, rotation_1, out.at);
   Vector5 f = equations(pair, here);
-  // Steps end where no part of the next one lessens the residual: at the last place, or at a
-  // minimum that is no solution. kSteps only bounds a crawl.
+  // The iteration ends when no part of the next step reduces the residual, which happens at the
+  // last point or at a minimum that is no solution. kSteps only limits slow convergence.
   constexpr int kSteps = 100, kHalvings = 20;
   for (bool better = true; better && out.iterations < kSteps; ++out.iterations) {
     const Vector5 d = jacobian(pair, here).fullPivLu().solve(-f);
@@ -117,7 +117,8 @@ FiveEquationTouch solve(const FlankPair& pair, Real rotation_1, const Unknowns& 
       const Unknowns to{out.at.s_1 + part * d(0), out.at.z_1 + part * d(1),
                         out.at.s_2 + part * d(2), out.at.z_2 + part * d(3),
                         out.at.rotation_2 + part * d(4)};
-      // Arcs have no point outside (0, π), involutes none inside the base circle: a step too far.
+      // Arcs have no point outside (0, π) and involutes none inside the base circle, so such a step
+      // is too long.
       try {
         const Posture there = posture(pair, rotation_1, to);
         const Vector5 f_there = equations(pair, there);
@@ -186,8 +187,8 @@ FlankPair flank_pair(const ArcPair& p, Real theta, Real part) {
 
 FiveEquationTouch arc_touch(const ArcPair& p, Real rotation_1) {
   const Real theta = nominal_theta(p);
-  // Part 0: both flanks touch the racks at the same θ and height, neither gear turned from its
-  // rack.
+  // Part 0: both flanks touch the racks at the same θ and height, and no gear is turned relative to
+  // its rack.
   ArcFlank one = flank_1(p);
   one.b = p.f.rho * std::sin(theta) - (p.p.rho * std::sin(theta) - p.p.b);
   one.lead_angle = p.lead_angle_p;
@@ -201,7 +202,7 @@ std::optional<CarryingPair> carrying_arc_touch(const ArcPair& p, Real rotation_1
   for (int k = -reach; k <= reach; ++k) {
     CarryingPair one{k, arc_touch(p, rotation_1 - 2 * kLongPi * k / p.teeth_1)};
     if (!one.touch.holds()) continue;
-    // The transmission error is that of the earlier position; φ_2 is k pitches on.
+    // The transmission error is that of the earlier position. φ_2 is k pitches further.
     one.touch.at.rotation_2 += 2 * kLongPi * k / p.teeth_2;
     if (!best || one.touch.at.rotation_2 > best->touch.at.rotation_2) best = one;
   }

@@ -1,16 +1,16 @@
-// Tooth contact by the textbook's five equations, in long double: two flanks have a point and a
-// normal in common. The slow second way to contact; it knows no angular gap, no maximum, no edge.
-// Notation of a flank: flank_surface.hpp; housing and errors: mounting.hpp.
+// Tooth contact by the textbook's five equations, in long double: two flanks share a point and a
+// normal. This is the slow independent method. It uses no angular gap, no maximum and no edge. The
+// notation of a flank is in flank_surface.hpp, housing and errors are in mounting.hpp.
 //
 //   r_1f(s_1, z_1; φ_1) = r_2f(s_2, z_2; φ_2)       three, over the length scale L
 //   n_1f · t = n_1f · t′ = 0                        two, t and t′ span the tangent plane of flank 2
 //
-// for s_1, z_1, s_2, z_2, φ_2 at given φ_1. Newton with step halving; what deviates from a pair
-// whose contact is known goes in over eight equal steps.
+// for s_1, z_1, s_2, z_2, φ_2 at given φ_1. The method is Newton's with step halving. Deviations
+// from a pair whose contact is known are introduced in eight equal steps.
 //
-// A solution is not yet a contact. It is one if the gap opens on all sides (K_2 − K_1 positive
-// definite), and the point lies within both outlines and both faces. Of several tooth pairs the one
-// with the greatest φ_2 carries.
+// A solution is a contact only if the gap opens on all sides (K_2 − K_1 positive definite) and the
+// point lies within both outlines and both faces. Of several tooth pairs, the one with the greatest
+// φ_2 carries the load.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ namespace gearwright::oracle::tca {
 
 inline constexpr Real kUnbounded = std::numeric_limits<Real>::infinity();
 
-/// What of a flank is there.
+/// The existing part of a flank.
 struct Ends {
   Real s_low = -kUnbounded, s_high = kUnbounded;
   Real z_low = -kUnbounded, z_high = kUnbounded;
@@ -68,11 +68,11 @@ struct FiveEquationTouch {
 /// Residual below which a solution counts: a thousand units in the last place of numbers of size 1.
 inline constexpr Real kSolved = 1000 * std::numeric_limits<Real>::epsilon();
 
-/// Newton from a start, the pair as it is.
+/// Newton's method from a start value, for the pair itself.
 FiveEquationTouch solve(const FlankPair& pair, Real rotation_1, const Unknowns& start);
 
-/// The pair that `deviates` makes for part = 1, reached from its part = 0 where `start` is a
-/// solution.
+/// Solves the pair that `deviates` makes for part = 1, starting from its part = 0, for which
+/// `start` is a solution.
 FiveEquationTouch follow(const std::function<FlankPair(Real part)>& deviates, Real rotation_1,
                          const Unknowns& start, int steps = 8);
 
@@ -100,15 +100,15 @@ ArcFlank flank_2(const ArcPair& pair);
 /// is the common rack angle.
 FlankPair flank_pair(const ArcPair& pair, Real theta, Real part = 1);
 
-/// θ where flanks without errors touch, sin θ = (b_P − b_F)/(ρ_P − ρ_F); 30° where that has no
-/// answer between 5° and 60°, and the difference counts as an error.
+/// θ at which flanks without errors touch, sin θ = (b_P − b_F)/(ρ_P − ρ_F). If that has no solution
+/// between 5° and 60°, it is 30° and the difference counts as an error.
 Real nominal_theta(const ArcPair& pair);
 
 /// The contact of one tooth pair at φ_1, from the closed form of part 0.
 FiveEquationTouch arc_touch(const ArcPair& pair, Real rotation_1);
 
-/// Of the tooth pairs |k| ≤ reach the one that carries; only contacts that hold. φ_2 and the errors
-/// of rotation are those of the gears, the place that of tooth pair k.
+/// The tooth pair with |k| ≤ reach that carries the load. Only valid contacts count. φ_2 and the
+/// rotation errors are those of the gears, the position is that of tooth pair k.
 struct CarryingPair {
   int pair = 0;  ///< k
   FiveEquationTouch touch;

@@ -1,6 +1,6 @@
-// The five equations of tooth contact for circular-arc pairs the way a program in a hurry solves
-// them: in double, Jacobian by hand, no allocation, started from the last position. It is what the
-// contact room's times are compared with, and one more way to the same numbers.
+// The five equations of tooth contact for circular-arc pairs in a fast form: in double, with a
+// Jacobian by hand, without allocation, started from the last position. The times of the contact
+// room are compared with it, and it is another independent way to the same numbers.
 //
 //   unknowns   θ_1, φ_1, θ_2, φ_2 (arc angle and rack rotation of either flank), φ_2′ (gear 2)
 //   given      φ_1′ (gear 1)
@@ -36,7 +36,7 @@ class FastArcTouch {
   /// Quadratic convergence: after a step of this size the error is a rounding.
   static constexpr double kLastStep = 1e-9;  // rad
 
-  /// Lead errors are twists alone; crownings of the pair are not looked at.
+  /// Lead errors are only twists. Crownings of the pair are ignored.
   explicit FastArcTouch(const ArcPair& pair)
       : one_(pair.f, pair.lead_angle_f, pair.pitch_radius_1, pair.lead_1.twist, +1),
         two_(pair.p, pair.lead_angle_p, pair.pitch_radius_2, pair.lead_2.twist, -1),
@@ -75,8 +75,8 @@ class FastArcTouch {
     return {one_.height(x.theta_1, x.rack_1), two_.height(x.theta_2, x.rack_2)};
   }
 
-  /// The touching point in the housing, from flank 1: the frame of axis 2 has to be left again,
-  /// which only `pair`'s mounting knows. For reports, not for loops.
+  /// The contact point in the housing, from flank 1. This requires a transformation out of the
+  /// frame of axis 2 with the mounting of `pair`, so it is for reports, not for loops.
   static Vector3 point_f(const ArcPair& pair, Real rotation_1, const Position& x) {
     const Surface flank = turned(arc_surface(flank_1(pair)), {pair.lead_1.twist, 0});
     const Frame frame = frame_1(pair.mounting, rotation_1);
@@ -95,7 +95,7 @@ class FastArcTouch {
     return x;
   }
 
-  /// On along a straight line: the start one step beyond `last` when the steps are equal.
+  /// Linear extrapolation: the start one step beyond `last` if the steps are equal.
   static Position beyond(const Position& before, const Position& last) noexcept {
     Position x = last;
     x.theta_1 += last.theta_1 - before.theta_1, x.rack_1 += last.rack_1 - before.rack_1;
@@ -191,7 +191,7 @@ class FastArcTouch {
       const double omega = sense * phi + twist * z + rotation;
       const double omega_s = twist * z_s, omega_p = sense + twist * rise;
       const double so = std::sin(omega), co = std::cos(omega);
-      // The section's vector (a, b) turned, and the same a right angle on.
+      // The vector (a, b) of the section, turned, and the same vector a right angle further.
       const V r{co * x - so * y, so * x + co * y, z};
       const V n{co * s - so * n_y, so * s + co * n_y, n_z};
       Turned out;
@@ -214,7 +214,7 @@ class FastArcTouch {
     return {t[0] + shift_[0], t[1] + shift_[1], t[2] + shift_[2]};
   }
 
-  /// Gauss with row pivots; leaves the step in `value`. False if singular.
+  /// Gaussian elimination with row pivots. Leaves the step in `value`. Returns false if singular.
   static bool eliminate(Equations& e) noexcept {
     auto& a = e.jacobian;
     auto& b = e.value;

@@ -1,4 +1,4 @@
-// The five equations on the case file, on what is known in closed form, and in their fast form.
+// Tests the five equations on the case file, on closed forms, and in their fast form.
 #include "tests/oracle/five_equation.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kRotation = 1e-15;  // rad; the file's inputs are doubles
+constexpr double kRotation = 1e-15;  // rad; the inputs of the file are doubles
 
 #define EXPECT_CLOSE(value, wanted, tolerance) \
   EXPECT_NEAR(static_cast<double>((value) - (wanted)), 0.0, tolerance)
@@ -75,7 +75,8 @@ TEST_P(ArcCases, OpenAsTheFileSays) {
   EXPECT_CLOSE(t.major_angle, number(c, "major_angle_deg") * kLongDegree, 1e-14);
 }
 
-// Slope dφ_2/dφ_1 at 0 against a central difference, which is good to its step squared.
+// The slope dφ_2/dφ_1 at 0 against a central difference, whose error is of second order in its
+// step.
 TEST_P(ArcCases, SlopeOfTheFile) {
   const ArcPair pair = arc_pair(file());
   constexpr Real kStep = 1e-4L;
@@ -85,7 +86,8 @@ TEST_P(ArcCases, SlopeOfTheFile) {
   EXPECT_CLOSE(slope, number(file(), "te_slope_at_0"), 1e-11);
 }
 
-// Hand Jacobian in double: started from the last position all along, it stays with the long way.
+// The version with the Jacobian by hand in double, always started from the last position, agrees
+// with the slow one.
 TEST_P(ArcCases, FastFormStaysWithThem) {
   const ArcPair pair = arc_pair(file());
   const FastArcTouch fast(pair);
@@ -112,8 +114,7 @@ TEST_P(ArcCases, FastFormStaysWithThem) {
   }
 }
 
-// With a shaft angle, which the crossing has to follow for the arcs to fit, and every error at
-// once.
+// With every error, and with a shaft angle that the crossing must compensate so that the arcs fit.
 TEST(FiveEquationFast, CrossedAxes) {
   ArcPair pair = case_named("m10_30_150_all");
   pair.mounting.shaft_angle = 0.2L, pair.mounting.crossing += 0.2L + 1e-4L;
@@ -125,7 +126,8 @@ TEST(FiveEquationFast, CrossedAxes) {
   EXPECT_CLOSE(slow.at.s_1, x.theta_1, 1e-12);
 }
 
-// The crossing of axis 1 and the shaft angle are both turns about x: equal ones turn the whole.
+// The crossing of axis 1 and the shaft angle are both turns about x. If they are equal, they turn
+// the whole.
 TEST(FiveEquations, ShaftAngleUndoesCrossing) {
   ArcPair pair = case_named("m5_20_60_dC");
   const FiveEquationTouch plain = arc_touch(pair, 0.1L);
@@ -221,8 +223,8 @@ TEST(FlankSurface, NormalsAndDerivatives) {
   }
 }
 
-// A normal of gear 1's leading flank points out of its tooth: the next point of the outline, nearer
-// to the tooth's centre, lies behind it. Of gear 2's flank the other way.
+// The normal of the leading flank of gear 1 points out of its tooth. The next point of the outline,
+// nearer to the centre of the tooth, lies behind it. The opposite holds for the flank of gear 2.
 TEST(FlankSurface, NormalsPointFromGear1ToGear2) {
   const FlankPlace one = involute_surface({1, 23, 0.1L, 0, 0.013L, -1})(0.4L, 0);
   EXPECT_LT(one.r.y(), 0);  // the clockwise flank of a tooth at +x
@@ -232,8 +234,8 @@ TEST(FlankSurface, NormalsPointFromGear1ToGear2) {
   EXPECT_LT(two.n.y(), 0);
 }
 
-// All of one tooth pair's transmission error of the paper's long gears: the interior part of the
-// saw.
+// The whole transmission error of one tooth pair of the long gears in the paper, which is the
+// interior part of the saw tooth.
 TEST(FiveEquations, CompositeInteriorOfTheFile) {
   int rows = 0;
   for (const json& composite : circular_arc_file().at("composite_te")) {
@@ -285,8 +287,8 @@ TEST(FiveEquations, CentreDistanceInOneEquation) {
   EXPECT_CLOSE(std::hypot(m.center_distance + w, across), m.center_distance + m.d_center, 1e-16);
 }
 
-// The other hands in the mirror z → −z: crossing, tilt, axial shift and twists change sign, nothing
-// else does.
+// With the opposite hands, the pair is the mirror image z → −z. Crossing, tilt, axial shift and
+// twists change their sign, and nothing else changes.
 TEST(FiveEquations, MirrorImage) {
   const ArcPair pair = case_named("m10_30_150_all");
   const FiveEquationTouch a = arc_touch(pair, 0.1L);
@@ -305,8 +307,8 @@ TEST(FiveEquations, MirrorImage) {
   EXPECT_CLOSE(b.major_angle + a.major_angle, 0, 1e-13);
 }
 
-// ΔC = 0.030 in: Newton finds an answer at 6.56°, beyond gear 1's undercut limit of 7.08° and where
-// the flanks run through each other.
+// ΔC = 0.030 in: Newton's method finds a solution at 6.56°, beyond the undercut limit of gear 1 at
+// 7.08°, where the flanks penetrate each other.
 TEST(FiveEquations, FalseContactIsSeen) {
   ArcPair pair = case_named("ex1_consistent_75");
   pair.mounting.d_center = 0.030L;

@@ -1,5 +1,6 @@
-// The search of touching_screws.hpp, which has the notation: when flank 2 passes the points of
-// flank 1, section by section. It knows the tip and base cylinders of both gears and no tangency.
+// The search of touching_screws.hpp, which contains the notation. It computes section by section
+// when flank 2 passes the points of flank 1. It uses the tip and base cylinders of both gears and
+// no tangency.
 #pragma once
 
 #include <array>
@@ -12,8 +13,8 @@ namespace gearwright::oracle {
 
 inline constexpr double kNone = -std::numeric_limits<double>::infinity();  ///< no point there
 
-/// One flank of gear 1 as gear 2 sees it. `value(u, z)` is −σ times the rotation of gear 2 at which
-/// its flank passes the point: the greatest value is the one that counts, on either side.
+/// One flank of gear 1 as seen from gear 2. `value(u, z)` is −σ times the rotation of gear 2 at
+/// which its flank passes the point. The greatest value counts, on either side.
 class Flank {
  public:
   Flank(const ScrewPair& pair, double rotation_1, int sigma, int tooth);
@@ -21,7 +22,7 @@ class Flank {
   double tip_1() const { return tip_1_; }
   double tip_2() const { return tip_2_; }
 
-  /// Equal steps from the lowest string that a tip of gear 2 can reach to gear 1's tip.
+  /// Equal steps from the lowest string that a tip of gear 2 can reach to the tip of gear 1.
   double node(int i, int steps) const { return low_1_ + (tip_1_ - low_1_) * i / steps; }
 
   /// String angle on flank 2 of the point (u, z) when flank 2 passes it; 0 below its base circle.
@@ -29,11 +30,11 @@ class Flank {
 
   double value(double u, double z) const;
 
-  /// Where along the axis the flank can stand within `opening` of the direction of axis 2.
+  /// The section of the axis in which the flank can be within `opening` of the direction of axis 2.
   std::array<double, 2> sections_within(double opening, double reach) const;
 
  private:
-  /// The point (u, z) of flank 1 from gear 2's tilted but unturned frame.
+  /// The point (u, z) of flank 1 in the tilted but unturned frame of gear 2.
   Eigen::Vector3d seen(double u, double z) const;
 
   const ScrewPair& pair_;
@@ -41,9 +42,9 @@ class Flank {
   double k_1_, k_2_, start_1_, start_2_, cos_, sin_, low_1_, tip_1_, tip_2_;
 };
 
-// Steps of a golden section: on a smooth peak the rounding of the value is a place to 1e-8 of the
-// bracket, 0.618^42 = 2e-9. At a corner, an edge of gear 2 across one of gear 1, the value falls
-// off with the place itself and what lies beyond is no point: 0.618^68 = 6e-15.
+// Steps of a golden section. On a smooth peak, rounding of the value limits the position to 1e-8 of
+// the bracket, 0.618^42 = 2e-9. At a corner, where an edge of gear 2 crosses one of gear 1, the
+// value decreases linearly and beyond it there is no point: 0.618^68 = 6e-15.
 inline constexpr int kSmooth = 42, kCorner = 68;
 
 struct Peak {
@@ -51,7 +52,7 @@ struct Peak {
   double at = 0.0;
 };
 
-/// Golden section in [low, high] down to 0.618^steps of it, the ends looked at too.
+/// Golden section in [low, high] down to 0.618^steps of it. The ends are evaluated too.
 template <class F>
 Peak climb(F f, double low, double high, int steps) {
   constexpr double kGolden = 0.6180339887498949;
@@ -76,8 +77,8 @@ Peak climb(F f, double low, double high, int steps) {
   return best;
 }
 
-/// The part of these sections in which gear 2's cylinders hold a point of the flank, to the 200th
-/// of their range; an overlap smaller than that, a corner of two tips, is passed over.
+/// The part of these sections in which the cylinders of gear 2 contain a point of the flank, to
+/// 1/200 of their range. A smaller overlap, at a corner of two tips, is missed.
 std::array<double, 2> overlap(const Flank& flank, std::array<double, 2> range);
 
 /// The greatest value in one section of gear 1, and the u where it is.

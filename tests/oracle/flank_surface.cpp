@@ -15,7 +15,7 @@ const Vector3 kAxis(0, 0, 1);
 /// e_z × v
 Vector3 across(const Vector3& v) { return {-v.y(), v.x(), 0}; }
 
-/// A place whose section is turned by an angle with the derivatives by s and z given.
+/// A point whose section is turned by an angle with given derivatives by s and z.
 FlankPlace in_turned_section(const FlankPlace& p, Real angle, Real by_s, Real by_z) {
   const Matrix3 turn = turn_about_z(angle);
   FlankPlace out;
@@ -28,7 +28,7 @@ FlankPlace in_turned_section(const FlankPlace& p, Real angle, Real by_s, Real by
   return out;
 }
 
-/// χ of φ = ±k z − χ, k = cot λ / r, and dχ/dθ. From (1) with tan λ divided out.
+/// χ of φ = ±k z − χ, k = cot λ / r, and dχ/dθ. This is (1) divided by tan λ.
 std::pair<Real, Real> rack_lag(const ArcFlank& f, Real theta) {
   const Real sl = std::sin(f.lead_angle), cl = std::cos(f.lead_angle);
   const Real s = std::sin(theta), c = std::cos(theta);
@@ -62,7 +62,7 @@ Surface arc_surface(const ArcFlank& f) {
     const Real k = turn_per_length(f);
     const auto [lag, lag_s] = rack_lag(f, theta);
 
-    FlankPlace rack;  // in the section turned with the rack
+    FlankPlace rack;  // in the section that turns with the rack
     rack.r = {f.rho * s - f.b + side * f.pitch_radius, -(f.rho * c - f.b * c / s) * sl, z};
     rack.r_s = {f.rho * c, -(-f.rho * s + f.b / (s * s)) * sl, 0};
     rack.r_z = kAxis;

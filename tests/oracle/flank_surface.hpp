@@ -1,5 +1,5 @@
-// Tooth flanks as points of space, in long double, for the slow way to tooth contact: five
-// equations (five_equation.hpp) that know a flank by nothing but its points and normals.
+// Tooth flanks as points in space, in long double, for the slow method of tooth contact: five
+// equations (five_equation.hpp) that use only the points and normals of a flank.
 //
 //   s, z      a point of a flank: s along its transverse outline, z along the gear's axis
 //   r, n      the point and the unit normal there; n of BOTH gears points out of gear 1's material
@@ -14,9 +14,9 @@
 //   ζ = ρ cos θ cos λ − a / cos λ + b cot θ tan λ sin λ
 //
 // and the gear's point is (A, −B), seen along +x from axis 1, turned by +φ on gear 1 (upper sign)
-// and by −φ on gear 2. φ is taken from z, so that λ = 90° has an answer too. Those are the natural
-// hands, gear 1 right and gear 2 left; the other hands are the mirror image z → −z. A fillet has
-// ρ < 0 or ρ > 0 and the same formulas.
+// and by −φ on gear 2. φ is computed from z, so that λ = 90° is possible too. These are the natural
+// hands, gear 1 right and gear 2 left. The other hands are the mirror image z → −z. A fillet has ρ
+// < 0 or ρ > 0 and the same formulas.
 //
 // Involute, s = ξ = tan α.  W = r_b (1 + i σ ξ) e^{i(θ_c + σ(η − ξ))} as x + iy, turned by τ z;
 // σ = −1 is the clockwise side of the tooth, which leads. External gears.
@@ -44,11 +44,12 @@ struct FlankPlace {
 
 using Surface = std::function<FlankPlace(Real s, Real z)>;
 
-/// The rack arc that cuts a gear, and the gear's pitch cylinder; any one unit of length, rad.
+/// The rack arc that cuts a gear, and the pitch cylinder of the gear; in any unit of length, rad.
 struct ArcFlank {
-  int gear = 1;       ///< 1 or 2: the side of the pitch line its axis lies on, and the sense of φ
-  Real rho = 0;       ///< ρ  signed
-  Real a = 0, b = 0;  ///< the arc's centre is (−b, a)
+  int gear = 1;  ///< 1 or 2: the side of the pitch line on which its axis lies, and the direction
+                 ///< of φ
+  Real rho = 0;  ///< ρ  signed
+  Real a = 0, b = 0;      ///< the arc's centre is (−b, a)
   Real lead_angle = 0;    ///< λ  0 < λ ≤ π/2
   Real pitch_radius = 0;  ///< r
   bool mirrored = false;  ///< the other hand
@@ -64,7 +65,7 @@ struct InvoluteFlank {
   int side = -1;             ///< σ
 };
 
-/// What turns the sections beside the helix.
+/// Additional turns of the sections.
 struct LeadTurn {
   Real twist = 0;     ///< κ  rad per length
   Real crowning = 0;  ///< c  rad per length²

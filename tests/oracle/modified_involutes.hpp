@@ -1,8 +1,8 @@
-// Seeded involute pairs with everything that can be wrong or chosen: errors of mounting and lead,
-// modifications of either flank, external pairs and rings, either gear driving.
+// Seeded involute pairs with every possible error and choice: errors of mounting and lead,
+// modifications of either flank, external and internal pairs, either gear driving.
 //
-// What a modification removes is written here a second time, from the definitions of
-// gear/modifications.hpp; a topography is a polynomial, which the engine's spline gives back.
+// The removal of a modification is implemented here a second time, from the definitions of
+// gear/modifications.hpp. A topography is a polynomial, which the spline of the engine reproduces.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@
 
 namespace gearwright::oracle {
 
-/// C(ρ, z) of one flank, its numbers in mm; `polynomial` besides.
+/// C(ρ, z) of one flank, with its data in mm, plus `polynomial`.
 inline std::function<double(double, double)> removed_by(
     const FlankModifications& m, const FlankExtent& e,
     std::function<double(double, double)> polynomial = {}) {
@@ -57,10 +57,11 @@ struct ModifiedPair {
 struct Wanted {
   bool internal = false;
   bool errors = true, modifications = true;
-  bool hollow = false;  ///< crownings that take most in the middle, topographies that wind
+  bool hollow = false;  ///< includes crownings with most removal in the middle, and topographies
+                        ///< with several bends
 };
 
-/// Gears that touch as involutes all along the common flank; nothing if the draw makes no such
+/// Gears whose involutes touch along the whole common flank. Nothing if the draw gives no such
 /// pair.
 inline std::optional<ModifiedPair> random_modified(property::Random& random, const Wanted& want) {
   property::SpecPair specs = property::random_pair(random, want.internal);

@@ -1,4 +1,4 @@
-// Where two gears stand in the housing, errors included.
+// The positions of two gears in the housing, with errors.
 //
 // Housing.  Axis 1 is z before its errors; axis 2 passes (C, 0, 0), C = C_0 + ΔC, along
 // (0, sin Σ, cos Σ). Gear 1 turns by −φ_1 (clockwise seen from +z), gear 2 by +φ_2 about its own

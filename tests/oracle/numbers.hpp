@@ -1,4 +1,4 @@
-// Numbers that the oracles name, on their own.
+// Constants of the oracles, independent of those of the engine.
 #pragma once
 
 #include <limits>

@@ -1,15 +1,16 @@
-// A finished half-tooth outline held against the swept cutter, rack or pinion, that should have
+// Compares a finished half-tooth outline with the swept cutter, rack or pinion, that should have
 // cut it.
 //
 //   outline   points (x, y) from the middle of the space to the tooth's end, side y ≥ 0, without
 //             the tip land on the blank (the blank is turned, not cut)
-//   n         normal into the material: the chord of the two neighbours, turned clockwise; on a
-//             ring, whose outline comes nearer to the axis, counter-clockwise
+//   n         normal into the material: perpendicular to the chord of the two neighbours,
+//             clockwise, or counter-clockwise for an internal gear, whose outline approaches the
+//             axis
 //
-// Two questions.  Is every point on the surface: |clearance| small? And is it the surface there,
-// with material on one side and none on the other: clearance > 0 a nudge inwards, < 0 a nudge
-// outwards? A loop of a trochoid that another position has cut away fails the first, a point in the
-// midst of a slot fails the second.
+// There are two checks. First, every point must be on the surface, so |clearance| must be small.
+// Second, it must be a boundary, with material on one side only: clearance > 0 for a nudge inwards
+// and < 0 for a nudge outwards. A loop of a trochoid that another position has cut away fails the
+// first check, and a point in the middle of a slot fails the second.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@
 
 namespace gearwright::oracle {
 
-/// The nudge, mm: a thousand times what `worst` may be, a thousandth of what machines can make.
+/// The nudge, mm: a thousand times the permitted `worst`, a thousandth of machining accuracy.
 inline constexpr double kNudge = 1e-6;
 
 struct OutlineAgainstSweep {
@@ -34,7 +35,7 @@ struct OutlineAgainstSweep {
   std::size_t min_inward_index = 0;
   double max_outward = -std::numeric_limits<double>::infinity();  ///< mm, must be < 0
   std::size_t max_outward_index = 0;
-  double longest_step = 0.0;  ///< mm between neighbours: a hole in the outline shows here
+  double longest_step = 0.0;  ///< mm between neighbours; detects a gap in the outline
 
   /// On the surface to `tolerance` mm, with material inside and none outside at every point.
   bool holds(double tolerance) const {
@@ -42,7 +43,8 @@ struct OutlineAgainstSweep {
   }
 };
 
-/// On which side of the walk from root to tip the material lies: right, or on a ring left.
+/// The side on which the material lies on the walk from root to tip: right, or left for an internal
+/// gear.
 enum class Tooth { external, ring };
 
 namespace outline_detail {
@@ -59,15 +61,15 @@ PlanePoint plane_point(const P& p) {
 
 inline double distance(PlanePoint a, PlanePoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// p on the other side of the ray through `axis`.
+/// The mirror image of p in the ray through `axis`.
 inline PlanePoint mirrored(PlanePoint p, PlanePoint axis) {
   const double along = 2 * (p.x * axis.x + p.y * axis.y) / (axis.x * axis.x + axis.y * axis.y);
   return {along * axis.x - p.x, along * axis.y - p.y};
 }
 
 /// Unit normal into the material at point i. Neighbours nearer than a nudge (the doubled points at
-/// the joints of arcs) say nothing about the direction and are passed over. Beyond the middle of
-/// the space, and beyond a tooth that ends in a point on its centre line, stands the mirror image.
+/// the joints of arcs) do not determine the direction and are skipped. Beyond the middle of the
+/// space, and beyond a tooth that ends in a point on its centre line, the mirror image is used.
 inline PlanePoint inward_normal(const std::vector<PlanePoint>& points, std::size_t i, Tooth tooth) {
   std::size_t before = i, after = i;
   while (before > 0 && distance(points[before], points[i]) < kNudge) --before;
@@ -107,7 +109,7 @@ OutlineAgainstSweep outline_against_sweep(const Points& outline, const Sweep& sw
     const double on = std::abs(clearance(sweep, p));
     const double in = clearance(sweep, {p.x + kNudge * n.x, p.y + kNudge * n.y});
     const double out = clearance(sweep, {p.x - kNudge * n.x, p.y - kNudge * n.y});
-    // Negated, so that a NaN is the worst there is and stays so.
+    // The condition is negated, so that a NaN counts as the worst value.
     if (!(on <= result.worst)) result.worst = on, result.worst_index = i;
     if (!(in >= result.min_inward)) result.min_inward = in, result.min_inward_index = i;
     if (!(out <= result.max_outward)) {

@@ -1,4 +1,4 @@
-// The comparison itself: a right outline passes, and every way of being wrong is seen.
+// Tests the comparison itself: a correct outline passes, and every kind of fault is detected.
 #include "tests/oracle/outline_against_sweep.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ std::vector<PlanePoint> outline(const RackNumbers& n) {
 TEST(OutlineAgainstSweep, a_right_outline_holds) {
   const OutlineAgainstSweep result = outline_against_sweep(outline(gear()), SweptRack(gear()));
   EXPECT_TRUE(result.holds(1e-12)) << result.worst << " at " << result.worst_index;
-  // A nudge is seen as itself or, in the metric of the normal section, as cos β of it.
+  // A nudge is measured as itself or, in the metric of the normal section, as its product with cos
+  // β.
   EXPECT_GT(result.min_inward, 0.9 * kNudge * std::cos(kPi / 10));
   EXPECT_LT(result.max_outward, -0.9 * kNudge * std::cos(kPi / 10));
   EXPECT_LT(result.longest_step, 0.5);
@@ -62,7 +63,7 @@ TEST(OutlineAgainstSweep, a_point_off_by_a_nanometre_is_named) {
   }
 }
 
-// The outline of the gear with another number in it is not this gear's.
+// The outline of a gear with one changed value is not accepted for this gear.
 TEST(OutlineAgainstSweep, another_gear_is_refused) {
   const SweptRack rack(gear());
   RackNumbers shifted = gear(), rounder = gear(), deeper = gear();
@@ -74,7 +75,8 @@ TEST(OutlineAgainstSweep, another_gear_is_refused) {
   }
 }
 
-// Undercut: the rolled flank below the fillet's crossing is a loop that has been cut away.
+// If the gear is undercut, the rolled flank below the intersection with the fillet is a loop that
+// has been cut away.
 TEST(OutlineAgainstSweep, a_swallowed_loop_is_refused) {
   RackNumbers n = gear();
   n.teeth = 9;
@@ -84,7 +86,8 @@ TEST(OutlineAgainstSweep, a_swallowed_loop_is_refused) {
   EXPECT_FALSE(result.holds(1e-4));
 }
 
-// Drawn from tip to root the inside is outside: the nudges see it although every point is right.
+// If the outline is run from tip to root, inside and outside are exchanged. The nudges detect it
+// although every point is right.
 TEST(OutlineAgainstSweep, the_wrong_side_is_refused) {
   std::vector<PlanePoint> points = outline(gear());
   std::reverse(points.begin(), points.end());
@@ -105,7 +108,7 @@ struct Method {
   double y() const { return b; }
 };
 
-// Points with x() and y() are taken as they are, and a tooth that ends in a point passes.
+// Points with x() and y() are accepted, and a tooth that ends in a point passes.
 TEST(OutlineAgainstSweep, pointed_tooth_of_another_point_type) {
   const RackNumbers n = gear();
   const SweptRack rack(n);

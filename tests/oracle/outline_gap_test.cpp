@@ -1,10 +1,10 @@
-// The gap of two outlines against polygons of both gears, which share no code with it, over random
-// mounted pairs with everything that shapes a tooth.
+// Compares the gap of two outlines with polygons of both gears, which share no code with it, over
+// random mounted pairs with every feature that shapes a tooth.
 //
-//   free     turned to the ends of the true play, and in its middle, polygons of 64 positions of a
-//            pitch do not cross, or share no area
-//   tight    where a touch is said to be, both outlines have a point, to a nanometre: a little more
-//            of a turn, and they overlap
+//   free     turned to the ends of the true backlash, and in its middle, polygons at 64 positions
+//            of a pitch do not cross, or have no common area
+//   tight    at a reported contact, both outlines have a point within a nanometre; if turned
+//            slightly more, they overlap
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,19 +26,21 @@
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kChord = 2e-7;   // mm, from the outline to the polygon
-constexpr double kShared = 1e-6;  // mm²: the chords of a tooth's height, with room
-constexpr double kTight = 1e-9;   // mm
+constexpr double kChord = 2e-7;  // mm, from the outline to the polygon
+// mm², the area of the chords over a tooth's height, with a margin
+constexpr double kShared = 1e-6;
+constexpr double kTight = 1e-9;  // mm
 constexpr int kPositions = 64;
 constexpr int kLines = 1000;
 
-// A point of the polygon, and how far it has to move so that no edge lies outside the material.
+// A point of the polygon, and the distance by which it must move so that no edge lies outside the
+// material.
 struct Corner {
   Eigen::Vector2d point, inwards{0.0, 0.0};
 };
 
-// The outline as a polygon of points on it: of chords near enough where the mating gear comes, with
-// radii on one side of `nearest`, of a few elsewhere.
+// The outline as a polygon of points on it. Where the mating gear comes, with radii on one side of
+// `nearest`, the chords are sufficiently short. Elsewhere there are few points.
 class PolygonMaker {
  public:
   PolygonMaker(const Outline& outline, double nearest)
@@ -47,7 +49,7 @@ class PolygonMaker {
   }
   ToothedPolygon polygon() const {
     ToothedPolygon polygon{teeth_, {}};
-    // Twice the middle's sag is more than that of any other place of a short curve.
+    // Twice the sag at the middle exceeds that at any other point of a short curve.
     for (const Corner& c : corners_) polygon.half_tooth.push_back(c.point + 2.0 * c.inwards);
     return polygon;
   }
@@ -66,7 +68,7 @@ class PolygonMaker {
       const double left = d.x() * sag.y() - d.y() * sag.x();
       Corner& before = corners_.back();
       Corner here{q};
-      // Material is on the right as the outline is walked, an internal gear's on the left.
+      // Run along the outline, material is on the right, or on the left for an internal gear.
       if (teeth_ < 0 ? left > 0.0 : left < 0.0) {
         here.inwards = sag;
         if (sag.norm() > before.inwards.norm()) before.inwards = sag;
@@ -135,11 +137,11 @@ void expect_tight(const InvolutePair& pair, const OutlineGap& gap, const std::st
       }
     }
   } catch (const std::invalid_argument&) {
-    ++run.rough;  // an arc that is rougher than the polynomials of the oracle
+    ++run.rough;  // an arc that the polynomials of the oracle cannot represent
   }
 }
 
-// Edges that do not cross share nothing; where they do the area decides.
+// Edges that do not cross have no common area. If they cross, the area decides.
 void expect_free(const InvolutePair& pair, double turn, const std::string& text, Count& run) {
   const Outline& one = pair.gears[0].tooth->outline;
   const auto [polygon_1, polygon_2] = polygons_of(pair);
@@ -149,7 +151,7 @@ void expect_free(const InvolutePair& pair, double turn, const std::string& text,
   double most = 0.0;
   for (const double t : {0.0, turn}) {
     for (int i = 0; i < kPositions; ++i) {
-      // Mirrored, the other end of the play looks the same.
+      // In the mirror image, the other end of the backlash looks the same.
       const double phi = 2 * kPi / one.teeth * (i + 0.37) / kPositions;
       if (!edges.cross(phi, t)) continue;
       ++run.areas;
@@ -192,13 +194,13 @@ void report(const Count& run) {
   ::testing::Test::RecordProperty("overlap", run.overlap);
   ::testing::Test::RecordProperty("within_play", run.within_play);
   ::testing::Test::RecordProperty("areas", run.areas);
-  // The sample must hold both kinds, and the oracle must take nearly all.
+  // The sample must contain both kinds, and the oracle must accept nearly all.
   EXPECT_GT(run.overlap, run.pairs / 20);
   EXPECT_GT(run.within_play, run.overlap);
   EXPECT_LT(run.rough, run.pairs / 20 + 1);
 }
 
-// Ten thousand pairs in four tests, and a million in sixteen.
+// Ten thousand pairs in four tests, and a million in sixteen tests.
 constexpr std::uint64_t kSeeds = 3600;
 constexpr int kLeastPairs = 2500;
 constexpr std::uint64_t kLongSeeds = 90000;
@@ -215,9 +217,9 @@ TEST_P(OutlineGapOracle, pairs_are_free_within_their_true_play_and_tight_at_its_
   EXPECT_GE(run.pairs, kLeastPairs);
 }
 
-// An envelope that ends where the normal passes the pitch point no more, and comes back on its way
-// there to a radius that it has left: the touch said was 4 and 7 µm off the other gear. A flank that
-// begins at the base circle, where its curvature is infinite.
+// An envelope that ends where the normal no longer passes the pitch point, and before that returns
+// to a radius that it has already left. The reported contact used to be 4 and 7 µm off the other
+// gear. Also a flank that begins at the base circle, where its curvature is infinite.
 TEST(OutlineGapOracle, pairs_found_wrong_before) {
   for (const std::uint64_t seed : {118034, 190350, 236345})
     EXPECT_EQ(check(seed, seed + 1).pairs, 1);

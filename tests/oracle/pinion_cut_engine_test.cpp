@@ -1,12 +1,12 @@
-// The engine's pinion-cut gears held against the swept pinion: cutters of 1 to 40 teeth, sound and
-// undercut, sharp and rounded at both ends, with circular fillets; external gears and rings, from
-// three teeth more than the cutter on.
+// Compares the engine's pinion-cut gears with the swept pinion: cutters with 1 to 40 teeth, sound
+// and undercut, sharp and rounded at both ends, with circular fillets; external gears, and internal
+// gears with at least three teeth more than the cutter.
 //
 //   |clearance| of an outline point      at most 1e-9 mm
-//   nudges of 1e-6 mm                    inwards material, outwards none
+//   nudges of 1e-6 mm                    material inwards, none outwards
 //   neighbouring points                  at most half a module apart, ends of arcs shared
 //
-// When a contract breaks, the gear at hand is printed before the program ends: the reproducer.
+// If a contract is violated, the current gear is printed before the program ends, as a reproducer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ PinionCutTally check_gears(std::uint64_t seed, int n) {
 
 TEST(PinionCutEngine, is_what_the_pinion_leaves) {
   const PinionCutTally tally = check_gears(20240613, 600);
-  // The generator reaches what it is meant to reach.
+  // The generator covers the intended cases.
   EXPECT_GT(tally.external, 200);
   EXPECT_GT(tally.rings, 150);
   EXPECT_GT(tally.close, 25);
@@ -84,7 +84,7 @@ TEST(PinionCutEngine, is_what_the_pinion_leaves) {
   EXPECT_GT(tally.fillets, 150);
   EXPECT_GT(tally.land_cut, 100);
   EXPECT_GT(tally.rounded_tip, 80);
-  EXPECT_LE(tally.worst, 1e-11);  // what the doubles leave, a hundredth of what is asked
+  EXPECT_LE(tally.worst, 1e-11);  // rounding of doubles, a hundredth of the requirement
 }
 
 struct Found {
@@ -93,9 +93,9 @@ struct Found {
   PinionCutSpec cut;
 };
 
-// Gears that were wrong, refused or never finished before. The loops are those of the edge between
-// flank and root of an undercut cutter, where it lies outside the centrode; caught is a ring's tip,
-// by the cutter's as it leaves.
+// Gears that used to be wrong, rejected or endless. The loops are those of the edge between flank
+// and root of an undercut cutter, if it lies outside the centrode. In the case `caught`, the
+// leaving cutter cuts the tip of an internal gear with its own tip.
 std::vector<Found> found_before() {
   std::vector<Found> all;
   const auto add = [&](const char* name, int z_0, double m, double alpha_deg, double beta_deg,
@@ -178,7 +178,8 @@ TEST(PinionCutEngine, gears_found_wrong_before_are_right) {
   }
 }
 
-// The comparison itself: another distance, another cutter, the wrong side are seen on both kinds.
+// Tests the comparison itself: another distance, another cutter and the wrong side are detected on
+// both kinds.
 TEST(PinionCutEngine, another_gear_is_denied) {
   CylindricalSpec spec;
   spec.teeth = 20;
@@ -217,7 +218,7 @@ TEST(LongPinionCutEngine, is_what_the_pinion_leaves) {
   EXPECT_GT(tally.caught_tip, 50);
   EXPECT_GT(tally.land_cut, 1000);
   EXPECT_GT(tally.rounded_tip, 500);
-  EXPECT_LT(tally.errors["cut_by"], 200);  // the engine does not refuse what can be cut
+  EXPECT_LT(tally.errors["cut_by"], 200);  // the engine does not reject gears that can be cut
   EXPECT_LE(tally.worst, 1e-11);
 }
 

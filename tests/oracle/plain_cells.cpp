@@ -29,7 +29,8 @@ Real upper_bound(const Pair& pair, const Box& box, const Cell& cell) {
   const PlainProblem& p = pair.problem;
   const Interval s = cell.s, x1 = cell.x1;
   Interval x2{std::max(box.x2.low, s.low - x1.high), std::min(box.x2.high, s.high - x1.low)};
-  if (x2.low > x2.high + kSumRounding) return -kFree;  // all of it outside the polygon
+  // The cell lies completely outside the polygon.
+  if (x2.low > x2.high + kSumRounding) return -kFree;
   if (x2.low > x2.high) std::swap(x2.low, x2.high);
 
   const bool ring = pair.sigma < 0;

@@ -1,5 +1,5 @@
-// Cells of the shift graph, and what no pair of shifts in one can exceed. Each margin is made of
-// terms that only rise or only fall with S, x_1 or x_2 alone:
+// Cells of the shift graph, and upper bounds of the margins in a cell. Each margin consists of
+// terms that only increase or only decrease with S, x_1 or x_2:
 //
 //   C, N      with S: rising, ring falling          ρ_1E, ρ_F1   rising with x_1
 //   ρ_2A      with x_2: rising, ring falling        ρ_F2         rising with x_2
@@ -7,7 +7,7 @@
 //             sin α_t/sin α_wt − 1 on tight centres, 0 on extended ones, so it is least or greatest
 //             at S = 0 and at the ends of an interval
 //
-// so a cell of (S, x_1) has an upper bound at the ends of its intervals, and the bound comes down
+// so a cell of (S, x_1) has an upper bound at the ends of its intervals, and this bound converges
 // to the margin as the cell shrinks.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace gearwright::oracle::plain {
 
-/// Shifts that their own limits and the centre distances leave: a polygon in (S, x_1).
+/// The shifts within their own limits and those of the centre distance: a polygon in (S, x_1).
 struct Box {
   Interval s, x1, x2;
 
@@ -27,10 +27,10 @@ struct Cell {
   long double max = 0;  ///< its upper bound
 };
 
-/// The least margin of all but the shifts' own limits.
+/// The least of all margins except those of the limits of the shifts themselves.
 long double contact_margin(const Pair& pair, long double x1, long double x2);
 
-/// What `contact_margin` cannot exceed at the points of the box in a cell; −∞: there are none.
+/// An upper bound of `contact_margin` at the points of the box in a cell. −∞ if there are none.
 long double upper_bound(const Pair& pair, const Box& box, const Cell& cell);
 
 }  // namespace gearwright::oracle::plain

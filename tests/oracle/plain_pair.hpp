@@ -1,5 +1,5 @@
-// The parts of the plain search that know what a gear is: radii, thickness, centre distance, and
-// which shifts a gear's own limits allow. Notation: plain_search.hpp.
+// The parts of the plain search that depend on the geometry of a gear: radii, thickness, centre
+// distance, and the shifts that a gear's own limits permit. The notation is in plain_search.hpp.
 #pragma once
 
 #include <functional>
@@ -18,9 +18,10 @@ struct Interval {
   long double at(long double t) const { return t == 1 ? high : low + t * (high - low); }
 };
 
-/// A problem and two tooth numbers, and what follows from them without shifts. `gear` is 1 or 2.
+/// A problem and two tooth numbers, and derived values that do not depend on shifts. `gear` is 1 or
+/// 2.
 struct Pair {
-  /// Throws    std::invalid_argument naming what makes no problem or no pair
+  /// Throws    std::invalid_argument with the reason why this is no problem or no pair
   Pair(const PlainProblem& problem, int z1, int z2);
 
   PlainProblem problem;
@@ -36,11 +37,12 @@ struct Pair {
   bool is_ring(int gear) const { return gear == 2 && z2 < 0; }
   long double tip_radius(int gear, long double x) const;
   long double root_radius(int gear, long double x) const;
-  /// ρ of the flank at the tip; NaN with the tip below the base circle.
+  /// ρ of the flank at the tip. NaN if the tip is below the base circle.
   long double tip_curvature(int gear, long double x) const;
-  /// ρ_F where the flank of the cutter's straight edge ends, < 0: undercut. Not of a ring.
+  /// ρ_F at the end of the flank of the cutter's straight edge; < 0: undercut. Not defined for an
+  /// internal gear.
   long double form_curvature(int gear, long double x) const;
-  /// s_an; NaN with the tip below the base circle.
+  /// s_an. NaN if the tip is below the base circle.
   long double tip_thickness(int gear, long double x) const;
   /// The lower limit of the shift, by undercut and floor; −∞: none.
   long double min_shift(int gear) const;
@@ -49,7 +51,7 @@ struct Pair {
   long double centre_distance(long double sum) const;
   /// N; NaN below the sum of the base radii.
   long double tangent_length(long double sum) const;
-  /// The S of a band of centre distances; nothing: no S has them.
+  /// The S of a range of centre distances. Nothing if no S has them.
   std::optional<Interval> shift_sums(Interval centres) const;
   /// The S whose centre distance is not below the sum of the base radii.
   Interval shift_sum_domain() const;
@@ -57,19 +59,19 @@ struct Pair {
 
 PlainPoint look(const Pair& pair, long double x1, long double x2);
 
-/// The intervals between the first and the last node on which f ≥ 0; f changes sign at most once
-/// between neighbours. Accuracy 64 halvings of their distance.
+/// The intervals between the first and the last node on which f ≥ 0. f changes its sign at most
+/// once between neighbours.   Accuracy  64 halvings of their distance
 std::vector<Interval> where_not_negative(const std::function<long double(long double)>& f,
                                          const std::vector<long double>& nodes);
 
-/// The shifts that undercut, tip thickness, floor and ceiling leave a gear.
+/// The shifts that undercut, tip thickness, lower and upper limit permit for a gear.
 struct Pieces {
   std::vector<Interval> held;  ///< in growing order
-  bool close_call = false;     ///< one more or one less if a limit moved by 1e-9
+  bool close_call = false;     ///< true if moving a limit by 1e-9 changes the number of intervals
 };
 
 Pieces shifts_1(const Pair& pair);
-/// A ring may have no limits of its own: only the window is looked at.
+/// An internal gear may have no limits of its own, so only the window is searched.
 Pieces shifts_2(const Pair& pair, long double window_low, long double window_high);
 
 }  // namespace gearwright::oracle::plain

@@ -1,7 +1,7 @@
-// The loops. For one trial, the shifts' own limits and the centre distance leave intervals of x_1,
-// x_2 and S; what remains is whether the least of the other margins is anywhere ≥ 0 there. The cell
-// of (S, x_1) with the greatest bound, plain_cells.hpp, is halved until a point of it is inside or
-// the greatest bound is negative.
+// The loops of the search. For one trial, the limits of the shifts and of the centre distance leave
+// intervals of x_1, x_2 and S. It remains to find whether the least of the other margins is ≥ 0
+// anywhere in them. The cell of (S, x_1) with the greatest bound, plain_cells.hpp, is halved until
+// a point in it satisfies all limits or the greatest bound is negative.
 #include "tests/oracle/plain_search.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using plain::Interval;
 using plain::Pair;
 using Real = long double;
 
-constexpr Real kSure = 1e-9L;  // modules or ratio: closer to zero than this is not decided
+constexpr Real kSure = 1e-9L;  // modules or ratio; values closer to zero than this are undecided
 constexpr int kMaxCells = 200000;
 constexpr Real kNothing = -PlainMargins::kFree;
 
@@ -34,7 +34,7 @@ struct Found {
   Real x1 = std::nanl(""), x2 = std::nanl("");
 };
 
-/// The greatest least margin in the box, as far as its sign asks for it.
+/// The maximum of the least margin in the box, as far as its sign is needed.
 Found search_box(const Pair& pair, const Box& box) {
   Found best;
   const auto try_point = [&](Real sum, Real x1) {
@@ -73,8 +73,9 @@ Found search_box(const Pair& pair, const Box& box) {
 
 struct Boxes {
   std::vector<Box> boxes;
-  std::string killed_by;    // if there is none
-  bool close_call = false;  // the limits of a shift alone meet or part by less than kSure
+  std::string killed_by;  // if there is none
+  // The limits of a shift alone overlap or are separated by less than kSure.
+  bool close_call = false;
 };
 
 Boxes boxes_of(const Pair& pair, Real m, Real c_min, Real c_max) {
@@ -145,7 +146,7 @@ PlainAnswer region_not_empty(const PlainProblem& problem, Real m, int z1, int z2
 
 namespace {
 
-/// The x_1 of one S that keep all margins, in one box.
+/// The x_1 of one S that satisfy all margins, in one box.
 struct Slice {
   Real length = 0;
   std::optional<Interval> ends;  // nothing: empty
@@ -157,7 +158,7 @@ Slice slice_at(const Pair& pair, const Box& box, Real sum) {
   const auto margin = [&](Real x1) { return contact_margin(pair, x1, sum - x1); };
   std::vector<Real> nodes;
   for (int i = 0; i <= kSamples; ++i) nodes.push_back(range.at(i / Real(kSamples)));
-  // The best place is a node too: an interval around it may be narrower than the samples.
+  // The best point is also a node, because the interval around it may be narrower than the samples.
   Real best = range.low, most = margin(best);
   for (Real width = range.length(); width > 1e-17L; width /= 8) {
     const Real centre = width == range.length() ? range.middle() : best;

@@ -1,5 +1,5 @@
-// Which spur or helical pairs exist for a ratio and a centre distance, by plain loops in long
-// double: modules, tooth numbers, and for each of them every profile shift.
+// Finds the spur or helical pairs for a ratio and a centre distance by plain loops in long double,
+// over modules, tooth numbers, and for each of them every profile shift.
 //
 //   lengths in normal modules m = 1, angles in rad; shifts x as in ISO 21771
 //   z_2 < 0    a ring; its diameters and centre distances are positive here     σ = +1, ring −1
@@ -7,8 +7,8 @@
 //   ρ_1, ρ_2   radii of curvature of the flanks in contact; A: tip of gear 2, E: tip of gear 1
 //   N          distance of the base tangent points T_1, T_2;  ρ_2 = N − σρ_1
 //
-// Everything is nominal: tips are not shortened, no allowances, path and contact ratio those of the
-// transverse section.
+// Everything is nominal. Tips are not shortened, there are no allowances, and path and contact
+// ratio are those of the transverse section.
 #pragma once
 
 #include <array>
@@ -22,30 +22,32 @@
 
 namespace gearwright::oracle {
 
-/// What of the path of contact the clipped ratio counts.
+/// The part of the path of contact that the clipped ratio counts.
 enum class PlainClip {
-  none,            ///< all of it: Eq. 10 alone is bound
-  tangent_points,  ///< what lies between T_1 and T_2
-  usable_flanks  ///< and not below ρ_F1, ρ_F2, where the flanks of the cutter's straight edge begin
+  none,            ///< the whole path: Eq. 10 alone is limited
+  tangent_points,  ///< the part between T_1 and T_2
+  usable_flanks  ///< the same, but not below ρ_F1, ρ_F2, where the flanks of the cutter's straight
+                 ///< edge begin
 };
 
-/// What is asked of every pair. A limit that is absent is not asked; all limits are closed.
+/// Limits that every pair must satisfy. A limit that is absent does not apply. All limits are
+/// closed.
 struct PlainProblem {
   long double alpha_n = std::numbers::pi_v<long double> / 9;
   long double beta = 0;             ///< |β|
   long double ha = 1, hf = 1.25L;   ///< addendum, dedendum
   long double undercut_depth = 1;   ///< depth of the cutter's straight edge
-  long double undercut_margin = 0;  ///< how far a shift stays above the undercut limit
+  long double undercut_margin = 0;  ///< least distance of a shift from the undercut limit
   std::optional<long double> floor = {}, ceil = {};  ///< of either shift
   long double tip_thickness_min = 0.2L;              ///< s_an ≥, must be ≥ 0
   long double contact_ratio_min = 1.2L;              ///< binds Eq. 10 and the clipped ratio both
   PlainClip clip = PlainClip::tangent_points;
-  bool tight = false;  ///< backlash-free centres; else extended ones
+  bool tight = false;  ///< backlash-free centre distances; otherwise extended ones
   std::optional<long double> sliding_max = {}, clearance_min = {};
-  bool avoid_interference = false;  ///< ρ_1A ≥ ρ_F1, ρ_2E ≥ ρ_F2; no limit of a ring
+  bool avoid_interference = false;  ///< ρ_1A ≥ ρ_F1, ρ_2E ≥ ρ_F2; not for an internal gear
 };
 
-/// By how much each limit is kept; ≥ 0 is inside. +∞: not asked. −∞: what is limited does not
+/// The margins to the limits; ≥ 0 is inside. +∞: no such limit. −∞: the limited quantity does not
 /// exist.
 struct PlainMargins {
   static constexpr long double kFree = std::numeric_limits<long double>::infinity();
@@ -61,12 +63,12 @@ struct PlainMargins {
   long double min() const;
 };
 
-/// One pair (m = 1, z_1, z_2, x_1, x_2) at its centre distance. NaN: it does not exist.
+/// One pair (m = 1, z_1, z_2, x_1, x_2) at its centre distance. NaN if a quantity does not exist.
 struct PlainPoint {
   long double centre_distance, alpha_wt;  ///< a, α_wt
   long double rho_1A, rho_2A, rho_1E, rho_2E;
   long double eps;         ///< Eq. 10; NaN below the sum of the base radii or with a tip below base
-  long double eps_true;    ///< clipped at T_1 and T_2; < 0: nothing is left of the path
+  long double eps_true;    ///< clipped at T_1 and T_2; < 0: no path remains
   long double eps_usable;  ///< clipped at ρ_F1 and ρ_F2 too
   std::array<long double, 2> tip_thickness;   ///< s_an, normal section
   std::array<long double, 2> zeta_A, zeta_E;  ///< ζ_1, ζ_2; NaN at or beyond a base tangent point
@@ -75,7 +77,7 @@ struct PlainPoint {
 };
 
 /// Domain    z1 ≥ 1; z2 ≥ 1, or z2 < −z1
-/// Throws    std::invalid_argument naming what makes no problem or no pair
+/// Throws    std::invalid_argument with the reason why this is no problem or no pair
 PlainPoint look(const PlainProblem& problem, int z1, int z2, long double x1, long double x2);
 
 enum class PlainVerdict { empty, not_empty, ambiguous };
@@ -88,19 +90,19 @@ struct PlainAnswer {
   long double x1, x2;      ///< that point; NaN: none
 };
 
-/// Is there a pair of shifts that keeps all limits, at a centre distance of the band?
+/// Searches for a pair of shifts that satisfies all limits, at a centre distance in the range.
 ///
-/// `not_empty` comes with such a point, all its margins but the shifts' own > 1e-9, or the shifts
-/// held to one point by limits that meet exactly. `empty` is proven: no cell of the shifts can
-/// hold one (plain_cells.hpp). `ambiguous`: within 1e-9 of the other answer, or 200 000 cells
-/// did not suffice.
+/// `not_empty` includes such a point. All its margins except those of the shifts are > 1e-9, or the
+/// shifts are restricted to one point by limits that meet exactly. `empty` is proven: no cell of
+/// the shifts can contain such a point (plain_cells.hpp). `ambiguous` means that the result is
+/// within 1e-9 of the other answer, or that 200 000 cells were not sufficient.
 ///
 /// Units     m, c_min, c_max in mm, c_min ≤ c_max; equal ones are met exactly
 /// Throws    std::invalid_argument as `look`
 PlainAnswer region_not_empty(const PlainProblem& problem, long double m, int z1, int z2,
                              long double c_min, long double c_max);
 
-/// The region of the shifts in numbers: its slices S = constant, measured.
+/// Measures of the region of the shifts, from its slices S = constant.
 struct PlainRegion {
   long double area = 0;                                            ///< ∫ dx_1 dx_2
   long double s_lo = 0, s_hi = 0;                                  ///< least and greatest S
@@ -108,7 +110,7 @@ struct PlainRegion {
   std::array<long double, 2> lo{}, hi{};                           ///< middles of these slices
 };
 
-/// Domain    a region that is not empty, by `region_not_empty`; else nothing comes back
+/// Domain    a region that is not empty, by `region_not_empty`; otherwise nothing is returned
 /// Accuracy  area 1e-4 of itself with 600 slices (measured: 3.1e-5); s_lo, s_hi 1e-12, the edges
 ///           1e-8 where a slice is but a point. A second interval of a slice that lies between two
 ///           of its 49 samples is not seen

@@ -1,5 +1,5 @@
-// Laws of the plain search: its verdicts against grids of points, regions that are a segment or a
-// point, limits that just meet, and what does not exist.
+// Tests laws of the plain search: its results against grids of points, regions that are a segment
+// or a point, limits that just meet, and cases without a result.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,8 @@ TEST(PlainSearchLaws, coprime_pairs_are_the_others_without_common_factors) {
   EXPECT_GT(all.tested, coprime.tested);
 }
 
-/// Problems of every kind: helices, rings, tight centres, each optional limit now and then.
+/// Problems of every kind: helices, internal gears, backlash-free centre distances, each optional
+/// limit in some of them.
 struct RandomTrial {
   PlainProblem problem;
   int z1, z2;
@@ -68,7 +69,7 @@ struct RandomTrial {
   }
 };
 
-// One limit at a time, so that its own bound is seen; and the bound comes down to the margin.
+// One limit at a time, so that its own bound is tested. The bound must converge to the margin.
 TEST(PlainSearchLaws, bounds_of_cells_hold) {
   std::mt19937 bits(3);
   const auto uniform = [&](Real low, Real high) {
@@ -99,7 +100,7 @@ TEST(PlainSearchLaws, bounds_of_cells_hold) {
       const Real x1 = uniform(box.x1_at(sum).low, box.x1_at(sum).high);
       const Real margin = plain::contact_margin(pair, x1, sum - x1);
       for (const Real size : {0.5L, 0.05L, 1e-9L, 0.0L}) {
-        // A cell of that size with the point anywhere in it.
+        // A cell of that size that contains the point at a random position.
         const Real s_low = std::max(box.s.low, sum - size * uniform(0, 1));
         const Real x1_low = std::max(box.x1.low, x1 - size * uniform(0, 1));
         const plain::Cell cell{{s_low, std::min(box.s.high, std::max(sum, s_low + size))},
@@ -115,7 +116,7 @@ TEST(PlainSearchLaws, bounds_of_cells_hold) {
   for (const int n : bound) EXPECT_GT(n, 300);
 }
 
-/// `not_empty` shows a point that keeps everything; `empty` stands against a grid of points.
+/// `not_empty` gives a point that satisfies all limits. `empty` is compared with a grid of points.
 void expect_true_verdicts(unsigned seed, int trials, int grid, int min_of_each) {
   std::mt19937 bits(seed);
   int with = 0, without = 0;
@@ -157,8 +158,8 @@ TEST(PlainSearchLaws, LongVerdictsStandAgainstFineGrids) {
   expect_true_verdicts(2, 1000, 200, 200);
 }
 
-// Without undercut and tip limits to speak of, 12:18 at the tight centres of Σx = 0.9 has its
-// specific sliding balanced at x1 = 0.54239 (five digits of the source).
+// Almost without undercut and tip limits, 12:18 at the backlash-free centre distance of Σx = 0.9
+// has its specific sliding balanced at x1 = 0.54239 (five digits of the source).
 TEST(PlainSearchLaws, balanced_sliding_is_the_least) {
   PlainProblem p;
   p.tight = true;
@@ -172,7 +173,8 @@ TEST(PlainSearchLaws, balanced_sliding_is_the_least) {
   }
 }
 
-// An exact centre distance leaves a segment, equal floor and ceiling a point; both are regions.
+// An exact centre distance gives a segment, and equal lower and upper limits give a point. Both are
+// regions.
 TEST(PlainSearchLaws, segments_and_points_are_regions) {
   PlainProblem p;
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30, 30).verdict, not_empty);
@@ -231,13 +233,13 @@ TEST(PlainSearchLaws, clearance_of_extended_centres_is_the_same_everywhere) {
   p.clearance_min = 0.25L + 1e-8L;
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30, 31).verdict, empty);
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30, 31).killed_by, "other");
-  p.tight = true;  // less of it, but not at Σx = 0
+  p.tight = true;  // smaller, but not at Σx = 0
   p.clearance_min = 0.25L - 1e-4L;
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 29.9L, 30.1L).verdict, not_empty);
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30.5L, 31).verdict, empty);
 }
 
-// 12:18 needs the tooth thicker than any shift of 12 teeth leaves without undercut.
+// 12:18 requires a thicker tooth than any shift of 12 teeth permits without undercut.
 TEST(PlainSearchLaws, shift_limits_kill_first) {
   PlainProblem p;
   p.tip_thickness_min = 0.6L;
@@ -245,8 +247,8 @@ TEST(PlainSearchLaws, shift_limits_kill_first) {
   EXPECT_EQ(region_not_empty(p, 1, 12, 18, 50, 51).killed_by, "shift_limits");
 }
 
-// A thick tip can bound the shift from below as well: far below the reference circle teeth are
-// thick, but the tips there end where the space is narrow.
+// A thick tip can also limit the shift from below. Far below the reference circle teeth are thick,
+// but tips there end where the space is narrow.
 TEST(PlainSearchLaws, thick_tips_bound_shifts_on_both_sides) {
   PlainProblem p;
   p.undercut_depth = -1;
@@ -286,7 +288,7 @@ TEST(PlainSearchLaws, what_makes_no_problem_is_refused) {
   EXPECT_THROW(plain_search({}, {1}, {-1, 1}, {18, 18}, {18, 18}, false), std::invalid_argument);
 }
 
-// Below the sum of the base radii there is no path; below the base circle no tip.
+// Below the sum of the base radii there is no path, and below the base circle there is no tip.
 TEST(PlainSearchLaws, what_does_not_exist_is_outside) {
   const PlainPoint apart = look({}, 20, 20, -0.61L, -0.61L);  // domain: S ≥ −1.206
   EXPECT_TRUE(std::isnan(apart.eps));

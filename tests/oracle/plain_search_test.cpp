@@ -72,7 +72,8 @@ TEST(PlainSearch, pairs_of_the_source) {
     expect_near(o.centre_distance, number(pair, "C_extended"), name + "C");
     expect_near(o.alpha_wt / kLongDegree, number(pair, "alpha_operating_deg"), name + "alpha_wt");
     expect_near(o.eps, number(pair, "contact_ratio"), name + "eps");
-    // The source clips at the flanks' beginnings; an undercut flank has none above the base circle.
+    // The source clips at the beginnings of the flanks. An undercut flank has none above the base
+    // circle.
     expect_near(o.eps_usable, number(pair, "contact_ratio_clipped"), name + "clipped");
     if (o.margins.s1min < 0 && o.margins.s2min > 0)
       expect_near(o.eps_true, o.eps_usable, name + "undercut pinion");
@@ -106,8 +107,8 @@ TEST(PlainSearch, contact_ratios_of_the_source) {
                 number(e, "eps"), e.dump());
 }
 
-// The source's lower limit is undercut's alone. With many teeth that is so low that tips are below
-// the base circle, or thin because the tooth has moved out from under them.
+// The lower limit of the source is only that of undercut. With many teeth it is so low that tips
+// are below the base circle, or thin because the tooth has moved away from them.
 TEST(PlainSearch, shift_limits_of_the_source) {
   int crossed = 0, above = 0;
   for (const json& row : source().at("shift_limits"))
@@ -140,7 +141,7 @@ TEST(PlainSearch, shift_limits_of_the_source) {
   EXPECT_GT(above, 0);
 }
 
-// Backlash-free pairs with a helix, and a ring, in mm there and in modules here.
+// Backlash-free helical pairs, and an internal pair, in mm in the source and in modules here.
 TEST(PlainSearch, mounted_pairs_of_the_source) {
   for (const json& pair : source().at("mounted")) {
     const json& in = pair.at("input");
@@ -152,7 +153,7 @@ TEST(PlainSearch, mounted_pairs_of_the_source) {
     p.tight = true;
     p.sliding_max = 10;
     p.avoid_interference = true;
-    // Where the rounding of the ISO 53 rack begins: 0.38 in profile A, 0.30 in B.
+    // The beginning of the rounding of the ISO 53 rack: 0.38 in profile A, 0.30 in B.
     const Real rounding = in.at("profile") == "A" ? 0.38L : 0.30L;
     p.undercut_depth = p.hf - rounding * (1 - std::sin(p.alpha_n));
     const PlainPoint o = look(p, z1, z2, x1, x2);
@@ -231,7 +232,7 @@ TEST(PlainSearch, regions_of_the_source_by_slices) {
     expect_near(measured->area, number(region, "area"), "area", 1e-4L * number(region, "area"));
     expect_near(measured->s_lo, number(region, "S_lo"), "S_lo");
     expect_near(measured->s_hi, number(region, "S_hi"), "S_hi");
-    // A slice that is but a point is seen 1e-9 wide: the root of what bisecting S leaves.
+    // A slice that is only a point appears 1e-9 wide, the root of the error of bisecting S.
     for (int i : {0, 1}) {
       expect_near(measured->lo[i], number(region.at("lo")[i]), "lo", 1e-8L);
       expect_near(measured->hi[i], number(region.at("hi")[i]), "hi", 1e-8L);

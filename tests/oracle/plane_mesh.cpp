@@ -10,8 +10,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kLength = 0.25;  // of the half width of a load: the shortest element there
-constexpr double kGrowth = 0.22;  // of an element per length away from a load
+// Relative to the half width of a load: the shortest element there.
+constexpr double kLength = 0.25;
+constexpr double kGrowth = 0.22;  // growth of an element per length away from a load
 // Of half a tooth's height: elements of the root of a loaded tooth, the body's first one, all others.
 constexpr double kRoot = 0.035, kCrown = 0.08, kLong = 0.3;
 
@@ -54,7 +55,7 @@ class Outline {
   double flank_ = 0.0;
 };
 
-// Places from `from` to `to`, ends and middles of elements that are about as long as `size` says.
+// Points from `from` to `to`: ends and middles of elements whose length is approximately `size`.
 std::vector<double> places(double from, double to, const std::function<double(double)>& size) {
   constexpr int kSteps = 4000;
   std::vector<double> count{0.0};
@@ -126,7 +127,7 @@ void Builder::cut(const std::vector<std::vector<int>>& g) {
   }
 }
 
-// The nodes under a place of the top row, down to where the body is held.
+// The nodes below a point of the top row, down to the circle at which the body is held.
 std::vector<int> Builder::build_ray(const Complex& top) {
   const Complex foot = std::polar(gear_.held, std::arg(top));
   std::vector<int> ray;
@@ -135,7 +136,7 @@ std::vector<int> Builder::build_ray(const Complex& top) {
   return ray;
 }
 
-// Tooth k and the body under it, from the ray `first` on, which is there; its last ray.
+// Tooth k and the body below it, starting at the existing ray `first`. Returns its last ray.
 std::vector<int> Builder::build_tooth(int k, const std::vector<int>& first) {
   const double unit = half_height();
   double at = -1.0;

@@ -14,7 +14,7 @@ namespace gearwright::oracle {
 struct PlaneTooth {
   std::vector<double> place;    ///< along the outline: ends and middles of sides of triangles
   std::vector<int> node;        ///< there, on the side y > 0
-  std::size_t root_nodes = 0;   ///< so many of them are no flank yet
+  std::size_t root_nodes = 0;   ///< number of these nodes that are not on the flank
   double loaded = -1.0;         ///< place of the load; < 0: none
   std::complex<double> normal;  ///< into the tooth there
 

@@ -15,8 +15,8 @@ PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fi
   const double plane = (1 - pair.one.poisson * pair.one.poisson) * soft;
   std::array<std::vector<PlaneLoad>, 2> loads;
   std::vector<double> radius;  // of relative curvature
-  // Gear 1 pushes with its side y > 0 and turns counter-clockwise, so that a tooth that entered
-  // earlier stands ahead; gear 2, pushed on that side, turns clockwise.
+  // Gear 1 drives with its side y > 0 and turns counter-clockwise, so a tooth that entered earlier
+  // is ahead. Gear 2, driven on that side, turns clockwise.
   for (int k = 0; rho + k * pitch <= pair.last; ++k) {
     const double rho_1 = rho + k * pitch;
     const double rho_2 = pair.two.ring ? pair.line + rho_1 : pair.line - rho_1;
@@ -26,7 +26,7 @@ PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fi
   }
   const PlaneAnswer one = plane_teeth(pair.one, loads[0], fineness);
   const PlaneAnswer two = plane_teeth(pair.two, loads[1], fineness);
-  // Newton on w_i = u, Σ share = 1.
+  // Newton's method on w_i = u, Σ share = 1.
   const auto n = static_cast<Eigen::Index>(radius.size());
   const Eigen::MatrixXd bulk = one.yield / pair.modulus[0] + two.yield / pair.modulus[1];
   const double local = 2 * plane / pi;

@@ -1,10 +1,11 @@
-// Two gears of plane triangles under load: how tooth pairs on their line of action share it.
+// Two gears of plane triangles under load: the load sharing of tooth pairs on their line of action.
 //
 //   ρ   distance from the base circle along the line of action      external pair   ρ2 = T − ρ1
 //   T   a sin α_w                                                    internal pair   ρ2 = T + ρ1
 //
-// The bulk of both gears comes from plane_teeth, the width of each contact from Hertz: a wider strip
-// yields less by 2(1 − ν²)/(πE) of the logarithm of its width. Lengths in modules.
+// The deflection of both gears comes from plane_teeth, the width of each contact from Hertz. A
+// wider strip deflects less, by 2(1 − ν²)/(πE) times the logarithm of its width. Lengths are in
+// modules.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,7 @@ struct PlanePair {
   double base_1 = 0.0, base_2 = 0.0;        ///< base radii
   double line = 0.0;                        ///< T
   double first = 0.0, last = 0.0;           ///< ρ1 where the path begins and ends
-  std::array<double, 2> modulus{1.0, 1.0};  ///< Young's of both gears, of E
+  std::array<double, 2> modulus{1.0, 1.0};  ///< Young's moduli of both gears, relative to E
 };
 
 struct PlaneShare {

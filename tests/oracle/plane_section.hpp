@@ -1,4 +1,5 @@
-// A gear of the engine as tests/oracle/plane_teeth.hpp wants it: its outline in points.
+// Converts a gear of the engine to the input of tests/oracle/plane_teeth.hpp: its outline in
+// points.
 #pragma once
 
 #include <cmath>

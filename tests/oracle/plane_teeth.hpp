@@ -1,5 +1,5 @@
-// Teeth in plane strain by triangles of six nodes: a second way to how a gear's section yields and is
-// strained, which shares nothing with the engine but the outline that both are given.
+// Teeth in plane strain by triangles with six nodes: an independent method for deflection and
+// strain of a gear's section, which shares only the given outline with the engine.
 //
 //   Each tooth is covered by rungs from flank to flank, parabolas that bend down to the centre line;
 //   squares between them and the body's rays are cut into two triangles. The rungs crowd at a load.
@@ -26,8 +26,9 @@ struct PlaneGear {
   std::size_t root_points = 0;
 };
 
-/// Hertz' pressure of a unit line force on the side y > 0 of a tooth, `tooth` pitches
-/// counter-clockwise of tooth 0, along the normal of its middle. A tooth bears one of them at most.
+/// The Hertz pressure of a unit line force on the side y > 0 of a tooth, `tooth` pitches
+/// counter-clockwise of tooth 0, along the normal at its middle. A tooth carries at most one of
+/// them.
 struct PlaneLoad {
   int tooth = 0;
   double radius = 0.0, half_width = 0.0;
@@ -45,7 +46,7 @@ struct PlaneAnswer {
   double root_stress(std::size_t i, const Eigen::VectorXd& forces) const;
 };
 
-/// `fineness`: elements per length, 1 for less than 0.3 % of a yield.
+/// `fineness`: elements per length. 1 gives an error of less than 0.3 % of a deflection.
 PlaneAnswer plane_teeth(const PlaneGear& gear, const std::vector<PlaneLoad>& loads,
                         double fineness = 1.0);
 

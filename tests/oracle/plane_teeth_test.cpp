@@ -1,6 +1,6 @@
-// Triangles against triangles: the plane teeth that the engine is measured against, held against
-// reference computations of others (gmsh, up to 68 000 unknowns, E = 1, m = 1, ν = 0.3; 25 teeth,
-// x = 0, rack 1.25/0.38, bore radius 6 m), and against closed forms.
+// Compares the plane teeth, which are the reference for the engine, with independent reference
+// computations (gmsh, up to 68 000 unknowns, E = 1, m = 1, ν = 0.3; 25 teeth, x = 0, rack
+// 1.25/0.38, bore radius 6 m), and with closed forms.
 #include "tests/oracle/plane_teeth.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ TEST(PlaneTeeth, YieldAndRootStressAreThoseOfOthers) {
   }
 }
 
-// A load on one tooth, read on another: as the other way round but for the width of the strips.
+// The deflection of one tooth under a load on another is symmetric, except for the width of the
+// strips.
 TEST(PlaneTeeth, AreSymmetric) {
   const PlaneAnswer a =
       plane_teeth(plane_section(gear_of(25), 12, 2), {{0, 13.0, 0.05}, {1, 12.1, 0.05}});

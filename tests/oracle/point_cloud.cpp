@@ -16,13 +16,14 @@ namespace {
 constexpr Real kNothing = -std::numeric_limits<Real>::infinity();
 constexpr Real kInverseGolden = 0.618033988749894848204586834365638118L;
 
-// Nearer to a bound than this part of the flank, a maximum lies on it: bounds are met to 1e-15, and
-// a smooth peak is found to 1e-9 of its curvature's size.
+// If a maximum is nearer to a bound than this part of the flank, it lies on the bound. Bounds are
+// met to 1e-15, and a smooth peak is found to 1e-9 of its curvature's size.
 constexpr Real kOnBound = 1e-7L;
-// Values of neighbouring sections closer than this make no peak: a hundred roundings of a turn.
+// If values of neighbouring sections are closer than this, they are no peak: a hundred rounding
+// errors of a turn.
 constexpr Real kFlat = 1e-16L;
 
-/// A point of flank 1 and what is left of it to each bound.
+/// A point of flank 1 and its distance to each bound.
 struct Look {
   Real rho_1 = 0, z_1 = 0;
   Vector3 point_f;
@@ -174,7 +175,7 @@ class Cloud {
     return grows ? a : b;
   }
 
-  /// The admitted intervals of a section, each as its ends and the radii between them.
+  /// The admitted intervals of a section, each given by its ends and the radii between them.
   std::vector<std::vector<Real>> admitted(Real z) const {
     std::vector<Real> slack;
     for (const Radius& r : radii_) slack.push_back(look(r.rho, r.azimuth, z).slack);
@@ -192,7 +193,7 @@ class Cloud {
     }
     if (!found.empty()) return found;
 
-    // Perhaps a part smaller than a step, about the radius that is nearest to being admitted.
+    // There may be a part smaller than a step, about the radius that is nearest to being admitted.
     const auto nearest = std::max_element(slack.begin(), slack.end()) - slack.begin();
     const Real low = radii_[std::max<std::ptrdiff_t>(nearest - 1, 0)].rho;
     const Real high = radii_[std::min<std::size_t>(nearest + 1, radii_.size() - 1)].rho;
@@ -221,8 +222,8 @@ class Cloud {
     return std::pair{section(std::max(first - 1, 0)), section(std::min(last + 1, steps))};
   }
 
-  /// Golden section about a peak at `middle`; where both probes find nothing, towards the best so
-  /// far.
+  /// Golden section about a peak at `middle`. If both probes find nothing, it continues towards the
+  /// best point so far.
   void climb(Real low, Real middle, Real high, Best& best, Real& z_best) const {
     Real top = in_section(middle).value, z_top = middle;
     const auto probe = [&](Real z) {
@@ -234,8 +235,8 @@ class Cloud {
     probe(low), probe(high);
     Real a = high - kInverseGolden * (high - low), b = low + kInverseGolden * (high - low);
     Real f_a = probe(a), f_b = probe(b);
-    // 0.618^85 = 2e-18 of the bracket: a bound is met as well as it can be. On a smooth peak the
-    // values stop telling earlier, at 1e-9 of the face.
+    // 0.618^85 = 2e-18 of the bracket, so a bound is met as accurately as possible. On a smooth
+    // peak, the values become indistinguishable earlier, at 1e-9 of the face.
     const Real narrow = 1e-9L * (pair_.flank_1.z_high - pair_.flank_1.z_low);
     for (int i = 0; i < 85; ++i) {
       if (high - low < narrow && std::abs(f_a - f_b) < kFlat / 1000) break;
@@ -293,7 +294,7 @@ std::vector<CloudTouch> cloud_touches(const CloudPair& pair, Real rotation_1, Cl
       low = std::min(low, psi), high = std::max(high, psi);
     }
   }
-  // psi + 2πk/N within ±opening for some point, and one pair more for what the grid leaves out.
+  // psi + 2πk/N within ±opening for some point, and one more pair as a margin for the grid.
   const Real pitch = 2 * kLongPi / pair.teeth_1;
   const int first = static_cast<int>(std::ceil((-opening - high) / pitch)) - 1;
   const int last = static_cast<int>(std::floor((opening - low) / pitch)) + 1;

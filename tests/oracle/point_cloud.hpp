@@ -1,5 +1,6 @@
-// Tooth contact by asking every point of flank 1 how far it pushes gear 2: the slowest way, which
-// knows no normal and no curvature and sees edges, corners and several tooth pairs as they come.
+// Tooth contact by computing for every point of flank 1 how far it pushes gear 2. This slowest
+// method uses no normal and no curvature, and finds edges, corners and several tooth pairs without
+// special treatment.
 //
 //   ρ, ψ, z    cylindrical coordinates about a gear's axis
 //   θ(ρ)       azimuth of a flank at z = 0
@@ -16,9 +17,9 @@
 // where its bounds run across flank 1; ends of the admitted part of a section are solved for, not
 // sampled.
 //
-// Search: sections z_1 at equal steps, in each the admitted intervals of ρ_1 at equal steps, every
-// peak refined (Brent in ρ, golden section in z). Golden section closes in on a bound of z as well,
-// since what lies beyond is no point.
+// The search evaluates sections z_1 at equal steps, and in each the admitted intervals of ρ_1 at
+// equal steps. Every peak is refined (Brent in ρ, golden section in z). Golden section also
+// converges to a bound of z, because there is no point beyond it.
 #pragma once
 
 #include <functional>
@@ -30,7 +31,7 @@
 
 namespace gearwright::oracle::tca {
 
-/// One flank in its gear's frame; n of no interest.
+/// One flank in its gear's frame. n is not used.
 struct CloudFlank {
   std::function<Real(Real rho)> azimuth;  ///< θ(ρ)  continuous; next to 0 on gear 1
   std::function<Real(Real z)> turn;       ///< t(z)
@@ -44,8 +45,9 @@ struct CloudPair {
   Mounting mounting;
 };
 
-/// Where the greatest lies: inside both flanks, on a bound of one, or where two of them meet. Faces
-/// of parallel axes that coincide count as face_1. `half_turn`: the bound of the search itself.
+/// The location of the maximum: inside both flanks, on a bound of one, or where two bounds meet.
+/// Coinciding faces of parallel axes count as face_1. `half_turn` is the bound of the search
+/// itself.
 enum class CloudKind { interior, root_1, tip_1, face_1, root_2, tip_2, face_2, half_turn, corner };
 
 struct CloudTouch {
@@ -57,15 +59,16 @@ struct CloudTouch {
   Vector3 point_f;
 };
 
-/// How finely to look. An admitted part of a face or of a section smaller than a step is passed
-/// over.
+/// The resolution of the search. It misses an admitted part of a face or of a section that is
+/// smaller than a step.
 struct CloudSteps {
   int sections = 100, radii = 48;
 };
 
 /// Tooth pair k alone, its φ_2 that of the gears; none if no point of flank 1 is admitted.
-/// Accuracy  φ_2 1e-15 rad. The place: 1e-9 of the flank on a smooth peak of curvature 1, on a flat
-///           one as far as φ_2 stays the same; an edge's bound is met to 1e-15
+/// Accuracy  φ_2 1e-15 rad. The position is accurate to 1e-9 of the flank on a smooth peak of
+///           curvature 1, and on a flat one as far as φ_2 is constant. The bound of an edge is met
+///           to 1e-15
 std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotation_1, int k,
                                               CloudSteps steps = {});
 
@@ -73,11 +76,11 @@ std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotati
 std::vector<CloudTouch> cloud_touches(const CloudPair& pair, Real rotation_1,
                                       CloudSteps steps = {});
 
-/// The one of them that carries.
+/// The pair among them that carries the load.
 std::optional<CloudTouch> cloud_touch(const CloudPair& pair, Real rotation_1,
                                       CloudSteps steps = {});
 
-/// θ(ρ) of a circular arc's flank between two rack angles; ρ must grow or fall all the way.
+/// θ(ρ) of the flank of a circular arc between two rack angles. ρ must be monotone along it.
 /// Throws    std::invalid_argument if it does not, or for ρ beyond both ends by more than 1e-12 of
 ///           it
 class ArcOutline {

@@ -1,5 +1,5 @@
-// The point cloud against the case file, the five equations, the touching screws and closed forms:
-// ways that share no formula with it but the flanks.
+// Compares the point cloud with the case file, the five equations, the touching screws and closed
+// forms. These methods share only the flanks with it.
 #include "tests/oracle/point_cloud.hpp"
 
 #include <gtest/gtest.h>
@@ -49,14 +49,14 @@ void composite_rows(int every) {
       ASSERT_TRUE(t.has_value());
       ++rows;
       EXPECT_EQ(t->pair, row.at("pair_edges").get<int>());
-      // The file's own search is good to 5e-10 arcsec, which is 2.4e-15 rad, and 3e-6 in.
+      // The search of the file is accurate to 5e-10 arcsec, which is 2.4e-15 rad, and to 3e-6 in.
       EXPECT_CLOSE(t->rotation_2 - rotation_1 * pair.teeth_1 / pair.teeth_2,
                    number(row, "te_with_edges_arcsec") * kArcsec, 3e-15);
       EXPECT_CLOSE(t->rho_1 - pair.pitch_radius_1, number(row, "x_contact"), 1e-6);
       EXPECT_CLOSE(t->z_1, number(row, "z1_contact"), 3e-6);
       if (row.at("kind") == "face edge") {
         ++edges;
-        // Where ρ is the file's lower border the edge ends: a corner of face and border.
+        // The edge ends where ρ is the lower border of the file, in a corner of face and border.
         const bool corner = t->rho_1 - pair.pitch_radius_1 < 0.0121L;
         EXPECT_EQ(t->kind, corner ? CloudKind::corner : CloudKind::face_1);
       } else {
@@ -162,8 +162,8 @@ FiveEquationTouch five_equations(const Screws& s, std::array<LeadTurn, 2> lead, 
   return solve(p, rotation_1 - back / s.cloud.teeth_1, start);
 }
 
-// Crossed involutes without errors transmit exactly, at any centre distance; the five equations and
-// the cloud say so, wherever an inner place carries.
+// Crossed involutes without errors transmit motion exactly at any centre distance. The five
+// equations and the cloud confirm this wherever an inner point carries.
 TEST(PointCloud, CrossedInvolutesTransmitExactly) {
   const Screws s = screws(14, 23, 0.7, 0.5, 20);
   for (const Real wider : {0.0L, 0.3L}) {
@@ -186,7 +186,8 @@ TEST(PointCloud, CrossedInvolutesTransmitExactly) {
       EXPECT_CLOSE(error, constant, 1e-16);  // the base pitches are those of doubles
     }
     EXPECT_GE(inside, 5);
-    // Tight gears: none. Their numbers are doubles, the flanks as thick as these say.
+    // Gears without backlash have no error. Their data are doubles, and the flanks have the
+    // resulting thickness.
     EXPECT_CLOSE(constant, 0, wider == 0 ? 1e-15 : 1.0);
     EXPECT_EQ(constant<-1e-4L, wider> 0);
   }
@@ -241,8 +242,8 @@ TEST(PointCloud, CrownedParallelInvolutes) {
   }
 }
 
-// The touching screws, which find tips and faces their own way: same rotation, same tooth, same
-// kind. Narrow gears leave their faces the lead over a part of the pitch.
+// The touching screws, which find tips and faces by another method, give the same rotation, tooth
+// and kind. On narrow gears, faces carry over a part of the pitch.
 TEST(PointCloud, EdgesOfTouchingScrews) {
   int tips = 0, faces = 0, insides = 0;
   for (const double half_face : {1.0, 20.0}) {

@@ -64,14 +64,14 @@ inline BrutePair brute_arcs(const tca::ArcPair& pair) {
     const auto outline = std::make_shared<tca::ArcOutline>(flank, rack.theta_low, rack.theta_high);
     BruteGear& g = i == 0 ? b.one : b.two;
     g.teeth = i == 0 ? pair.teeth_1 : pair.teeth_2;
-    // ArcOutline has gear 2's tooth where it stands, half a pitch beyond the space.
+    // ArcOutline has the tooth of gear 2 in its position, half a pitch beyond the space.
     const tca::Real pi = std::numbers::pi_v<tca::Real>;
     const tca::Real rest = i == 0 ? 0 : pi + pi / pair.teeth_2;
     g.azimuth = [outline, rest](double rho) {
       const tca::Real inside = std::clamp<tca::Real>(rho, outline->rho_low(), outline->rho_high());
       return static_cast<double>((*outline)(inside)-rest);
     };
-    // The rack moves along its datum line, which leans by τ and λ against the normal.
+    // The rack moves along its datum line, which is inclined by τ and λ to the normal.
     const double r_sine = static_cast<double>((i == 0 ? pair.pitch_radius_1 : pair.pitch_radius_2) *
                                               std::sin(flank.lead_angle));
     g.turn_per_removal = [outline, r_sine](double rho) {
@@ -179,7 +179,7 @@ inline BrutePair brute_screws(const ScrewContact& s) {
   return b;
 }
 
-/// The five equations of the tooth pair that carries at `p`, started a little beside it.
+/// The five equations of the tooth pair that carries at `p`, started slightly beside it.
 inline tca::FiveEquationTouch five_equations(const ScrewContact& s, const ContactPoint& p) {
   tca::FlankPair pair;
   pair.flank_1 = turned(involute_surface(s.flanks[0]), s.lead[0]);

@@ -1,9 +1,9 @@
-// Seeded pinion cutters as workshops have them and as they do not, and gears to be cut with them.
+// Seeded pinion cutters, both realistic and unrealistic ones, and gears to be cut with them.
 //
 //   z_0, x_0   of the cutter          E   generating centre distance, mm
 //
-// The gear's shift is drawn, E follows from it, and then E is drawn apart from that: not only the
-// place without backlash, but any place at which the two roll.
+// The shift of the gear is drawn, and E follows from it. In other cases E is drawn independently,
+// so that it is not only the position without backlash, but any position at which the two roll.
 #pragma once
 
 #include <algorithm>
@@ -69,9 +69,10 @@ inline CylindricalSpec random_cutter(Random& random) {
   return spec;
 }
 
-/// Whether the swept pinion takes this cutter. Two kinds have points that are rounded by more than
-/// it takes for smooth: a root fillet that is all but straight, like its radius, and the involute
-/// of a ramp that is all but square to the teeth, whose base circle is next to none.
+/// Returns true if the swept pinion accepts this cutter. Two kinds have points whose rounding error
+/// exceeds its tolerance for smoothness: a root fillet that is almost straight, so its radius is
+/// inaccurate, and the involute of a ramp that is almost perpendicular to the teeth, whose base
+/// circle is very small.
 inline bool smooth_to_the_oracle(const Gear& cutter) {
   constexpr double kMaxRadius = 50.0;  // mm
   constexpr double kMaxRamp = 85.0;    // degrees
@@ -80,7 +81,7 @@ inline bool smooth_to_the_oracle(const Gear& cutter) {
   return !(fillet && fillet->radius > kMaxRadius) && !(ramp && ramp->deg() > kMaxRamp);
 }
 
-/// Nothing where the drawn shift has no place.
+/// Returns nothing if the drawn shift is impossible.
 inline std::optional<PinionCutSpec> random_cut(Random& random, const Gear& cutter) {
   const int z_0 = cutter.spec.teeth;
   const double m = cutter.spec.normal_module;

@@ -1,6 +1,7 @@
-// Tip relief, linear and parabolic, against a flank of sampled points: every point of an involute is
-// moved along its true normal by what the relief takes there, and each is asked at which rotation of
-// gear 2 the mating involute passes it. No field, no derivative, no turn in place of a removal.
+// Compares tip relief, linear and parabolic, with a flank of sampled points. Every point of an
+// involute is moved along its true normal by the removal of the relief, and for each the rotation
+// of gear 2 is computed at which the mating involute passes it. No field, no derivative and no turn
+// in place of a removal are used.
 //
 //   spur pair, gear 1 drives clockwise        a  centre distance      r_b  base radius
 //   L  roll length of the sample              C  removed, mm: C_a q or C_a q², q from the start on
@@ -31,7 +32,7 @@ double base_half_angle(int teeth) {
 
 struct Sampled {
   double te;        // rad
-  double diameter;  // of the sample that touches
+  double diameter;  // diameter of the sample that touches
 };
 
 struct SampledPair {
@@ -53,14 +54,14 @@ struct SampledPair {
       // The right flank (y < 0) of the tooth k pitches behind, turned clockwise by φ1.
       const double turn = -phi1 + 2 * std::numbers::pi * k / z1;
       for (int i = 0; i <= samples; ++i) {
-        // One sample more on the ridge itself.
+        // There is one more sample on the ridge itself.
         const double length =
             i == samples ? start : roll(form_1) + (end - roll(form_1)) * i / (samples - 1);
         const double q = std::max(0.0, (length - start) / (end - start));
         const double taken = relief.amount * (relief.shape == ReliefShape::linear ? q : q * q);
-        // The end of a taut string: its direction is the flank's normal, and the material lies
-        // where the string comes from. C is taken where the finished flank is: there the string is
-        // shorter by C than where the flank was.
+        // The end of a taut string. Its direction is the normal of the flank, and the material lies
+        // on the side from which the string comes. C is evaluated on the finished flank, where the
+        // string is shorter by C than on the original flank.
         const C string = C(0, 1) * std::polar(1.0, base_half_angle(z1) - (length + taken) / rb1);
         C w = -C(0, 1) * string * rb1 + string * length;
         w = std::conj(w) * std::polar(1.0, turn);  // the right flank, turned
@@ -69,7 +70,8 @@ struct SampledPair {
         if (rho > tip_2 || rho < form_2) continue;
         const double xi2 = std::sqrt(rho * rho / (rb2 * rb2) - 1);
         const double flank = base_half_angle(z2) - (xi2 - std::atan(xi2));
-        // Space 0 stands at the mesh: the tooth ahead of it is half a pitch on, its flank before.
+        // Space 0 is at the mesh. The tooth ahead of it is half a pitch further, and its flank is
+        // before it.
         const double rest =
             std::numbers::pi + (std::numbers::pi - 2 * std::numbers::pi * k) / z2 - flank;
         const double phi2 = std::arg(seen * std::polar(1.0, -rest - phi1 * z1 / z2));
@@ -87,7 +89,8 @@ TEST(ReliefEngine, sampled_flanks) {
     testing::SamplePair p = testing::involutes(20, 41, 0);
     const Gear& g1 = p.gears[0];
     const Gear& g2 = p.gears[1];
-    // So long that between the pairs' unrelieved parts there is a stretch that only reliefs carry.
+    // The relief is so long that between the unrelieved parts of the pairs, only reliefs carry for
+    // a while.
     FlankModifications m;
     m.tip_relief = {0.05, 2 * (0.8 * *g1.root_form_radius() + 0.2 * g1.tip_form_radius()), shape};
     p.modify(1, m);
@@ -106,7 +109,7 @@ TEST(ReliefEngine, sampled_flanks) {
       SCOPED_TRACE(::testing::Message() << (shape == ReliefShape::linear ? "linear " : "parabolic ")
                                         << c.rotation1.deg() << " " << to_string(c.kind));
       // A peak between two samples, 0.3 µm apart on flanks of some mm radius: less than 1e-8 mm.
-      // The tip of gear 2 slopes away from its own.
+      // The tip of gear 2 slopes away from its own flank.
       EXPECT_LT(s.te, c.te.rad() + 1e-12);
       EXPECT_GT(s.te, c.te.rad() - (c.kind == TouchKind::tip2 ? 3e-7 : 1e-9));
       const double start = *m.tip_relief.reach;

@@ -1,4 +1,4 @@
-// What an oracle asks of its numbers; a refusal is a sentence.
+// Checks the input of an oracle. An error is a sentence.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// Internal gears under load against triangles of six nodes, which share nothing with the engine but
-// the outlines: the section's yield, and a spur pair from the approach to the roots.
+// Compares internal gears under load with triangles of six nodes, which share only the outlines
+// with the engine: the deflection of the section, and a spur pair from the approach to the roots.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,7 +61,8 @@ TEST(RingUnderLoad, LongYieldsAsFinerTrianglesDo) {
   expect_yields(-60, -0.4, 2.5, 3, 0.007);
 }
 
-// A pair whose ring is so short in the tip that its corner does not reach the pinion's root.
+// A pair whose internal gear has such a short tip that its corner does not reach the root of the
+// pinion.
 struct Drive {
   Gear one, two;
   double held_1, held_2;
@@ -88,9 +89,9 @@ PlanePair plane_pair(const Drive& d) {
   return p;
 }
 
-// 100 N/mm, plane strain: a face of 120 modules, whose ends make it softer by 0.1 %. Phases at which
-// no pair presses beyond its path, 0.69 to 0.83 and 0.92 to 1.05: teeth of an internal pair part
-// slowly, and where they bend a tip follows for a while.
+// 100 N/mm and plane strain require a face of 120 modules, whose ends make it softer by 0.1 %. In
+// the chosen phases, 0.69 to 0.83 and 0.92 to 1.05, no pair carries load beyond its path. The teeth
+// of an internal pair separate slowly, so when they bend, a tip stays in contact for a while.
 void expect_pair(const std::vector<double>& phases, double fineness,
                  const std::array<double, 2>& modulus = {1.0, 1.0}) {
   const double face = 120 * kModule;
@@ -108,7 +109,8 @@ void expect_pair(const std::vector<double>& phases, double fineness,
   const double base = d.one.base_radius();
   r.torques = {line_load * face * base};
   const double pitch = 2 * M_PI * base / 25;
-  // Where the flanks touch at rotation 0 says at which rotation they touch in each phase.
+  // The position of contact at rotation 0 gives the rotation at which the flanks touch in each
+  // phase.
   r.rotations = {Angle()};
   const auto c = pair_compliance(d.one, d.two, r);
   ASSERT_TRUE(c) << c.error().message();
@@ -127,8 +129,9 @@ void expect_pair(const std::vector<double>& phases, double fineness,
     ASSERT_EQ(got.pairs.size(), want.share.size()) << phase;
     EXPECT_NEAR(got.pairs.front().share, want.share.front(), 0.003) << phase;
     for (int g = 0; g < 2; ++g) {
-      // Of the middle: towards the ends a face is strained otherwise. With a rigid gear the load
-      // low on the tooth is the greater one, which its bump spreads to the root: 4.1 %.
+      // In the middle only, because the strain is different towards the ends of a face. With a
+      // rigid gear, the load low on the tooth is greater, and its bump spreads it to the root: 4.1
+      // %.
       if (modulus[0] != modulus[1]) break;
       const double root = want.root[g] * line_load / kModule;
       const double middle = answer.torques[0].root_stress[g].col(kSlices / 2).maxCoeff();
@@ -139,13 +142,14 @@ void expect_pair(const std::vector<double>& phases, double fineness,
 
 TEST(RingUnderLoad, PairsShareAsTrianglesDo) { expect_pair({0.1, 0.5, 0.85}, 1.5); }
 
-// With one gear rigid, what a tooth does to its neighbours cannot cancel between the two.
+// If one gear is rigid, the effect of a tooth on its neighbours cannot cancel between the two
+// gears.
 TEST(RingUnderLoad, PairsOfARigidGearShareAsTrianglesDo) {
   expect_pair({0.3}, 1.5, {1.0, 1e4});
   expect_pair({0.3}, 1.5, {1e4, 1.0});
 }
 
-// The tooth ahead and the one behind are not moved alike.
+// The tooth ahead and the one behind deflect by different amounts.
 TEST(RingUnderLoad, NeighboursYieldAsTrianglesDo) {
   using namespace gearwright::detail;
   const Gear ring = ring_of(spec_of(-60, 0.0, 30));

@@ -1,6 +1,6 @@
-// One point of a cutter's edge rolled into the gear by the law of gearing: the common normal passes
-// through the pitch point. It makes points for the tests of the oracle, which goes the other way:
-// from a point of the gear to the nearest position of the cutter.
+// One point of a cutter's edge, rolled into the gear by the law of gearing: the common normal
+// passes through the pitch point. It provides points for the tests of the oracle, which works in
+// the opposite direction, from a point of the gear to the nearest position of the cutter.
 //
 //   h, u    the point: height over the datum line, distance from the middle of the cutter's tooth
 //   τ       normal angle of the edge there: α on the flank, π/2 on the tip land

@@ -50,20 +50,20 @@ Vector3d flank_normal(const Screw& gear, int sigma, double u, double z) {
   const double angle =
       sigma * (gear.base_thickness / (2 * gear.base_radius) - u) + turn_per_length(gear) * z;
   const Vector3d foot(std::cos(angle), std::sin(angle), 0);
-  // Square to ∂r/∂u ∥ foot and to ∂r/∂z, whose part along the string is tan β_b.
+  // Perpendicular to ∂r/∂u ∥ foot and to ∂r/∂z, whose part along the string is tan β_b.
   const Vector3d string = Vector3d::UnitZ().cross(foot);
   return sigma *
          (std::cos(gear.base_helix) * string - std::sin(gear.base_helix) * Vector3d::UnitZ());
 }
 
-// Gauss-Newton, each step the least one that solves the linear equations best.
+// The Gauss-Newton method. Each step is the smallest one that solves the linear equations best.
 Tangency tangency(const ScrewPair& p, double rotation_1, int sigma, int tooth, Tangency s) {
   const Matrix3d tilt = tilt_2(p), turn_1 = about_z(azimuth_1(p, rotation_1, tooth));
   const Vector3d axis = tilt.col(2), center(p.center_distance, 0, 0);
   const double length = p.first.base_radius;
   const double k_1 = turn_per_length(p.first), k_2 = turn_per_length(p.second);
-  // ∂r/∂u = r_b u e with e the direction of the string's foot; ∂r/∂z = ẑ + k ẑ × r; the normal does
-  // not change but turns, by −σ with u and by k with z.
+  // ∂r/∂u = r_b u e, where e is the direction of the string's foot; ∂r/∂z = ẑ + k ẑ × r. The normal
+  // only turns, by −σ with u and by k with z.
   const auto foot = [sigma](const Screw& g, double u, double z) {
     const double angle =
         sigma * (g.base_thickness / (2 * g.base_radius) - u) + turn_per_length(g) * z;
@@ -82,7 +82,7 @@ Tangency tangency(const ScrewPair& p, double rotation_1, int sigma, int tooth, T
     f << r_1 - r_2, length * n_1.cross(n_2);
     s.residual = f.norm(), s.point = r_1, s.normal = n_1;
     if (s.residual < best.residual) best = s;
-    if (i > 3 && s.residual > best.residual) break;  // the rounding is reached
+    if (i > 3 && s.residual > best.residual) break;  // the limit of rounding is reached
     if (s.residual < least) break;
 
     const Vector3d e_z = Vector3d::UnitZ(), turned_1 = e_z.cross(n_1), turned_2 = axis.cross(n_2);
@@ -95,7 +95,7 @@ Tangency tangency(const ScrewPair& p, double rotation_1, int sigma, int tooth, T
     j.col(3) << -axis - k_2 * axis.cross(r_2 - center), length * n_1.cross(k_2 * turned_2);
     j.col(4) << -axis.cross(r_2 - center), length * n_1.cross(turned_2);
     if (parallel(p)) j.col(1).setZero();
-    // Columns in mm, so that the least step and the rank mean what they say.
+    // Columns are in mm, so that the smallest step and the rank are meaningful.
     const double r_2b = p.second.base_radius;
     const Eigen::Matrix<double, 5, 1> unit{1 / length, 1, 1 / r_2b, 1, 1 / r_2b};
     const Eigen::Matrix<double, 6, 5> scaled = j * unit.asDiagonal();

@@ -1,5 +1,6 @@
-// Where two flanks of turned gears are tangent: the second way of touching_screws.hpp, which has
-// the notation. It knows nothing of the flanks' ends and nothing of what touches first.
+// Finds where two flanks of turned gears are tangent. This is the second method of
+// touching_screws.hpp, which contains the notation. It uses neither the ends of the flanks nor the
+// order of contacts.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,21 +26,23 @@ Eigen::Matrix3d about_z(double angle);
 /// Directions of gear 2's frame in the housing before it turns: z to (0, sin Σ, cos Σ).
 Eigen::Matrix3d tilt_2(const ScrewPair& pair);
 
-/// Azimuth of tooth n of gear 1 in the housing, in its section z = 0.
+/// Azimuth of tooth n of gear 1 in the housing, in the section z = 0 of the gear.
 double azimuth_1(const ScrewPair& pair, double rotation_1, int tooth);
 
 /// Azimuth, about axis 2 from its own tilted x axis, of the tooth whose flank σ bounds space n.
 double azimuth_2(const ScrewPair& pair, double rotation_2, int sigma, int tooth);
 
-/// A point of either flank by (u, z) in its gear; in the housing `point` and `normal` are gear 1's.
+/// A point of either flank by (u, z) in its gear. `point` and `normal` are those of gear 1 in the
+/// housing.
 struct Tangency {
   double u_1 = 0, z_1 = 0, u_2 = 0, z_2 = 0, rotation_2 = 0, residual = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
 };
 
-/// Same point, parallel normals: r_1 − r_2 = 0 and r_b1 n_1 × n_2 = 0, six equations of rank five
-/// for u_1, z_1, u_2, z_2, φ_2, from `start` on. Parallel axes touch along a line: z_1 is held
-/// there. The best of 40 steps; `residual` tells how good it is.
+/// Solves for the same point and parallel normals, r_1 − r_2 = 0 and r_b1 n_1 × n_2 = 0, from
+/// `start` on. These are six equations of rank five for u_1, z_1, u_2, z_2, φ_2. Parallel axes
+/// touch along a line, so z_1 is held constant there. The result is the best of 40 steps, and
+/// `residual` is its error.
 Tangency tangency(const ScrewPair& pair, double rotation_1, int sigma, int tooth, Tangency start);
 
 }  // namespace gearwright::oracle

@@ -1,10 +1,10 @@
-// The engine's search against the plain one: the same designs of whole searches, and of every other
-// trial the same limit that leaves nothing first.
+// Compares the engine's search with the plain one. Whole searches must give the same designs, and
+// every other trial must be rejected by the same limit.
 //
-// The plain search knows spur and helical pairs and rings, extended and tight centres, without
-// shortened tips; it names `shift_limits`, `center_distance`, `contact_ratio` and, for all that
-// comes after, `other`. Where it calls a trial ambiguous (two answers within 1e-9 of each other),
-// either is right.
+// The plain search supports spur and helical pairs, external and internal, extended and
+// backlash-free centre distances, without shortened tips. It distinguishes `shift_limits`,
+// `center_distance`, `contact_ratio` and, for all later limits, `other`. If it reports a trial as
+// ambiguous (two answers within 1e-9 of each other), either answer is accepted.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -37,7 +37,8 @@ struct Compared {
   std::map<std::string, int> rejected;
 };
 
-/// Trial by trial over the engine's space, and the engine's own whole search beside it.
+/// The plain search, trial by trial over the engine's space, together with the engine's own whole
+/// search.
 Compared expect_same_search(Twin twin) {
   share_doubles(twin);
   const Search search(engine_problem(twin));
@@ -65,7 +66,8 @@ Compared expect_same_search(Twin twin) {
       ++compared.ambiguous;
     } else {
       EXPECT_EQ(found, plain.verdict == PlainVerdict::not_empty) << what;
-      // Of a ring the plain search sees only the shifts that the band of centres can ask for.
+      // For an internal gear, the plain search uses only the shifts that the range of centre
+      // distances permits.
       const bool out_of_sight = t.z2 < 0 && plain.killed_by == "shift_limits" &&
                                 limit == std::optional(Limit::center_distance);
       if (!out_of_sight) {
@@ -110,7 +112,7 @@ TEST(SearchEngine, SearchesOfTheSource) {
     twin.center_distance = in.at("C");
     const Compared c = expect_same_search(twin);
     EXPECT_EQ(c.designs + c.ambiguous, search.at("feasible_count"));
-    EXPECT_LE(c.ambiguous, 2);  // bands that touch the corner of the rectangle
+    EXPECT_LE(c.ambiguous, 2);  // ranges of centre distances that touch the corner of the rectangle
   }
 }
 

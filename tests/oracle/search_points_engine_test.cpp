@@ -1,4 +1,5 @@
-// The engine's graph of shifts against the plain pair: the same points of it keep all limits.
+// Compares the engine's graph of shifts with the plain pair. The same points of it must satisfy all
+// limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace gearwright::oracle {
 namespace {
 
-/// Points around the regions of random problems: inside or outside in both words.
+/// Points around the regions of random problems, classified as inside or outside by both.
 void expect_same_points(TwinKind kind, unsigned seed, int points) {
   TwinRandom random(seed);
   int inside = 0;
@@ -26,7 +27,7 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
     if (search.space().size().value_or(0) == 0) continue;
     const Trial t = search.space().trial(0);
     const ShiftGraph graph = search.graph(t);
-    if (++problems % 4 != 0 && graph.what_kills()) continue;  // mostly regions that exist
+    if (++problems % 4 != 0 && graph.what_kills()) continue;  // mostly regions that are not empty
     const auto& [g_1, g_2] = graph.gears();
     if (g_1.x_min > g_1.x_max || g_2.x_min > g_2.x_max) continue;
     const auto sums = graph.feasible_sums();
@@ -39,7 +40,7 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
       const double sum = random.uniform(from, to);
       double lo = g_1.x_min - 0.05;
       double hi = g_1.x_max + 0.05;
-      // Half of the points where they may be inside, the other half anywhere.
+      // Half of the points are where they may be inside, the other half anywhere.
       if (i % 2 == 0 && !sums.empty()) {
         const double middle = std::clamp(sum, sums.front().lo, sums.back().hi);
         const ShiftSlice s = graph.slice(middle);

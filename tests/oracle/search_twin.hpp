@@ -1,5 +1,5 @@
-// One search in the words of the engine and of the plain search, and random ones of every kind that
-// both know.
+// One search as input of the engine and of the plain search, and random ones of every kind that
+// both support.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace gearwright::oracle {
 
 using Real = long double;
 
-/// One search in the words of both. Lengths mm.
+/// One search in both forms. Lengths are in mm.
 struct Twin {
   PlainProblem plain;
   std::vector<double> modules{2.0};
@@ -45,7 +45,7 @@ inline SearchProblem engine_problem(const Twin& twin) {
     rack.dedendum = static_cast<double>(plain.hf);
   }
   racks.undercut_depth.fill(static_cast<double>(plain.undercut_depth));
-  racks.flank_depth = racks.undercut_depth;  // the twin knows one depth
+  racks.flank_depth = racks.undercut_depth;  // the twin supports only one depth
   p.coprime = twin.coprime;
   p.mounting = plain.tight ? Mounting::tight : Mounting::extended;
   SearchLimits& limits = p.limits;
@@ -60,7 +60,7 @@ inline SearchProblem engine_problem(const Twin& twin) {
   return p;
 }
 
-/// The two problems are one when the engine's doubles are handed to the plain search.
+/// Passes the engine's doubles to the plain search, so that the two problems are identical.
 inline void share_doubles(Twin& twin) {
   twin.plain.clip = PlainClip::usable_flanks;
   PlainProblem& p = twin.plain;
@@ -86,7 +86,7 @@ enum class TwinKind { extended, helical, tight, ring, tight_ring };
 inline constexpr std::array kTwinKinds{TwinKind::extended, TwinKind::helical, TwinKind::tight,
                                        TwinKind::ring, TwinKind::tight_ring};
 
-/// A search of a few dozen trials around one pair, each optional limit now and then.
+/// A search of a few dozen trials around one pair, with each optional limit in some of them.
 inline Twin random_twin(TwinRandom& random, TwinKind kind) {
   Twin twin;
   PlainProblem& p = twin.plain;

@@ -1,19 +1,21 @@
-// How the minimum over the roll is found, and how little can be missed.
+// Explains how the minimum over the roll is found, and how large its error can be.
 //
 // (1) With ψ for the roll, p moves past the cutter with |q′(ψ)| = |f + s u (f − A)|, by rotating f
-//     about 0 and f − A about A; this changes by at most |1 + s u| ρ per radian of ψ. The signed
-//     distance g changes by no more than the way: an interval of half width δ about ψ with
-//     g(ψ) − δ max|q′| above the best value so far holds nothing and is dropped.
-// (2) Intervals are halved until δ is `finest`, 2e-4 rad of the turn between cutter and gear.
-//     What is left surrounds the minima; every one that is no higher than its neighbours is closed
-//     in upon by golden section. Outside the cutter g is the least of smooth functions, so its
-//     minima are smooth ones or, for a sharp edge of the cutter running over p, the tip of a V:
-//     golden section finds both.
-// (3) Two minima within one finest interval, as near a cusp of the envelope, can differ by no more
-//     than g⁗ δ⁴/24, with g⁗ of the size of the cutter: 1e-15 mm. Measured on 3100 points, half of
-//     them within 0.1 mm of a cusp: a hundredth of `finest` changes nothing by more than 1e-14 mm.
-// (4) Every value compared is the distance at some real position: never below the true minimum.
-// (5) ψ is counted from the line of centres, where the cutting is done, and p is first brought into
+//     about 0 and f − A about A. This changes by at most |1 + s u| ρ per radian of ψ. The signed
+//     distance g changes by no more than the length of the path. An interval of half width δ about
+//     ψ with g(ψ) − δ max|q′| above the best value so far contains no minimum and is dropped.
+// (2) Intervals are halved until δ is `finest`, 2e-4 rad of the turn between cutter and gear. The
+//     remaining ones contain the minima. Every one that is no higher than its neighbours is refined
+//     by golden section. Outside the cutter, g is the least of smooth functions, so its minima are
+//     smooth ones or, if a sharp edge of the cutter passes over p, the tip of a V. Golden section
+//     finds both.
+// (3) Two minima within one finest interval, as near a cusp of the envelope, differ by no more than
+//     g⁗ δ⁴/24, with g⁗ of the size of the cutter: 1e-15 mm. Measured on 3100 points, half of them
+//     within 0.1 mm of a cusp, a hundredth of `finest` changes nothing by more than 1e-14 mm.
+// (4) Every compared value is the distance at some real position, so it is never below the true
+//     minimum.
+// (5) ψ is measured from the line of centres, where cutting takes place, and p is first moved into
+//     the half pitch. Therefore the roll and its rounding error are small.
 //     the half pitch: the roll stays small, and its rounding with it.
 #include "tests/oracle/swept_pinion.hpp"
 
@@ -57,7 +59,7 @@ double SweptPinion::gap_at(const Vector2d& p, double roll) const {
   return cutter_.distance(seen_by_cutter(p, roll));
 }
 
-/// One minimisation: the point, and the best position so far.
+/// One minimisation, with its point and the best position so far.
 struct SweptPinion::Search {
   const SweptPinion& sweep;
   double rho, theta;
@@ -82,7 +84,7 @@ struct SweptPinion::Search {
     return foot.distance;
   }
 
-  /// An upper bound of the way of q while ψ goes from psi to psi ± half.
+  /// An upper bound of the path of q while ψ changes from psi to psi ± half.
   double way(double psi, double half) const {
     const double su = sweep.sign_ * sweep.ratio_, a = sweep.numbers_.center_distance;
     const double speed =
@@ -90,7 +92,7 @@ struct SweptPinion::Search {
     return (speed + std::abs(1 + su) * rho * half) * half;
   }
 
-  /// Golden section between lo and hi, until the values in between agree to rounding.
+  /// Golden section between lo and hi, until the values agree to rounding.
   void close_in(double lo, double hi) {
     constexpr double kGolden = 0.6180339887498949;
     double a = hi - kGolden * (hi - lo), b = lo + kGolden * (hi - lo);
@@ -136,11 +138,13 @@ struct SweptPinion::Search {
       const double middle = -window + (2 * i + 1) * half;
       first.push_back({middle, gap(middle)});
     }
-    // An early low value, only to drop more: so wide an interval may hold several hollows.
+    // An early low value, which only serves to drop more intervals. Such a wide interval may
+    // contain several minima.
     close_in(best_psi - half, best_psi + half);
     for (const Leaf& l : first) explore(l.psi, half, l.gap);
 
-    // The leaves stand in growing order, in rows of equal width with gaps where all was dropped.
+    // The leaves are in increasing order, in rows of equal width with gaps where intervals were
+    // dropped.
     const auto gap_beside = [&](std::size_t i, std::size_t j) {
       const bool joined = j < leaves.size() && std::abs(leaves[i].psi - leaves[j].psi) < 3 * finest;
       return joined ? leaves[j].gap : std::numeric_limits<double>::infinity();

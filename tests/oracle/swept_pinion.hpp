@@ -1,20 +1,21 @@
-// The swept pinion: what a pinion-shaped cutter leaves of a blank, found as the least distance over
-// every position of the cutter. No envelope formula, no contact point, no line of the engine.
+// The swept pinion computes the result of cutting a blank with a pinion cutter, as the least
+// distance over every position of the cutter. It uses no envelope formula, no contact point and no
+// code of the engine.
 //
 //   z_0, z_2   tooth numbers of cutter and gear, z_2 < 0 for a ring      Z = |z_2|, u = Z/z_0
 //   a          generating centre distance, mm       s   +1 external, −1 ring
 //   φ          roll: the cutter turns by φ, the gear by φ z_0/Z, against it (external) or with it
 //   p          a point of the gear, transverse section; tooth 0 is centred on the x axis
-//   ρ, θ       p, polar, turned and mirrored into the half pitch 0 … π/Z of the gear
-//   f, ψ       p in the machine, and its polar angle there: gear centre at 0, cutter centre at
-//              A = (a, 0)
-//   q          p as the cutter sees it; its tooth 0 is centred on the x axis
+//   ρ, θ       polar coordinates of p, turned and mirrored into the half pitch 0 … π/Z of the gear
+//   f, ψ       p in the machine, and its polar angle there, with the gear centre at 0 and the
+//              cutter centre at A = (a, 0)
+//   q          p in the frame of the cutter, whose tooth 0 is centred on the x axis
 //
-// At φ = 0 tooth 0 of the cutter points along the line of centres into space 0 of the gear, the one
-// between its teeth 0 and 1: at −x in an external gear, at +x in a ring.
+// At φ = 0, tooth 0 of the cutter points along the line of centres into space 0 of the gear, the
+// one between its teeth 0 and 1. It is at −x in an external gear and at +x in an internal one.
 //
-// The gear is the mirror image of itself at the middle of each tooth and space, as the cutter is,
-// so θ in the half pitch is enough; and all positions are those with ψ in −π … π.
+// The gear is symmetric about the middle of each tooth and space, as is the cutter, so θ in the
+// half pitch is sufficient, and the positions with ψ in −π … π are all positions.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,15 +44,15 @@ class SweptPinion {
   /// last, y = 0), side y ≥ 0.
   ///
   /// Domain    the chain as in ToothedOutline
-  /// Throws    std::invalid_argument naming what makes no cutter or no gear
+  /// Throws    std::invalid_argument with the reason why the data are no cutter or no gear
   SweptPinion(const PinionSweepNumbers& numbers,
               const std::vector<ToothedOutline::Curve>& half_tooth);
 
   const PinionSweepNumbers& numbers() const { return numbers_; }
   const ToothedOutline& cutter() const { return cutter_; }
 
-  /// p, as the cutter sees it at one roll angle, and its signed distance from the cutter there: all
-  /// that a plain scan needs.
+  /// p in the frame of the cutter at one roll angle, and its signed distance from the cutter there.
+  /// A plain scan needs only this.
   Eigen::Vector2d seen_by_cutter(const Eigen::Vector2d& p, double roll) const;
   double gap_at(const Eigen::Vector2d& p, double roll) const;
 

@@ -1,5 +1,6 @@
-// SweptPinion against: gears of the source, computed with 40 digits; a ring and an external gear
-// cut by a sharp-edged involute cutter, whose flanks and trochoids are known; a plain scan.
+// Compares SweptPinion with gears of the source, computed with 40 digits, with an internal and an
+// external gear cut by a sharp-edged involute cutter with known flanks and trochoids, and with a
+// plain scan.
 #include "tests/oracle/swept_pinion.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace gearwright::oracle {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double kRest = 1e-12;  // mm, what SweptPinion promises
+constexpr double kRest = 1e-12;  // mm, the accuracy of SweptPinion
 
 Vector2d polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
@@ -32,7 +33,7 @@ SweptPinion swept(const PinionCutterCase& c) {
                      filleted_half_tooth(c.pinion).curves);
 }
 
-/// A place of the source's gear, whose space 0 is on −x, and moved by `step` along its normal.
+/// A point of the source's gear, whose space 0 is on −x, moved by `step` along its normal.
 Vector2d place(const PinionCutterCase& c, const CutGearPoint& p, double step = 0.0) {
   return turned({p.x + step * p.n_x, p.y + step * p.n_y}, kPi / c.pinion.gear_teeth - kPi);
 }
@@ -47,8 +48,9 @@ TEST(SweptPinion, cutters_have_the_radii_of_the_source) {
   }
 }
 
-// The involute's end C cuts a loop in S07, swallowed by the root arc; all else is the surface, and
-// a step off it is seen in full: the clearance is the distance from the surface.
+// In S07, the end C of the involute cuts a loop that the root arc removes. All other points are on
+// the surface, and a step away from it is measured in full: the clearance is the distance from the
+// surface.
 TEST(SweptPinion, points_of_the_source_lie_on_the_surface) {
   int on_surface = 0;
   for (const PinionCutterCase& c : pinion_cutter_cases()) {
@@ -61,7 +63,7 @@ TEST(SweptPinion, points_of_the_source_lie_on_the_surface) {
       }
       ++on_surface;
       EXPECT_NEAR(sweep.clearance(place(c, p)), 0.0, kRest) << c.name << " " << p.x << " " << p.y;
-      // Beside: the edge of cutter and gear bend away from each other by step²/mm.
+      // To the side, the edges of cutter and gear curve away from each other by step²/mm.
       for (const double step : {1e-5, 1e-8}) {
         EXPECT_NEAR(sweep.clearance(place(c, p, -step)), step, kRest + step * step)
             << c.name << " " << p.x << " " << p.y;
@@ -73,8 +75,8 @@ TEST(SweptPinion, points_of_the_source_lie_on_the_surface) {
   EXPECT_EQ(on_surface, 50);
 }
 
-/// The involute flank of S07's gear, side y > 0 of tooth 0: same normal and pitch circles as the
-/// cutter's, at a = r + r_2 the reference circles.
+/// The involute flank of the gear in S07, side y > 0 of tooth 0. It has the same normal and pitch
+/// circles as that of the cutter; at a = r + r_2 these are the reference circles.
 Vector2d flank_of_S07(double radius) {
   const double alpha = 20 * kDegree, m = 3, r_2 = 36, r_b2 = r_2 * std::cos(alpha);
   const double half_space = m * (kPi / 4 + 0.3 * std::tan(alpha)) / r_2;
@@ -83,8 +85,8 @@ Vector2d flank_of_S07(double radius) {
                kPi / 24 - half_space + involute_of_tan(std::tan(alpha)) - involute_of_tan(t));
 }
 
-// The cusp: the involute is the surface up to the radius that the source computed from the crossing
-// of the two branches, and cut away above it.
+// At the cusp, the involute is the surface up to the radius that the source computed from the
+// intersection of the two branches, and is cut away above it.
 TEST(SweptPinion, cusp_ends_the_flank_where_the_source_says) {
   const SweptPinion sweep = swept(pinion_cutter_cases().back());
   constexpr double kTrim = 37.5358651600508473, kConjugateOfC = 37.578;
@@ -125,8 +127,8 @@ struct SharpCutter {
   }
 };
 
-/// The path in the gear of the cutter's sharp edge on the side of the gear's tooth 0: a trochoid,
-/// outright.
+/// The path in the gear of the cutter's sharp edge on the side of the gear's tooth 0, which is a
+/// trochoid in closed form.
 Vector2d edge_path(const SharpCutter& c, int gear_teeth, double a, double roll) {
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;
   const double orientation = roll + (s > 0 ? kPi : 0.0);
@@ -134,9 +136,9 @@ Vector2d edge_path(const SharpCutter& c, int gear_teeth, double a, double roll) 
                 kPi / teeth + s * roll * c.teeth / teeth);
 }
 
-/// The gear's involute flank next to space 0, side y > 0 of tooth 0, at the operating pressure
-/// angle of `a`. The space of a ring is bounded like a tooth of its base circle, that of an
-/// external gear is what its tooth leaves.
+/// The involute flank of the gear next to space 0, side y > 0 of tooth 0, at the operating pressure
+/// angle of `a`. The space of an internal gear is bounded like a tooth of its base circle, and that
+/// of an external gear is the gap between its teeth.
 Vector2d gear_flank(const SharpCutter& c, int gear_teeth, double a, double radius) {
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;
   const double u = teeth / c.teeth, r_b2 = c.r_b * u, pitch_radius = a / (u + s) * u;
@@ -146,15 +148,15 @@ Vector2d gear_flank(const SharpCutter& c, int gear_teeth, double a, double radiu
   return polar(radius, kPi / teeth - half_space - s * (involute_of_tan(t) - involute_of_tan(t_w)));
 }
 
-/// Flank from the place conjugate to the cutter's base circle to that conjugate to its edge, then
-/// the edge's trochoid, then the root circle; the gear must not be undercut.
+/// The flank from the point conjugate to the cutter's base circle to that conjugate to its edge,
+/// then the trochoid of the edge, then the root circle. The gear must not be undercut.
 void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
   const SweptPinion sweep({c.teeth, gear_teeth, a}, c.curves());
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;
   const double u = teeth / c.teeth, r_b2 = c.r_b * u;
-  // Lengths of the string between the two base circles, and of the gear's part of it.
+  // Lengths of the string between the two base circles, and of the part on the gear.
   const double string = std::sqrt((a - (r_b2 + s * c.r_b)) * (a + (r_b2 + s * c.r_b)));
-  // Beyond the reach of the cutter's root circle nothing stands.
+  // No material is beyond the reach of the cutter's root circle.
   const double start = s > 0 ? std::min(std::hypot(r_b2, string), a - c.r_f)
                              : std::max(std::hypot(r_b2, string), a + c.r_f);
   const double end = std::hypot(r_b2, string - s * c.r_b * c.t_a);
@@ -169,7 +171,7 @@ void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
   EXPECT_NEAR(sweep.clearance(p + 1e-5 * out), -1e-5, 1e-9);
   EXPECT_NEAR(sweep.clearance(p - 1e-5 * out), 1e-5, 1e-9);
 
-  // From the line of centres, where the edge is deepest, to the conjugate place of the flank.
+  // From the line of centres, where the edge is deepest, to the conjugate point of the flank.
   const double deepest = -s * c.tip_angle;
   const double cosine = (end * end - a * a - c.r_a * c.r_a) / (2 * a * c.r_a);
   const double spread = std::acos(s > 0 ? -cosine : cosine);
@@ -186,7 +188,7 @@ void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
     const Vector2d way = (edge_path(c, gear_teeth, a, roll + s * 1e-6) - edge).normalized();
     const Vector2d into = s * Vector2d(way.y(), -way.x());
     EXPECT_NEAR(sweep.clearance(edge + 1e-5 * into), 1e-5, 1e-8) << i;
-    // Into the wedge of the sharp edge: no deeper than the step, and not nothing.
+    // Inside the wedge of the sharp edge, the depth is positive but at most the step.
     const double cut = sweep.clearance(edge - 1e-5 * into);
     EXPECT_GE(cut, -1e-5 - kRest) << i;
     EXPECT_LT(cut, -1e-6) << i;
@@ -219,7 +221,7 @@ std::vector<SweptPinion> sweeps() {
   return all;
 }
 
-/// Around the root, flanks and tips of the gear.
+/// Points around the root, flanks and tips of the gear.
 Vector2d somewhere(const SweptPinion& sweep, std::mt19937_64& random) {
   std::uniform_real_distribution<double> part(0, 1);
   const PinionSweepNumbers& n = sweep.numbers();
@@ -229,8 +231,8 @@ Vector2d somewhere(const SweptPinion& sweep, std::mt19937_64& random) {
   return polar(n.gear_teeth > 0 ? root + depth : root - depth, 2 * kPi * part(random));
 }
 
-/// All positions of one turn of the gear in even steps, then the hollows closed in upon. It knows
-/// nothing but the gap at a position.
+/// Evaluates all positions of one turn of the gear in equal steps, then refines the minima. It uses
+/// only the gap at a position.
 double plain_scan(const SweptPinion& sweep, const Vector2d& p) {
   const double turn = 2 * kPi * std::abs(sweep.numbers().gear_teeth) / sweep.numbers().cutter_teeth;
   const int positions = static_cast<int>(turn * 60);
@@ -238,7 +240,7 @@ double plain_scan(const SweptPinion& sweep, const Vector2d& p) {
   std::vector<double> gap(static_cast<std::size_t>(positions));
   for (int k = 0; k < positions; ++k) gap[k] = sweep.gap_at(p, k * step);
   double best = *std::min_element(gap.begin(), gap.end());
-  const double limit = best + 0.3;  // other hollows that a step may have jumped over
+  const double limit = best + 0.3;  // other minima that a step may have missed
   for (int k = 0; k < positions; ++k) {
     const double before = gap[(k + positions - 1) % positions], after = gap[(k + 1) % positions];
     if (gap[k] > before || gap[k] > after || gap[k] > limit) continue;
@@ -261,8 +263,8 @@ TEST(SweptPinion, agrees_with_a_plain_scan_of_all_positions) {
       const Vector2d p = somewhere(sweep, random);
       const double fast = sweep.clearance(p), scan = plain_scan(sweep, p);
       ++(scan >= 0 ? standing : cut);
-      // The plain scan counts the roll from anywhere: a hundred radians cost it 1e-14 rad, and
-      // golden section stops within the root of rounding of a kink's tip.
+      // The plain scan measures the roll from an arbitrary origin, so a hundred radians give an
+      // error of 1e-14 rad. Golden section stops within the root of rounding at the tip of a kink.
       EXPECT_NEAR(fast, scan, 3e-12) << sweep.numbers().gear_teeth << " " << p.transpose();
     }
     EXPECT_GT(standing, 4) << sweep.numbers().gear_teeth;
@@ -270,9 +272,9 @@ TEST(SweptPinion, agrees_with_a_plain_scan_of_all_positions) {
   }
 }
 
-// (1) the same for many points at once    (2) every tooth, and both its halves, are alike
-// (3) the clearance changes by no more than the way walked
-// (4) it is the gap at the roll that is named
+// (1) many points at once give the same results    (2) all teeth, and both halves, are equal
+// (3) the clearance changes by no more than the length of a movement
+// (4) it is the gap at the roll that is returned
 TEST(SweptPinion, laws) {
   std::mt19937_64 random(5);
   for (const SweptPinion& sweep : sweeps()) {

@@ -1,4 +1,4 @@
-// How the minimum over the roll angle is found, and why none is missed.
+// Explains how the minimum over the roll angle is found, and why none is missed.
 //
 //   q(ψ) = (w, h)   path of the point past the cutter,   q′ = (cos β (ρ cos ψ − r), −ρ sin ψ)
 //
@@ -9,10 +9,12 @@
 //     or on a circle about c (a sharp corner is a circle of radius 0):
 //       F = (q − c)·q′ = 0, all roots in an interval found by the bounds
 //       |F′| ≤ v² + D ρ,  |F″| ≤ 3 v ρ + D ρ     v ≥ |q′|, D ≥ |q − c|, |q″| ≤ ρ, |q‴| ≤ ρ.
-//     Re-entrant corners of the cutter need no care: a smooth path cannot touch one from outside.
-// (3) The cutter is its own mirror image at the middle of each tooth and space, so the foot
-//     lies in the same half pitch as the point.
-// (4) Every value compared is the distance at some real position: never below the true minimum.
+//     Re-entrant corners of the cutter need no special treatment, because a smooth path cannot
+//     touch one from outside.
+// (3) The cutter is symmetric about the middle of each tooth and space, so the foot lies in the
+//     same half pitch as the point.
+// (4) Every compared value is the distance at some real position, so it is never below the true
+//     minimum.
 #include "tests/oracle/swept_rack.hpp"
 
 #include <algorithm>
@@ -24,8 +26,8 @@
 namespace gearwright::oracle {
 namespace {
 
-// A width that should be zero (full rounding) may come out negative by rounding: 1e-9 m is a
-// thousand times that, and a thousandth of what can be made.
+// A width that should be zero (full rounding) may be negative by rounding. 1e-9 m is a thousand
+// times that, and a thousandth of machining accuracy.
 constexpr double kRoundingWidth = 1e-9;
 
 }  // namespace
@@ -56,13 +58,14 @@ SweptRack::SweptRack(const RackNumbers& n) : numbers_(n) {
   double centre_u = flank_u(centre_h) + (proud - rho) / cos_a;
   require(centre_u > -kRoundingWidth * m, "root_fillet_radius: larger than the full rounding");
   centre_u = std::max(centre_u, 0.0);
-  // An acute tip could cut a point away between two positions that both miss it; see (2).
+  // With an acute tip, a point could be cut away between two positions that both miss it; see (2).
   require(rho > 0 || centre_u > 0, "dedendum: a sharp cutter needs a tip land");
   double last_normal = alpha;  // normal angle at which the rounding ends
   if (proud > 0) {
     require(n.protuberance_angle >= 0 && n.protuberance_angle < alpha,
             "protuberance_angle: must lie between 0 and the pressure angle");
-    // A small protuberance is all rounding: the arc meets the flank before it reaches α_pr.
+    // If the protuberance is small, it consists only of the rounding: the arc meets the flank
+    // before it reaches α_pr.
     const double slack = rho > 0 ? 1 - proud / rho : -1.0;
     const double meets = slack > -1 ? alpha - std::acos(slack) : -kInfinity;
     last_normal = std::max(n.protuberance_angle, meets);
@@ -75,7 +78,7 @@ SweptRack::SweptRack(const RackNumbers& n) : numbers_(n) {
   arcs_.push_back({centre_u, centre_h, rho, 0, -1, cos_l, -sin_l});
   double flank_h = round_h;
   if (proud > 0) {
-    // Round the crossing of the protuberance line with the flank.
+    // The arc is rounded about the intersection of the protuberance line with the flank.
     flank_h =
         (round_u - round_h * std::tan(last_normal) - quarter) / (tan_a - std::tan(last_normal));
     flank_h = std::max(flank_h, round_h);
@@ -84,7 +87,8 @@ SweptRack::SweptRack(const RackNumbers& n) : numbers_(n) {
   }
   u_protuberance_ = proud > 0 ? flank_u(flank_h) : round_u;
 
-  // Flank, up to where something else begins or to where it meets that of the next tooth.
+  // The flank, up to the start of the next element or to the intersection with the flank of the
+  // next tooth.
   const double meeting_h = quarter / tan_a;
   const double rho1 = n.tip_fillet_radius * m;
   require(!(rho1 > 0 && n.semi_topping_angle), "semi_topping_angle: instead of a bottom rounding");
@@ -124,7 +128,7 @@ SweptRack::SweptRack(const RackNumbers& n) : numbers_(n) {
   segments_.push_back({u_bottom_, flank_end_h + rho1 * (1 - sin_a), 1, 0, half_pitch_ - u_bottom_});
 }
 
-// The cutter is all that lies above its edge h(u); the edge nowhere falls as u grows.
+// The cutter is the region above its edge h(u), which never falls as u grows.
 double SweptRack::edge_height(double u) const {
   const RackNumbers& n = numbers_;
   if (u <= u_land_) return segments_[0].h;
@@ -171,11 +175,11 @@ double SweptRack::gap_at(PlanePoint p, double roll) const {
                             (p.x * s + p.y * c - r_ * roll) * cos_beta_);
 }
 
-/// One minimisation: the point, and the best position so far.
+/// One minimisation, with its point and the best position so far.
 struct SweptRack::Search {
   const SweptRack& rack;
   double rho, theta;
-  double finest = 0.0;  ///< half width of ψ below which the circles are asked
+  double finest = 0.0;  ///< half width of ψ below which the circles are evaluated
   double best = kInfinity, best_psi = 0.0;
 
   struct Place {
@@ -200,7 +204,7 @@ struct SweptRack::Search {
   }
   void consider(double psi) { consider(psi, gap(psi)); }
 
-  /// Places where the path runs along a straight part.
+  /// The positions at which the path runs along a straight part.
   void straight_parts() {
     for (const double tau : rack.line_angles_) {
       const double a = std::cos(tau) * rack.cos_beta_ * rho, b = std::sin(tau) * rho;
@@ -221,7 +225,7 @@ struct SweptRack::Search {
     if (std::abs(f) > (v * v + reach * rho) * half) return;
     const double df = q.dw * q.dw + q.dh * q.dh + x * q.ddw + y * q.ddh;
     if (std::abs(df) > (3 * v + reach) * rho * half) {
-      // F is monotone: one root or none. Newton, kept within the bracket.
+      // F is monotone, so there is one root or none. Newton's method is kept within the bracket.
       const auto value = [&](double psi) {
         const Place p = place(psi);
         return (p.w - w_c) * p.dw + (p.h - h_c) * p.dh;
@@ -293,8 +297,8 @@ double SweptRack::clearance(PlanePoint p) const {
   Search search{*this, std::hypot(p.x, p.y), std::atan2(p.y, p.x)};
   search.consider(0.0);
   if (search.rho > 0) search.straight_parts();
-  // Below the tip of the cutter by more than `best` nothing nearer can be found:
-  // h ≥ −h_F m − best, that is ρ cos ψ ≥ r_f − best.
+  // Points below the tip of the cutter by more than `best` cannot be nearer: h ≥ −h_F m − best,
+  // that is ρ cos ψ ≥ r_f − best.
   const double floor = r_f_ - std::max(search.best, 0.0);
   if (floor > search.rho) return search.best;
   const double window = floor <= -search.rho ? kPi : std::acos(floor / search.rho);

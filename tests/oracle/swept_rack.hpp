@@ -1,21 +1,23 @@
-// The swept rack: what a rack-shaped cutter leaves of a blank, found as the least distance over
-// every position of the cutter. No envelope formula, no contact point, no line of the engine.
+// The swept rack computes the result of cutting a blank with a rack cutter, as the least distance
+// over every position of the cutter. It uses no envelope formula, no contact point and no code of
+// the engine.
 //
 //   z, m       tooth number, normal module         β, α   helix angle, normal pressure angle
 //   r          reference radius z m/(2 cos β)      x m    height of the datum line above r
 //   φ          roll angle: the gear turns by φ, the rack moves by r φ along the pitch line
 //   (ρ, θ)     the point of the gear, polar; tooth 0 is centred on θ = 0
-//   ψ = θ + φ  where the point stands when the gear has turned
-//   h, w       the point as the cutter sees it, normal section: height over the datum line,
-//              and place along it from the middle of a space of the cutter,
+//   ψ = θ + φ  polar angle of the point after the gear has turned
+//   h, w       the point in the frame of the cutter, normal section: height above the datum line,
+//              and position along it from the middle of a space of the cutter,
 //                h = ρ cos ψ − r − x m,   w = (ρ sin ψ − r φ) cos β
 //   u          distance from the middle of the nearest cutter tooth, 0 … P
 //   P          half a pitch of the normal section, π m/2
 //
-// The metric.  A rack's teeth are cylinders along their own direction, so the spatial distance of a
-// point from the cutter is the plane distance in the normal section (h, w). All distances here are
-// that one: exact by lines and circles. In the transverse section the cutter is drawn out by
-// 1/cos β along the pitch line, and the plane distance there is between 1 and 1/cos β times ours.
+// The metric.  The teeth of a rack are cylinders along their own direction, so the spatial distance
+// of a point from the cutter is the plane distance in the normal section (h, w). All distances here
+// are of that kind, computed exactly from lines and circles. In the transverse section, the cutter
+// is stretched by 1/cos β along the pitch line, and the plane distance there is between 1 and 1/cos
+// β times ours.
 #pragma once
 
 #include <limits>
@@ -29,7 +31,7 @@ struct PlanePoint {
   double y = 0.0;
 };
 
-/// The cutter and the gear by their numbers. Lengths with a star in units of m, angles in rad.
+/// The cutter and the gear by their data. Lengths with a star are in units of m, angles in rad.
 struct RackNumbers {
   int teeth = 0;                       ///< z ≥ 1
   double normal_module = 1.0;          ///< m  mm
@@ -52,7 +54,7 @@ struct RackNumbers {
 
 class SweptRack {
  public:
-  /// Throws    std::invalid_argument naming the number that makes no cutter
+  /// Throws    std::invalid_argument naming the value that makes the cutter impossible
   explicit SweptRack(const RackNumbers& numbers);
 
   const RackNumbers& numbers() const { return numbers_; }
@@ -62,11 +64,11 @@ class SweptRack {
 
   /// Signed distance from a place in the cutter's normal section to the cutter's edge, > 0 outside.
   /// Units     h, w, result mm
-  /// Accuracy  a few ulp of max(|h|, P); w is reduced by whole pitches first
+  /// Accuracy  a few ulp of max(|h|, P); w is first reduced by whole pitches
   double distance_to_cutter(double h, double w) const;
 
-  /// Distance of the gear's point p from the cutter at one roll angle: the stuff of `clearance`,
-  /// and all that a plain scan needs.
+  /// Distance of the gear's point p from the cutter at one roll angle. `clearance` minimises it,
+  /// and a plain scan needs only this.
   double gap_at(PlanePoint p, double roll) const;
 
   /// Minimum over all roll angles of the distance of p from the cutter; the blank plays no part.
@@ -93,8 +95,8 @@ class SweptRack {
   double r_, r_b_, r_f_;     // mm
   double cos_beta_, shift_;  // x m in mm
   double half_pitch_;        // P
-  // Places u where the edge h(u) changes its law, in growing order: tip land, tip rounding,
-  // protuberance, main flank, then either bottom rounding and land, or ramp.
+  // The values u at which the formula of the edge h(u) changes, in increasing order: tip land, tip
+  // rounding, protuberance, main flank, then either bottom rounding and land, or ramp.
   double u_land_, u_round_, u_protuberance_, u_flank_, u_bottom_;
   std::vector<Segment> segments_;
   std::vector<Arc> arcs_;            // [0] tip rounding, [1] bottom rounding if there is one

@@ -1,5 +1,5 @@
-// The oracle against points known to 18 digits, against a plain scan of all positions, and against
-// edges rolled by the law of gearing, which the oracle does not know.
+// Compares the oracle with points known to 18 digits, with a plain scan of all positions, and with
+// edges rolled by the law of gearing, which the oracle does not use.
 #include "tests/oracle/swept_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ std::vector<RackNumbers> cutter_numbers() {
 TEST(SweptRack, known_points_lie_on_the_surface) {
   for (const FewToothCase& c : few_tooth_cases()) {
     const SweptRack rack(c.rack);
-    // 18 digits stand in the table; 1e-12 mm is what `clearance` promises.
+    // The table has 18 digits, and the accuracy of `clearance` is 1e-12 mm.
     for (const FewToothPoint& p : c.points) {
       EXPECT_NEAR(rack.clearance({p.x, p.y}), 0.0, 1e-12) << c.name << " " << p.x << " " << p.y;
     }
@@ -125,7 +125,8 @@ TEST(SweptRack, rolled_edges_lie_on_the_surface) {
 }
 
 TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
-  // With 200 teeth nothing undercuts: all of the rounding from 10° on and the 10° line show.
+  // With 200 teeth there is no undercut, so the whole rounding from 10° on and the 10° line are
+  // present.
   RackNumbers many = with_protuberance();
   many.teeth = 200;
   const SweptRack large(many);
@@ -140,8 +141,8 @@ TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
     const EdgePoint e{start.h + rise, start.u + rise * std::tan(first), first};
     EXPECT_NEAR(large.clearance(rolled(many, e)), 0.0, 1e-12) << rise;
   }
-  // With 31 teeth the 10° line is swallowed (free of undercut only from 2/sin²10° = 66 teeth on, a
-  // module deep), and with it the rounding below 15°.
+  // With 31 teeth the 10° line is removed (free of undercut only from 2/sin²10° = 66 teeth on, at a
+  // depth of one module), together with the rounding below 15°.
   const RackNumbers n = with_protuberance();
   const SweptRack rack(n);
   for (int i = 0; i <= 30; ++i) {
@@ -149,8 +150,9 @@ TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
     EXPECT_NEAR(rack.clearance(rolled(n, on_tip_rounding(n, tau))), 0.0, 1e-12) << tau / kDegree;
   }
   EXPECT_LT(rack.clearance(rolled(n, on_tip_rounding(n, first))), -0.1);
-  // Proud by pr at the angle α: the main flank's own involute, where only the protuberance reaches,
-  // is cut away by less than pr and by more than pr/2. High up the flank is as ever.
+  // The involute of the main flank, raised by pr at the angle α. Where only the protuberance
+  // reaches, it is cut away by less than pr and by more than pr/2. Higher up, the flank is
+  // unchanged.
   RackNumbers plain = n;
   plain.protuberance = 0;
   plain.root_fillet_radius = 0.25;
@@ -161,8 +163,9 @@ TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
   EXPECT_NEAR(rack.clearance(rolled(n, on_flank(n, 1.0))), 0.0, 1e-12);
 }
 
-// The ramp's own involute, base radius r cos α_st,t, is the surface where it is the narrower one;
-// below that it lies outside the flank, cut away. Beyond, the flank's involute is gone.
+// The involute of the ramp, base radius r cos α_st,t, is the surface where it is the narrower one.
+// Below that it lies outside the flank and is cut away. Above it, the involute of the flank is
+// gone.
 TEST(SweptRack, semi_topping_ramp_cuts_a_chamfer) {
   const RackNumbers n = semi_topping();
   const SweptRack rack(n);
@@ -187,15 +190,15 @@ TEST(SweptRack, semi_topping_ramp_cuts_a_chamfer) {
   EXPECT_LT(rack.clearance(rolled(n, on_flank(n, end.h + 0.5))), -1e-3);
 }
 
-/// All positions of one turn in steps of 2π/4000, then the best one closed in upon. It knows
-/// nothing but the gap at a position.
+/// Evaluates all positions of one turn in steps of 2π/4000, then refines the best one. It uses only
+/// the gap at a position.
 double plain_scan(const SweptRack& rack, PlanePoint p) {
   constexpr int kPositions = 4000;
   constexpr double kStep = 2 * kPi / kPositions;
   std::vector<double> gap(kPositions);
   for (int k = 0; k < kPositions; ++k) gap[k] = rack.gap_at(p, -kPi + k * kStep);
   double best = *std::min_element(gap.begin(), gap.end());
-  const double limit = best + 0.05;  // other hollows that a step may have jumped over
+  const double limit = best + 0.05;  // other minima that a step may have missed
   for (int k = 0; k < kPositions; ++k) {
     const double before = gap[(k + kPositions - 1) % kPositions], after = gap[(k + 1) % kPositions];
     if (gap[k] > before || gap[k] > after || gap[k] > limit) continue;
@@ -224,8 +227,8 @@ TEST(SweptRack, agrees_with_a_plain_scan_of_all_positions) {
       const PlanePoint p{rho * std::cos(angle), rho * std::sin(angle)};
       const double fast = rack.clearance(p), scan = plain_scan(rack, p);
       if (scan >= 0) {
-        // Golden section on a smooth hollow stops within sqrt(ulp): its value is right to 1e-13;
-        // the scan may only be higher, where a hollow fell between its steps.
+        // Golden section at a smooth minimum stops within sqrt(ulp), so its value is accurate to
+        // 1e-13. The scan may only be higher, if a minimum lies between its steps.
         EXPECT_NEAR(fast, scan, 1e-11) << n.teeth << " " << p.x << " " << p.y;
         ++standing;
       } else {

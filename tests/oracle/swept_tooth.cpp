@@ -11,9 +11,10 @@ PlanePoint at(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// First zero of `value` in [begin, end], where value(t) ≥ 0 allows a safe step value(t)/rate.
-/// Steps of the value until it is below `near`, doubled steps from there until it is negative, then
-/// bisection: 60 halvings end at neighbouring doubles.
+/// Returns the first zero of `value` in [begin, end], where value(t) ≥ 0 permits a safe step
+/// value(t)/rate. Steps have this size until the value is below `near`. From there, steps are
+/// doubled until the value is negative, and bisection follows: 60 halvings end at neighbouring
+/// doubles.
 template <class F>
 std::optional<double> first_zero(F value, double begin, double end, double rate, double near) {
   double t = begin, v = value(t);
@@ -40,7 +41,8 @@ std::optional<double> first_zero(F value, double begin, double end, double rate,
   return 0.5 * (lo + hi);
 }
 
-/// Where the walk starts to look for the crossing: 1e-4 m, small against every feature of a cutter.
+/// Distance at which the walk starts to search for the crossing: 1e-4 m, small compared with every
+/// feature of a cutter.
 double near_of(const SweptRack& rack) { return 1e-4 * rack.numbers().normal_module; }
 
 double outermost(const SweptRack& rack) {
@@ -94,7 +96,7 @@ double involute_half_angle(const SweptRack& rack, double radius) {
 }
 
 std::optional<double> form_radius(const SweptRack& rack) {
-  // A hundred times the rounding of `clearance`; what it hides is said under Accuracy.
+  // A hundred times the rounding error of `clearance`. Its effect is stated under Accuracy.
   constexpr double kOnSurface = 1e-11;
   const auto gap = [&](double rho) {
     return rack.clearance(at(rho, involute_half_angle(rack, rho)));
@@ -103,7 +105,7 @@ std::optional<double> form_radius(const SweptRack& rack) {
   const double r_b = rack.base_radius(), m = rack.numbers().normal_module;
   const double top = std::min(pointed_radius(rack).value_or(outermost(rack)), outermost(rack));
 
-  // The lowest of 400 radii that lies on the involute, closer together towards the base circle.
+  // The lowest of 400 radii that lies on the involute. They are denser towards the base circle.
   constexpr int kRadii = 400;
   double off = r_b, on = r_b;
   bool found = on_surface(r_b);
@@ -120,8 +122,9 @@ std::optional<double> form_radius(const SweptRack& rack) {
     if (mid <= off || mid >= on) break;
     (on_surface(mid) ? on : off) = mid;
   }
-  // Undercut: the involute is cut away below. Else it runs inside the material, deeper with the
-  // square of the way: three roots of the depth, extrapolated to zero.
+  // If the tooth is undercut, the involute is cut away below. Otherwise it runs inside the
+  // material, with a depth that grows as the square of the distance. Three roots of the depth are
+  // extrapolated to zero.
   const double step = 2e-4 * m;
   if (off - 3 * step < r_b || gap(off - step) <= 0) return on;
   const double a = std::sqrt(gap(on - step)), b = std::sqrt(gap(on - 2 * step)),
@@ -138,8 +141,8 @@ std::optional<Neck> neck(const SweptRack& rack) {
   const double high = form_radius(rack).value_or(rack.reference_radius());
   const double low = std::max(root_radius(rack), 0.0);
   const auto half_angle = [&](double rho) { return material_half_angle(rack, rho); };
-  // The half angle falls from the root land and rises again towards the flank, or falls all the
-  // way: the least of 64 radii, then golden section beside it.
+  // The half angle decreases from the root land and increases again towards the flank, or decreases
+  // all the way. The least of 64 radii is refined by golden section.
   constexpr int kRadii = 64;
   double best = high, best_angle = half_angle(high);
   for (int i = 1; i < kRadii; ++i) {

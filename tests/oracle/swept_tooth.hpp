@@ -1,12 +1,12 @@
-// The finished tooth as the swept rack leaves it: half angles, root, form and pointed radius, found
-// by walking over the material with `SweptRack::clearance` and asking nothing else.
+// The finished tooth from the swept rack: half angles, root, form and pointed radius. They are
+// found by walking over the material using only `SweptRack::clearance`.
 //
 //   ρ, θ     polar coordinates of the gear frame; tooth 0 is centred on θ = 0
 //   r_a      radius of the blank
 //   r_b      base radius r cos α_t of the main flank's involute
 //
-// The walk.  The clearance changes by no more than the way walked, so a step as long as the
-// clearance cannot pass the surface: the first crossing found is the first there is.
+// The walk.  The clearance changes by no more than the distance walked, so a step as long as the
+// clearance cannot pass the surface. The first crossing found is the first one that exists.
 #pragma once
 
 #include <optional>
@@ -20,26 +20,26 @@ struct Neck {
   double half_angle;  ///< rad
 };
 
-/// The largest θ such that all points (ρ, |angle| < θ) of tooth 0 stand: 0 where the centre line is
-/// cut away or ρ > r_a, π/z where nothing at this radius is cut.
+/// The largest θ for which all points (ρ, |angle| < θ) of tooth 0 are material. It is 0 if the
+/// centre line is cut away or ρ > r_a, and π/z if nothing at this radius is cut.
 /// Units     mm, rad
 /// Accuracy  1e-12 mm of arc over the sine of the angle between the surface and the circle ρ
 double material_half_angle(const SweptRack& rack, double radius);
 
-/// The first radius from `from` to `limit` at which the ray of this polar angle meets the surface;
-/// none if it does not, `from` if that point is cut away itself.
+/// The first radius from `from` to `limit` at which the ray of this polar angle meets the surface.
+/// None if it does not; `from` if that point is itself cut away.
 /// Accuracy  1e-12 mm over the sine of the angle between the surface and the ray
 std::optional<double> surface_radius(const SweptRack& rack, double angle, double from,
                                      double limit);
 
-/// Radius of the finished root in the middle of the space; 0 when the axis itself is cut away.
+/// Radius of the finished root in the middle of the space. 0 if the axis itself is cut away.
 double root_radius(const SweptRack& rack);
 
-/// Is a point of the centre line of tooth 0 within the reference circle cut away?
+/// Returns true if a point of the centre line of tooth 0 within the reference circle is cut away.
 bool severed(const SweptRack& rack);
 
-/// Where the flanks meet on the centre line, if that is below the blank (below 2 r + 4 m without
-/// one) and the tooth is not severed.
+/// The radius at which the flanks meet on the centre line, if it is below the blank (below 2 r + 4
+/// m without a blank) and the tooth is not severed.
 std::optional<double> pointed_radius(const SweptRack& rack);
 
 /// Half angle of the involute of the main flank: base radius r cos α_t, and the thickness that the
@@ -47,13 +47,14 @@ std::optional<double> pointed_radius(const SweptRack& rack);
 /// Units     mm, rad          Domain    radius ≥ r_b
 double involute_half_angle(const SweptRack& rack, double radius);
 
-/// The lowest radius from which on the finished surface is that involute; none if it nowhere is.
+/// The lowest radius from which on the finished surface is that involute. None if there is no such
+/// radius.
 /// Accuracy  undercut, the surface leaves at an angle: 1e-11 mm over the sine of the angle; else it
 ///           leaves along the tangent, and its quadratic departure is extrapolated to 1e-7 m;
 ///           within 1e-3 m of the base circle there is no room for that: 1e-6 mm
 std::optional<double> form_radius(const SweptRack& rack);
 
-/// The smallest half angle of the tooth below the form radius; none for a severed tooth.
+/// The smallest half angle of the tooth below the form radius. None for a severed tooth.
 /// Accuracy  the half angle 1e-11 rad; its radius, at a flat minimum, 1e-5 m
 std::optional<Neck> neck(const SweptRack& rack);
 

@@ -1,4 +1,4 @@
-// Root, neck, form and pointed radius of the swept tooth against the few-tooth cases.
+// Compares root, neck, form and pointed radius of the swept tooth with the few-tooth cases.
 #include "tests/oracle/swept_tooth.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ TEST(SweptTooth, few_tooth_cases) {
     const bool extrapolated = c.form_radius - rack.base_radius() > 1e-3 * m;
     EXPECT_NEAR(*form, c.form_radius, c.undercut ? 1e-10 : extrapolated ? 1e-7 * m : 1e-6);
 
-    // The tip: a point, or the land that the cutter's bottom leaves. Just outside nothing stands.
+    // The tip is a point, or the land cut by the bottom of the cutter. There is no material just
+    // outside.
     if (c.tip_half_angle == 0.0) {
       const auto pointed = pointed_radius(rack);
       ASSERT_TRUE(pointed.has_value());
@@ -49,8 +50,8 @@ TEST(SweptTooth, few_tooth_cases) {
   }
 }
 
-// The table's neck is the least of a grid; the true one lies at most 7e-7 rad below. R14 was solved
-// to 30 digits from dθ/dτ = 0 on the rolled rounding.
+// The neck in the table is the least value of a grid, and the true one is at most 7e-7 rad below.
+// R14 was solved to 30 digits from dθ/dτ = 0 on the rolled rounding.
 TEST(SweptTooth, neck_is_the_true_minimum) {
   for (const FewToothCase& c : few_tooth_cases()) {
     const auto found = neck(SweptRack(c.rack));
@@ -65,7 +66,7 @@ TEST(SweptTooth, neck_is_the_true_minimum) {
   EXPECT_NEAR(found->radius, 4.15308513561007780310, 1e-5);
 }
 
-// R09 and R10 of the same source: the rack passes the axis, there is no tooth.
+// R09 and R10 of the same source: the rack passes the axis, so there is no tooth.
 TEST(SweptTooth, severed_teeth) {
   const double a = 20 * kDegree;
   const RackNumbers r10{.teeth = 2,

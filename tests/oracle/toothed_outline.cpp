@@ -1,8 +1,9 @@
-// The pieces and their feet.
+// The pieces of an outline and the feet on them.
 //
-// A foot is a root of F(t) = (c(t) − q)·c′(t), where F goes from − to +. As long as q is nearer
-// than the least radius of curvature, F only grows along a piece that turns little: one root or
-// none. Further away, on the hollow side, there may be more; then eighths of the piece are asked.
+// A foot is a root of F(t) = (c(t) − q)·c′(t) at which F changes from − to +. If q is nearer than
+// the least radius of curvature, F increases along a piece with a small turn, so there is one root
+// or none. Further away on the concave side, there may be more roots. Then eighths of the piece are
+// examined.
 #include "tests/oracle/toothed_outline.hpp"
 
 #include <Eigen/LU>
@@ -19,19 +20,22 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Curves meet, and lie on the two rays, to this; a gap is seen in no distance by more.
+// Tolerance within which curves meet and lie on the two rays. A gap changes no distance by more
+// than this.
 constexpr double kGap = 1e-9;  // mm
-// A piece this short departs from any smooth curve by less than its square over the radius of
-// curvature: 1e-12 mm for 1 mm. Needed where the pace is singular, as √u at a base circle.
+// A piece this short deviates from any smooth curve by less than its square divided by the radius
+// of curvature: 1e-12 mm for 1 mm. This is needed if the speed is singular, such as √u at a base
+// circle.
 constexpr double kShort = 1e-6;  // mm
 constexpr double kTurn = 0.3;    // rad
 constexpr std::size_t kMaxPieces = 4096;
-// Tangents at the ends are taken a little inside: at a base circle the pace itself may be zero.
+// Tangents at the ends are evaluated slightly inside, because at a base circle the speed itself may
+// be zero.
 constexpr double kInside = 1 - 1e-5;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// To the left, which is outside: the chain runs clockwise about the centre.
+/// The direction to the left is outside, because the chain runs clockwise about the centre.
 Vector2d left(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 double turn_between(const Vector2d& a, const Vector2d& b) {
@@ -43,7 +47,8 @@ double turn_between(const Vector2d& a, const Vector2d& b) {
 ToothedOutline::ToothedOutline(int teeth, const std::vector<Curve>& half_tooth) : teeth_(teeth) {
   require(teeth >= 1, "teeth: an outline has at least 1");
   for (const Curve& curve : half_tooth) {
-    // A curve without length (a land that is none) says nothing; the gap left is seen in close().
+    // A curve without length (a land of width zero) is skipped. The remaining gap is checked in
+    // close().
     const Vector2d first = curve(0.0);
     if ((curve(0.5) - first).norm() + (curve(1.0) - first).norm() < 1e-12) continue;
     append(curve, 0.0, 1.0);
@@ -54,7 +59,7 @@ ToothedOutline::ToothedOutline(int teeth, const std::vector<Curve>& half_tooth) 
 
 void ToothedOutline::append(const Curve& curve, double from, double to) {
   constexpr int kNodes = kDegree + 1;
-  // Chebyshev's nodes with the ends, so that neighbouring pieces share a point.
+  // Chebyshev nodes including the ends, so that neighbouring pieces share a point.
   static const std::array<double, kNodes> nodes = [] {
     std::array<double, kNodes> t{};
     for (int i = 0; i < kNodes; ++i) t[i] = -std::cos(kPi * i / kDegree);
@@ -131,8 +136,8 @@ void ToothedOutline::append(const Curve& curve, double from, double to) {
   pieces_.push_back(piece);
 }
 
-// Joints, the two rays, and the outward normals of neighbours. Beyond a mirror line the chain goes
-// on as its own image: there the tangent v of the end continues as the mirror image of −v.
+// Joints, the two rays, and the outward normals of neighbours. Beyond a mirror line, the chain
+// continues as its own image, so the tangent v of the end continues as the mirror image of −v.
 void ToothedOutline::close() {
   const double gamma = kPi / teeth_;
   const Vector2d ray(std::cos(gamma), std::sin(gamma));
@@ -178,7 +183,8 @@ ToothedOutline::Place ToothedOutline::end_place(const Piece& p, int end, const V
   return {squared, std::copysign(std::sqrt(squared), d.dot(p.outside[end]))};
 }
 
-/// The root of F between lo and hi, where F goes from − to +: Newton, kept within the bracket.
+/// The root of F between lo and hi, at which F changes from − to +, by Newton's method within the
+/// bracket.
 ToothedOutline::Place ToothedOutline::root_place(const Piece& p, double lo, double hi,
                                                  const Vector2d& q) {
   const Vector2d chord = p.c.col(1);
@@ -196,7 +202,8 @@ ToothedOutline::Place ToothedOutline::root_place(const Piece& p, double lo, doub
   }
   const Jet j = jet(p, t);
   const Vector2d d = q - j.value;
-  // Across the tangent: an error e of the foot along the curve costs e² where |d| would cost e.
+  // Measured perpendicular to the tangent, an error e of the foot along the curve has the effect
+  // e². With |d| the effect would be e.
   const double across = cross(j.slope, d) / j.slope.norm();
   const double squared = d.squaredNorm();
   const double length = std::sqrt(squared);

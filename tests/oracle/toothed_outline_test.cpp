@@ -1,5 +1,6 @@
-// ToothedOutline against the curves themselves: each curve walked in small steps and the best step
-// closed in upon, the side told by the winding number of the whole outline drawn with chords.
+// Compares ToothedOutline with the curves themselves. Each curve is evaluated in small steps and
+// the best step is refined. The side is determined by the winding number of the whole outline drawn
+// with chords.
 #include "tests/oracle/toothed_outline.hpp"
 
 #include <gtest/gtest.h>
@@ -30,9 +31,10 @@ ToothedOutline::Curve line(Vector2d from, Vector2d to) {
   return [=](double u) -> Vector2d { return from + u * (to - from); };
 }
 
-/// The source's cutters, smooth all around; a sharp-edged one whose involute starts at its base
-/// circle, where the pace is zero, on a radial line; the same walked by √u; a necked tooth, whose
-/// polar angle falls, grows and falls again; one pointed at the tip and in the space.
+/// The cutters are those of the source, smooth everywhere; a sharp-edged one whose involute starts
+/// at its base circle, where the speed is zero, on a radial line; the same with parameter √u; a
+/// necked tooth, whose polar angle decreases, increases and decreases again; and one that is
+/// pointed at the tip and in the space.
 std::vector<Drawn> outlines() {
   std::vector<Drawn> all;
   for (const PinionCutterCase& c : pinion_cutter_cases()) {
@@ -116,13 +118,13 @@ TEST(ToothedOutline, distance_is_that_from_the_walked_curves) {
       const double r = 1.3 * outline.outer_radius() * part(random);
       const double angle = 2 * kPi * part(random);
       const Vector2d q(r * std::cos(angle), r * std::sin(angle));
-      // The walk knows one half tooth only: the point's copy in that half pitch.
+      // The walk uses only one half tooth, so the point is moved into that half pitch.
       const double pitch = 2 * kPi / d.teeth;
       const double left = angle - pitch * std::floor(angle / pitch);
       const double folded = std::min(left, pitch - left);
       const double walked = walked_distance(d.curves, {r * std::cos(folded), r * std::sin(folded)});
       const double found = outline.distance(q);
-      // Golden section over distances stops within the root of rounding; its value is right.
+      // Golden section over distances stops within the root of rounding, but its value is accurate.
       EXPECT_NEAR(std::abs(found), walked, 2e-13 + 1e-14 * r) << d.name << " " << q.transpose();
       EXPECT_EQ(found < 0, winds_around(whole, q)) << d.name << " " << q.transpose();
       ++(found < 0 ? inside : outside);
@@ -132,8 +134,9 @@ TEST(ToothedOutline, distance_is_that_from_the_walked_curves) {
   }
 }
 
-// Close to the curve, where the sign is worth most: a step to either side along the normal, taken
-// from three points of the curve, is seen as itself; at a sharp edge, outwards only.
+// Close to the curve, where the sign is most important, a step to either side along the normal is
+// measured as itself. The normal is computed from three points of the curve. At a sharp edge this
+// holds only outwards.
 TEST(ToothedOutline, small_steps_to_either_side_are_seen) {
   for (const Drawn& d : outlines()) {
     const ToothedOutline outline(d.teeth, d.curves);

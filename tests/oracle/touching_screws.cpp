@@ -17,11 +17,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Rotations closer than this are one: a thousand times the rounding of a sum of angles of one turn.
+// Rotations closer than this are equal. It is a thousand times the rounding error of a sum of
+// angles of one turn.
 constexpr double kSameRotation = 1e-12;  // rad
-// The search and the solution agree: a thousand times what either is good for.
+// Permitted difference of search and solution: a thousand times the accuracy of either.
 constexpr double kTwoWays = 1e-10;  // rad
-// An edge: near a base circle the string is the square root of what is left of two radii.
+// Tolerance for an edge. Near a base circle, the string is the square root of a difference of two
+// radii.
 constexpr double kAtEnd = 1e-7;  // in centre distances
 
 void check(const Screw& g) {
@@ -39,14 +41,14 @@ void check(const ScrewPair& p) {
           "no tip reaches the other axis");
   require(std::abs(p.shaft_angle) < kPi, "the shaft angle is below half a turn");
   require(p.half_face >= 0, "the face width is not negative");
-  // Turns per mm, in pitches: the same number for both gears, or the teeth run out of step.
+  // Turns per mm in pitches. Both gears must have the same number; otherwise the teeth lose step.
   const double one = p.first.teeth * turn_per_length(p.first);
   const double two = p.second.teeth * turn_per_length(p.second);
   require(!parallel(p) || std::abs(one + two) <= 1e-9 * std::abs(one),
           "parallel axes: the helices of both gears fit each other");
 }
 
-/// The section z = 0 of parallel axes stands for all of them and has no face to end at.
+/// The section z = 0 of parallel axes represents all sections and has no face that ends it.
 bool one_section(const ScrewPair& p) { return parallel(p) && p.half_face == 0.0; }
 
 /// Distance from the nearest end of either flank, and which end that is. mm
@@ -66,8 +68,9 @@ void to_ends(const ScrewPair& p, const Flank& flank, double u_1, double z_1, dou
   touch.margin = least->first, touch.where = least->second;
 }
 
-/// How far from z = 0 gear 1 has to be looked at: both tip cylinders hold a point only if it is as
-/// near to the plane of axis 1 and x as their sections there let it, and the same for axis 2.
+/// Distance from z = 0 within which gear 1 must be searched. Both tip cylinders contain a point
+/// only if it is as near to the plane of axis 1 and x as their sections permit; the same holds for
+/// axis 2.
 double axial_reach(const ScrewPair& p) {
   const double a = p.center_distance, a_1 = p.first.tip_radius, a_2 = p.second.tip_radius;
   if (a >= a_1 + a_2) return -1.0;
@@ -76,7 +79,7 @@ double axial_reach(const ScrewPair& p) {
     return std::sqrt((own - nearest) * (own + nearest));
   };
   if (parallel(p)) {
-    // Every axial pitch repeats the last, each tooth in the place of the next one.
+    // The pattern repeats with every axial pitch, each tooth in the place of the next one.
     const double k = turn_per_length(p.first);
     return std::min(p.half_face, k == 0 ? 0.0 : kPi / (p.first.teeth * std::abs(k)));
   }
@@ -101,8 +104,8 @@ std::optional<Touch> touch_of_tooth(const ScrewPair& p, double rotation_1, Side 
   const auto [low, high] = overlap(flank, flank.sections_within(opening_1(p), reach));
   if (low > high) return std::nullopt;
 
-  // Sections at equal steps; then between the neighbours of each that is no lower than both and,
-  // not in the middle of a flat ridge, higher than one.
+  // Sections at equal steps are followed by a search between the neighbours of each section that is
+  // no lower than both and higher than one of them. This excludes the middle of a flat ridge.
   const int sections = high > low ? 40 : 0;
   const auto best_at = [&flank](double z) { return best_in_section(flank, z).value; };
   const auto section = [&, low = low, high = high](int i) {
@@ -123,7 +126,8 @@ std::optional<Touch> touch_of_tooth(const ScrewPair& p, double rotation_1, Side 
   for (const Peak& peak : peaks) best = std::max(best, peak.value);
   if (best == kNone) return std::nullopt;
 
-  // A line of touch: of the sections that are as good, the one farthest from the flanks' ends.
+  // For a line of contact: of the equally good sections, the one farthest from the ends of the
+  // flanks.
   std::optional<Touch> found;
   double z_1 = 0, u_1 = 0;
   for (const Peak& peak : peaks) {
@@ -155,8 +159,9 @@ std::optional<Touch> touch_of_tooth(const ScrewPair& p, double rotation_1, Side 
     return found;
   }
   if (!tangent || !within || ahead < -kTwoWays) {
-    // An edge stops gear 2; what is tangent are the continuations of the flanks, or a place behind.
-    // Just past an end the flat top of the gap tells less of the place than the tangency does.
+    // An edge stops gear 2. The tangency belongs to the extensions of the flanks, or to a point
+    // behind. Just past an end, the flat top of the gap determines the position less accurately
+    // than the tangency does.
     if (tangent && !within && std::abs(ahead) < kTwoWays)
       found->where = inside.where;
     else if (found->margin > kAtEnd * p.center_distance)

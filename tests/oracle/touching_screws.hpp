@@ -1,6 +1,7 @@
-// Two involute screws that touch: the slow second way to a pair of gears at any shaft angle. A gear
-// is here as it stands, an involute unwound from its base circle and screwed along its axis; gear 2
-// is turned until the two solids touch. No rack, no pitch cylinder, no line of action.
+// Two involute screws that touch: the slow independent method for a pair of gears at any shaft
+// angle. A gear is represented by an involute unwound from its base circle and screwed along its
+// axis. Gear 2 is turned until the two solids touch. No rack, pitch cylinder or line of action is
+// used.
 //
 //   r_b, β_b   base radius and base helix angle, right hand > 0     s_bt   tooth on the base circle
 //   k          turn per mm of axis, r_b k = tan β_b                 r_a    tip radius
@@ -11,14 +12,15 @@
 //
 // Housing.  Axis 1 is z; axis 2 passes (a, 0, 0) along (0, sin Σ, cos Σ). At φ_1 = φ_2 = 0, in each
 // gear's section z = 0, tooth 0 of gear 1 points at +x and space 0 of gear 2 at −x. Tooth n of gear
-// 1 and space n of gear 2 stand there n pitches later; n is any integer, not one modulo z: on a
+// 1 and space n of gear 2 are there n pitches later. n is any integer, not taken modulo z: on a
 // worm, the next turn of the thread is tooth n + z.
 //
-// Leading flanks (σ = −1 on both gears) touch when gear 1 pushes; gear 2 may then run ahead but not
-// fall behind, so φ_2 is the greatest at which any point of gear 1 lies on a flank of gear 2.
-// Trailing flanks (σ = +1): the least. Two ways find it: a search over flank 1, clipped to both tip
-// cylinders, that asks of each point only when flank 2 passes it; and, where the search ends inside
-// both flanks, the solution of "same point, parallel normals" started there. They have to agree.
+// Leading flanks (σ = −1 on both gears) touch when gear 1 drives. Gear 2 may then run ahead but not
+// fall behind, so φ_2 is the greatest rotation at which any point of gear 1 lies on a flank of gear
+// 2. For trailing flanks (σ = +1) it is the least. Two methods find it, and they must agree: a
+// search over flank 1, clipped to both tip cylinders, that computes for each point only when flank
+// 2 passes it; and, if the search ends inside both flanks, the solution of "same point, parallel
+// normals" started there.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +30,7 @@
 
 namespace gearwright::oracle {
 
-/// An external gear by what its flanks are; mm and rad.
+/// An external gear given by its flanks; mm and rad.
 struct Screw {
   int teeth = 0;                ///< z ≥ 1
   double base_radius = 0.0;     ///< r_b > 0
@@ -41,15 +43,15 @@ struct ScrewPair {
   Screw first, second;
   double center_distance = 0.0;  ///< a  mm, greater than both tip radii
   double shaft_angle = 0.0;      ///< Σ  rad, |Σ| < π, signed
-  /// Only the part |z| ≤ half_face of gear 1 is there; 0 looks at the section z = 0 alone.
+  /// Gear 1 has only the part |z| ≤ half_face. 0 means that only the section z = 0 is used.
   double half_face = std::numeric_limits<double>::infinity();
 };
 
 enum class Side { leading = -1, trailing = +1 };
 
-/// Between which parts the touch is: both flanks, or the edge where one of them ends. `base_1`,
-/// `base_2`: the involute ends at its base circle, and what follows there is not known here.
-/// `unsettled`: the two ways contradict each other, no answer.
+/// The parts that touch: both flanks, or the edge where one of them ends. `base_1`, `base_2`: the
+/// involute ends at its base circle, and the curve beyond it is unknown here. `unsettled`: the two
+/// methods contradict each other, so there is no answer.
 enum class Where { flanks, tip_1, tip_2, base_1, base_2, face_1, unsettled };
 
 struct Touch {
@@ -72,7 +74,7 @@ Eigen::Vector3d flank_point(const Screw& gear, int sigma, double u, double z);
 /// Unit normal there, out of the material.
 Eigen::Vector3d flank_normal(const Screw& gear, int sigma, double u, double z);
 
-/// The touch of tooth n of gear 1 in space n of gear 2, no other tooth looked at; none if no part
+/// The contact of tooth n of gear 1 in space n of gear 2, without the other teeth. None if no part
 /// of that flank lies within the tip cylinder and outside the base cylinder of gear 2.
 /// Units     mm, rad
 /// Accuracy  rotation 1e-13 rad, at an edge too; point 1e-12 mm over sin² Σ, at an edge 1e-7 of the
@@ -82,11 +84,13 @@ Eigen::Vector3d flank_normal(const Screw& gear, int sigma, double u, double z);
 ///           helices do not fit
 std::optional<Touch> touch_of_tooth(const ScrewPair& pair, double rotation_1, Side side, int tooth);
 
-/// The touch of the two solids: of all teeth that reach into each other, the one that stops gear 2.
-/// Of teeth that touch at once, the one whose point lies farthest from the ends of its flanks.
+/// The contact of the two solids. Of all teeth that reach into each other, it is that of the tooth
+/// that stops gear 2. Of teeth that touch at once, it is that whose point lies farthest from the
+/// ends of its flanks.
 std::optional<Touch> touch(const ScrewPair& pair, double rotation_1, Side side);
 
-/// How far gear 2 can turn, gear 1 held, rad: negative if the solids overlap in every position.
+/// The angle by which gear 2 can turn with gear 1 held, rad. It is negative if the solids overlap
+/// in every position.
 std::optional<double> play(const ScrewPair& pair, double rotation_1);
 
 std::ostream& operator<<(std::ostream& os, Where where);

@@ -20,8 +20,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The flank is the string: its foot on the base circle, tangent, as long as the arc it was unwound
-// from; the base tooth is s_bt thick, and turns like a screw. The normal is square to the surface.
+// The flank is the end of the string. The foot of the string is on the base circle, tangent to it,
+// and the string is as long as the arc from which it was unwound. The base tooth is s_bt thick and
+// turns like a screw. The normal is perpendicular to the surface.
 TEST(TouchingScrews, flank_is_an_unwound_string) {
   for (const double beta_b : {0.5, 0.0, -0.8}) {
     const Screw g{11, 20.0, 5.0, beta_b, 26.0};
@@ -42,7 +43,7 @@ TEST(TouchingScrews, flank_is_an_unwound_string) {
           EXPECT_LT(sigma * std::atan2(point.y(), point.x()), sigma * azimuth);
 
           const Vector3d n = flank_normal(g, sigma, u, z);
-          constexpr double kStep = 1e-4;  // differences good to h² ~ 1e-8
+          constexpr double kStep = 1e-4;  // differences are accurate to h² ~ 1e-8
           const Vector3d by_u =
               flank_point(g, sigma, u + kStep, z) - flank_point(g, sigma, u - kStep, z);
           const Vector3d by_z =
@@ -59,13 +60,13 @@ TEST(TouchingScrews, flank_is_an_unwound_string) {
   }
 }
 
-/// The same housing seen from gear 2: its tooth takes the place of gear 1's.
+/// The same housing seen from gear 2. Its tooth takes the place of that of gear 1.
 ScrewPair exchanged(const ScrewPair& p) {
   return {p.second, p.first, p.center_distance, p.shaft_angle};
 }
 
-/// Two screws of one base pitch, at angles where they can mesh. Some have tips too short to hand on
-/// the contact.
+/// Two screws of one base pitch, at angles at which they can mesh. The tips of some are too short
+/// for a continuous contact.
 ScrewPair random_screws(std::mt19937_64& random) {
   const auto between = [&random](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -105,7 +106,8 @@ TEST(TouchingScrews, laws_over_seeded_pairs) {
   int meshes = 0, at_flanks = 0, at_edges = 0;
   while (meshes < 40) {
     const ScrewPair p = random_screws(random);
-    // Nearly parallel: hundreds of teeth; the pairs of the file have that.
+    // Nearly parallel axes would require hundreds of teeth. The pairs of the file include that
+    // case.
     if (std::abs(p.shaft_angle) < 5 * kDegree) continue;
     ++meshes;
     SCOPED_TRACE(::testing::Message() << "pair " << meshes << ", Σ = " << p.shaft_angle / kDegree
@@ -138,8 +140,8 @@ TEST(TouchingScrews, laws_over_seeded_pairs) {
   EXPECT_GT(at_edges, 10);
 }
 
-// Tips too short to hand on the contact: between two teeth an edge touches and gear 2 falls behind
-// the ratio, never ahead of it, and does not jump.
+// The tips are too short for a continuous contact. Between two teeth an edge touches, and gear 2
+// falls behind the ratio, is never ahead of it, and does not jump.
 TEST(TouchingScrews, short_tips_touch_with_their_edges) {
   const ConjugatePair& pair = conjugate_pairs().front();
   ScrewPair p = mounted(pair, pair.meshes[1]);
@@ -161,7 +163,7 @@ TEST(TouchingScrews, short_tips_touch_with_their_edges) {
       EXPECT_TRUE(t->where == Where::tip_1 || t->where == Where::tip_2) << t->where;
       EXPECT_NEAR(t->margin, 0.0, 1e-6);
     }
-    // No jump: T changes by less than half of what gear 2 turns in the step.
+    // No jump: T changes by less than half of the rotation of gear 2 in the step.
     if (i > 0) {
       EXPECT_LT(std::abs(ahead - before), 0.5 * ratio(p) * pitch_1(p) / kSteps);
     }
@@ -171,9 +173,9 @@ TEST(TouchingScrews, short_tips_touch_with_their_edges) {
   EXPECT_GT(tips, 5);
 }
 
-// Gear 2 reaches below the base circle of gear 1, where there is no involute: its flank meets the
-// end of gear 1's, or its tip edge digs in beside that. It is pushed ahead, and both sides of the
-// solids overlap: that does not pass for a mesh.
+// Gear 2 reaches below the base circle of gear 1, where there is no involute. Its flank meets the
+// end of that of gear 1, or its tip edge digs in beside it. Gear 2 is pushed ahead, and the solids
+// overlap on both sides, so this is not accepted as a mesh.
 TEST(TouchingScrews, interference_is_told) {
   const ScrewPair p = interfering_pair();
   int base = 0;

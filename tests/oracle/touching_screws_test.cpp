@@ -1,6 +1,6 @@
-// The touching screws against the closed formulas of conjugate action: no backlash where there is
-// none, the ratio z_1/z_2 at every rotation, contact along the line from A to B and from A' to B'
-// and no farther.
+// Compares the touching screws with the closed formulas of conjugate action: zero backlash at the
+// right distance, the ratio z_1/z_2 at every rotation, and contact exactly along the line from A to
+// B and from A' to B'.
 //
 //   T   what gear 2 is ahead of the ratio: φ_2 − (z_1/z_2) φ_1
 //   ε   contact ratio: rotation over which one tooth touches, in pitches
@@ -50,8 +50,8 @@ class ConjugateScrews : public ::testing::TestWithParam<ConjugatePair> {};
 INSTANTIATE_TEST_SUITE_P(Pairs, ConjugateScrews, ::testing::ValuesIn(conjugate_pairs()),
                          [](const auto& info) { return std::string(info.param.name); });
 
-// Σ where the formulas say that there is no backlash: both flanks touch, at the ratio, on their
-// lines, and the search agrees with the tangency.
+// At this Σ the formulas give no backlash. Both flanks touch, at the ratio, on their lines, and the
+// search agrees with the tangency.
 TEST_P(ConjugateScrews, no_backlash_one_ratio_one_line) {
   for (const ConjugateMesh& mesh : GetParam().meshes) {
     const ScrewPair p = mounted(GetParam(), mesh);
@@ -83,9 +83,9 @@ TEST_P(ConjugateScrews, no_backlash_one_ratio_one_line) {
   }
 }
 
-// One tooth followed both ways until an edge takes over: the leading flanks from A, the tip of gear
-// 2, to B, the tip of gear 1; the trailing flanks from B' to A'. The rotation between is ε pitches.
-// Of parallel helical gears the section z = 0.
+// One tooth is followed in both directions until an edge takes over: the leading flanks from A, the
+// tip of gear 2, to B, the tip of gear 1; the trailing flanks from B' to A'. The rotation between
+// is ε pitches. For parallel helical gears, the section z = 0 is used.
 TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
   for (const ConjugateMesh& mesh : GetParam().meshes) {
     ScrewPair p = mounted(GetParam(), mesh);
@@ -114,7 +114,7 @@ TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
         ASSERT_TRUE(edge.has_value());
         EXPECT_EQ(edge->where, at_b ? Where::tip_1 : Where::tip_2);
         const Vector3d end = end_of_line(p, mesh, side, at_b ? mesh.b : mesh.a);
-        // The bisection sees the noise of the point, of either gear's string, and of its own.
+        // The bisection includes the noise of the point and of the strings of both gears.
         EXPECT_NEAR((contact_point(p, *last) - end).norm(), 0.0, 10 * point_tolerance(p));
         ends[way > 0] = in;
       }
@@ -129,8 +129,8 @@ TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
   }
 }
 
-// Other centre distances: the play that the formulas give, negative where the teeth are too thick.
-// Both flanks share it, for turning the whole by half a turn about the centre line exchanges them.
+// At other centre distances, the backlash is that of the formulas, negative if the teeth are too
+// thick. Both flanks share it, because a half turn about the centre line exchanges them.
 TEST_P(ConjugateScrews, play_at_other_centre_distances) {
   for (const ConjugatePlay& wanted : GetParam().plays) {
     ConjugateMesh mesh{};

@@ -40,7 +40,7 @@ TurnedPolygons::TurnedPolygons(ToothedPolygon gear_1, ToothedPolygon gear_2, dou
               : a - two_.tip;
   step_ = (one_.tip - from_) / lines;
   if (two_.ring) return;
-  // Points nearer to their axis than any line lie beside them all, wherever they turn.
+  // Points nearer to their axis than any line are beside all lines at any rotation.
   for (Gear* gear : {&one_, &two_}) {
     const double least = gear == &one_ ? from_ : a - one_.tip;
     std::vector<Vector2d> kept;
@@ -58,8 +58,8 @@ void TurnedPolygons::cut(const Gear& gear, double turn, double sign, double offs
                          std::vector<char>& starts) const {
   for (auto& c : cuts) c.clear();
   const double pitch = 2 * kPi / gear.teeth;
-  // Teeth about the x axis, as many as stand within the tip circles' common part and one more on
-  // either side; all of them where that is much of the circle.
+  // Teeth about the x axis: as many as lie within the common part of the tip circles, and one more
+  // on either side. All teeth are used if that is a large part of the circle.
   const double nearest = sign * from_ + offset;
   double widest = kPi;
   if (sign < 0.0 || nearest > 0.0) {
@@ -72,11 +72,11 @@ void TurnedPolygons::cut(const Gear& gear, double turn, double sign, double offs
     }
   }
   const int reach = static_cast<int>(std::min(1e6, (widest + 0.1) / pitch)) + 2;
-  const bool all = (reach + 0.5) * pitch > 1.5;  // a ray that way would miss the lines
+  const bool all = (reach + 0.5) * pitch > 1.5;  // a ray in that direction would miss the lines
   const double base = std::remainder(turn, pitch);
   const int begin = all ? 0 : -reach;
   const int end = all ? gear.teeth : reach;
-  // Each line starts below: far away, or on the ray of the first tooth's middle.
+  // Each line starts below, either far away or on the ray of the first tooth's middle.
   for (std::size_t i = 0; i < lines_; ++i) {
     const double x = sign * line(i) + offset;
     const double rho =
@@ -117,7 +117,7 @@ double TurnedPolygons::half_length(double x) const {
 double TurnedPolygons::shared_area(double phi, double turn) const {
   const double ratio = static_cast<double>(one_.teeth) / two_.teeth;
   cut(one_, phi, 1.0, 0.0, cuts_1_, starts_1_);
-  // Gear 2 with a space on the x axis: an external one seen from its own side, turned by half a
+  // Gear 2 has a space on the x axis. An external one is seen from its own side, turned by half a
   // turn.
   const double half = kPi / two_.teeth;
   const double rolled = (two_.ring ? ratio : -ratio) * phi + turn;
@@ -131,7 +131,7 @@ double TurnedPolygons::shared_area(double phi, double turn) const {
     auto& one = cuts_1_[i];
     seen = cuts_2_[i];
     bool in_2 = starts_2_[i] != 0;
-    if (!two_.ring) {  // y runs the other way there
+    if (!two_.ring) {  // y has the opposite direction there
       if (seen.size() % 2 == 1) in_2 = !in_2;
       std::reverse(seen.begin(), seen.end());
       for (double& y : seen) y = -y;

@@ -1,4 +1,4 @@
-// Two toothed polygons turned against each other: the area that they share.
+// Computes the common area of two toothed polygons that turn against each other.
 //
 //   half tooth   points from the middle of the space (polar angle π/z) to the middle of the tooth
 //                (the x axis), on the side y ≥ 0; an internal gear's material lies beyond it
@@ -6,8 +6,8 @@
 //                of gear 1 stands in the middle of a space of gear 2, both on the x axis
 //
 // Lines x = const, evenly spaced where the tip circles overlap, are cut with both polygons. Along a
-// line the polar angle about either axis grows with y, so that the cuts come out in order as the
-// polygon is walked. The length that both materials share, times the spacing, is the area.
+// line, the polar angle about either axis increases with y, so the cuts are obtained in order along
+// the polygon. The area is the length that both materials share, times the spacing.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,8 +27,8 @@ class TurnedPolygons {
   TurnedPolygons(ToothedPolygon gear_1, ToothedPolygon gear_2, double a, int lines);
 
   bool in_reach() const { return step_ > 0.0; }
-  /// The area shared when gear 1 has turned counter-clockwise by φ and gear 2, which rolls with it,
-  /// by `turn` besides, mm².
+  /// The common area when gear 1 has turned counter-clockwise by φ, and gear 2, which rolls with
+  /// it, additionally by `turn`, mm².
   double shared_area(double phi, double turn) const;
 
  private:
@@ -43,8 +43,8 @@ class TurnedPolygons {
   double line(std::size_t i) const { return from_ + step_ * (static_cast<double>(i) + 0.5); }
   /// Half of the part of the line x that lies within the tip circles of external teeth.
   double half_length(double x) const;
-  /// Cuts of the lines offset + line(i), by growing y, with the gear turned by `turn`. The first
-  /// stretch is material if `starts[i]`.
+  /// Cuts of the lines offset + line(i), in the order of y, with the gear turned by `turn`. The
+  /// first stretch is material if `starts[i]`.
   void cut(const Gear& gear, double turn, double sign, double offset, Cuts& cuts,
            std::vector<char>& starts) const;
 

@@ -1,4 +1,5 @@
-// What a test is about. When a contract breaks, it is printed before the test ends: the reproducer.
+// The current case of a test. If a contract is violated, it is printed before the test ends, as a
+// reproducer.
 #pragma once
 
 #include <csignal>
@@ -14,7 +15,7 @@ extern "C" inline void print_at_hand(int) {
   std::fprintf(stderr, "at hand: %s\n", at_hand.c_str());
 }
 
-/// Prints it when a violation passes by, or aborts (base/contract.hpp).
+/// Prints the case when a violation passes by or aborts (base/contract.hpp).
 struct PrintsAtHand {
   PrintsAtHand() : old(std::signal(SIGABRT, print_at_hand)) {}
   ~PrintsAtHand() {

@@ -1,4 +1,5 @@
-// Laws of tooth contact over seeded pairs: what must not change, and what must change how.
+// Tests laws of tooth contact over seeded pairs: invariants, and quantities that change in a known
+// way.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,8 +18,8 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 
 // ---- circular arcs ----
 
-// Racks whose radii are both larger by e cut parallel flanks: nothing of the motion changes, the
-// point goes along the normal.
+// Racks whose radii are both larger by e cut parallel flanks. The motion does not change, and the
+// point moves along the normal.
 TEST(ContactLaws, parallel_flanks) {
   for (const double crossing : {0.0, 2e-4, -3e-4}) {
     tca::ArcPair wider = some_arcs(crossing, 0.02);
@@ -39,7 +40,7 @@ TEST(ContactLaws, parallel_flanks) {
   }
 }
 
-// Both arcs moved along their pitch lines by d: the same motion, d/(r sin λ) earlier.
+// Both arcs are moved along their pitch lines by d. The motion is the same, d/(r sin λ) earlier.
 TEST(ContactLaws, racks_moved_along_the_pitch_line) {
   const double crossing = 2e-4;
   tca::ArcPair moved = some_arcs(crossing);
@@ -59,8 +60,8 @@ TEST(ContactLaws, racks_moved_along_the_pitch_line) {
   }
 }
 
-// A wrong centre distance alone: no error of motion but a constant, and the point runs along a
-// straight line parallel to the axes, its place the exact one equation of dC.
+// Only the centre distance is wrong. The error of motion is constant, and the point moves along a
+// straight line parallel to the axes. Its position follows exactly from one equation of dC.
 TEST(ContactLaws, centre_distance_alone) {
   for (const double d_center : {-0.05, 0.01, 0.08}) {
     const tca::ArcPair pair = some_arcs(0.0, d_center);
@@ -84,7 +85,8 @@ TEST(ContactLaws, centre_distance_alone) {
 
 // ---- involutes without errors ----
 
-// (1) no error of motion at the backlash-free distance, external or ring, either gear driving
+// (1) there is no error of motion at the backlash-free distance, external or internal, either gear
+//     driving
 // (2) the teeth touch along lines everywhere    (3) whose ends lie on the ends of the flanks
 TEST(ContactLaws, conjugate_flanks) {
   Random random(11);
@@ -121,8 +123,8 @@ TEST(ContactLaws, conjugate_flanks) {
   EXPECT_GE(rings, 40);
 }
 
-// Crossed axes: conjugate at any distance, half the backlash behind the middle, and the point on
-// the line of action where its radius says.
+// Crossed axes are conjugate at any distance. Half the backlash is behind the middle, and the point
+// is on the line of action at the position given by its radius.
 TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
   Random random(12);
   int pairs = 0;
@@ -153,8 +155,8 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
   EXPECT_EQ(pairs, 150);
 }
 
-// A pair of teeth followed through its range touches as one looked for from nowhere, and the curve
-// does not depend on how many positions it has.
+// A pair of teeth that is followed through its range gives the same contact as a search without
+// start value, and the curve does not depend on its number of positions.
 TEST(ContactLaws, positions_are_rotations) {
   over_pairs(26, 40, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
@@ -171,7 +173,7 @@ TEST(ContactLaws, positions_are_rotations) {
   });
 }
 
-// Errors stand still: every pitch is the first, its teeth one further.
+// Errors do not rotate, so every pitch is like the first, with teeth one further.
 TEST(ContactLaws, pitches_repeat) {
   over_pairs(27, 30, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
@@ -204,8 +206,8 @@ TEST(ContactLaws, twice_is_the_same) {
   });
 }
 
-// Nowhere does the curve jump: not where the next pair takes over, not where an edge does, not
-// where one piece of a modified flank follows another. Twice as many positions, half the steps.
+// The curve jumps nowhere, neither where the next pair nor where an edge takes over, nor between
+// pieces of a modified flank. With twice as many positions, the steps are half as large.
 TEST(ContactLaws, the_curve_has_no_jump) {
   over_pairs(29, 15, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
@@ -219,7 +221,7 @@ TEST(ContactLaws, the_curve_has_no_jump) {
   });
 }
 
-// Neighbouring pieces of a modified flank meet: the field is the same seen from either.
+// Neighbouring pieces of a modified flank meet: the field is the same from both sides.
 TEST(ContactLaws, pieces_meet) {
   int seams = 0;
   int ridges = 0;
@@ -282,7 +284,7 @@ TEST(ContactLaws, scaling_by_two_is_exact) {
     const auto a = over_a_pitch(p.set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
       EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-15);
-      // A nanometre is half as much of a gear twice the size.
+      // A nanometre is relatively half as much on a gear of twice the size.
       if (a.positions[i].kind == TouchKind::line || b.positions[i].kind == TouchKind::line)
         continue;
       EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
@@ -319,8 +321,8 @@ TEST(ContactLaws, mirroring_both_hands) {
   });
 }
 
-// The other driver: TE(φ; Δδ, Δz) = −TE(−φ; −Δδ, −Δz) of the other flanks, the half turn about the
-// centre line.
+// With the other driver, TE(φ; Δδ, Δz) = −TE(−φ; −Δδ, −Δz) of the other flanks, by the half turn
+// about the centre line.
 TEST(ContactLaws, the_other_driver_is_half_a_turn) {
   Wanted want;
   want.modifications = false;
@@ -340,8 +342,8 @@ TEST(ContactLaws, the_other_driver_is_half_a_turn) {
   });
 }
 
-// Gear 2 as gear 1: the same flanks touch, seen from the other axis. A turn −φ_2 − π/z_2 of the new
-// gear 1 stands where φ_1 stood, and the error of motion is seen through the ratio.
+// If gear 2 is taken as gear 1, the same flanks touch, seen from the other axis. The rotation −φ_2
+// − π/z_2 of the new gear 1 corresponds to φ_1, and the error of motion is converted by the ratio.
 TEST(ContactLaws, exchanging_the_gears) {
   Wanted want;
   want.modifications = false;
@@ -366,7 +368,7 @@ TEST(ContactLaws, exchanging_the_gears) {
     for (const ContactPoint& q : a.positions)
       seen.push_back(-q.rotation2 - Angle::radians(kPi / z2));
     const auto b = at_rotations(other.pair(), seen);
-    // Pairs of teeth that touch together within 1e-13 rad are one touch.
+    // Pairs of teeth that touch within 1e-13 rad count as one contact.
     for (int i = 0; i < 5; ++i)
       EXPECT_NEAR(b.positions[i].te.rad(), z2 / z1 * a.positions[i].te.rad(),
                   1e-13 * (1 + z2 / z1));
@@ -392,7 +394,7 @@ TEST(ContactLaws, a_map_does_not_depend_on_threads) {
       for (std::size_t k = 0; k < x.size(); ++k)
         EXPECT_TRUE(same_bits(one.value[i][k], other.value[i][k]));
   }
-  // dC alone costs nothing; the other error does.
+  // dC alone has no effect, but the other error has.
   for (std::size_t i = 0; i < y.size(); ++i) {
     EXPECT_LT(one.value[i][3], 1e-13);
     EXPECT_GT(one.value[i][0], 1e-6);

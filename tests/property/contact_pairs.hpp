@@ -1,4 +1,4 @@
-// Pairs and calls that the tests of contact share.
+// Pairs and functions that the tests of contact share.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ inline tca::ArcPair some_arcs(double crossing = 0.0, double d_center = 0.0) {
   return p;
 }
 
-/// The law over seeded pairs, a third of them rings; it names the pair that breaks it.
+/// Checks the law over seeded pairs, a third of them internal, and reports the pair that breaks it.
 template <class Law>
 void over_pairs(std::uint64_t seed, int pairs, Wanted want, Law law) {
   Random random(seed);

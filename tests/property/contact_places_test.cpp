@@ -1,5 +1,5 @@
-// Touches of involute pairs against dense places of both flanks: errors, modifications, rings,
-// either driver (tests/oracle/brute_flanks.hpp).
+// Compares contacts of involute pairs with dense points of both flanks: errors, modifications,
+// internal gears, either driver (tests/oracle/brute_flanks.hpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace gearwright::property {
 namespace {
 
-// (1) the place found lies on both flanks, at the rotation found    (2) no other place of them asks
-// for more. The first proves what is claimed, the second that nothing was missed.
+// (1) The contact found lies on both flanks, at the rotation found. (2) No other point of them
+//     touches earlier. The first proves the result, the second that nothing was missed.
 void against_places(const ModifiedPair& p, const ContactResult& r) {
   const BruteContact brute(p.brute);
   const double sign = p.set.mount.gear2_drives ? -1.0 : 1.0;
@@ -22,7 +22,7 @@ void against_places(const ModifiedPair& p, const ContactResult& r) {
     ASSERT_EQ(t.has_value(), q.kind != TouchKind::none);
     if (!t) continue;
     const auto seen = brute.look(q.rotation1.rad(), q.pair, q.diameter[0] / 2, q.height[0]);
-    // A line's middle is anywhere on a ridge flatter than a nanometre.
+    // On a ridge flatter than a nanometre, the middle of a line is indeterminate.
     const double arm = std::min(p.brute.one.rho_low, p.brute.two.rho_low);
     EXPECT_NEAR(seen.te, q.te.rad(),
                 q.kind == TouchKind::line ? 2 * kLineGap / arm : 1e-12);  // (1)

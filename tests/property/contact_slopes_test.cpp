@@ -14,10 +14,11 @@ namespace {
 struct Slopes {
   double te, te_noise;
   Vec3 point;
-  bool smooth;  ///< the same pair, kind and place on all sides
+  bool smooth;  ///< pair, kind and position are the same on all sides
 };
 
-// Central differences of two steps, combined. A touch further away than `near`, mm, is another.
+// Central differences of two step sizes, combined. A contact further away than `near`, mm, counts
+// as another one.
 template <class At>
 Slopes differences(const ContactPoint& here, double h, double near, At at) {
   std::array<ContactPoint, 4> p;
@@ -43,7 +44,7 @@ void check(const Sensitivity& got, const Slopes& want, double h, double size, bo
             1e-3 * want.point.norm() + 1e-9 * size / h + 1e-3 * size);
 }
 
-// Every kind of touch, every error: exact derivatives are central differences.
+// For every kind of contact and every error, exact derivatives equal central differences.
 TEST(ContactSlopes, sensitivities_to_errors) {
   std::map<TouchKind, int> seen;
   const auto law = [&seen](const ModifiedPair& p, Random& random) {
@@ -91,7 +92,7 @@ TEST(ContactSlopes, sensitivities_to_errors) {
     EXPECT_GT(seen[k], 2) << to_string(k);
 }
 
-// The amount of every modification of either gear.
+// The same for the amount of every modification of either gear.
 TEST(ContactSlopes, sensitivities_to_modifications) {
   using P = RemovalField::Parameter;
   int compared = 0;
@@ -144,7 +145,7 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
   EXPECT_GT(compared, 100);
 }
 
-// Where the contact goes: crowned pairs inside, edges along their bound.
+// The motion of the contact: inside the flanks for crowned pairs, along the bound for edges.
 TEST(ContactSlopes, the_point_moves_as_said) {
   int compared = 0;
   Random random(44);

@@ -34,7 +34,7 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
   EXPECT_GT(held, kCrossedPairs / 3);
 }
 
-// Rounding of the angles, as lengths: near-parallel axes divide by sin Σ.
+// Rounding of the angles as lengths. Near-parallel axes divide it by sin Σ.
 double grain(const CrossedPair& p) {
   return 256 * kEps * (p.center_distance + p.input.gears[1].radius) /
          std::abs(std::sin(p.shaft_angle.rad()));
@@ -141,7 +141,7 @@ TEST(CrossedLaws, line_of_action) {
   });
 }
 
-// Backlash is linear in a, and nothing at the backlash-free distance.
+// Backlash is linear in a and zero at the backlash-free distance.
 TEST(CrossedLaws, backlash) {
   over_crossed(405, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random& random) {
     ASSERT_TRUE(p.backlash_free_center_distance);
@@ -164,7 +164,8 @@ TEST(CrossedLaws, backlash) {
 
 using Dual = boost::math::differentiation::autodiff_fvar<double, 1>;
 
-// c(α_n) by dual numbers: its slope is −X/tan α_n, nothing at the least distance, where it turns.
+// c(α_n) by dual numbers. Its slope is −X/tan α_n, which is zero at the least distance, where it
+// changes sign.
 TEST(CrossedLaws, the_slope_of_the_distance) {
   over_crossed(406, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
@@ -213,7 +214,7 @@ TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
   });
 }
 
-// Both places of a distance above the least are places of it.
+// Both positions at a distance above the least one have that distance.
 TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
   over_crossed(408, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random& random) {
     const BasePair<double>& g = p.input.gears;
@@ -294,7 +295,7 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
       const auto alpha = transverse_angle_at_min_distance(g);
       ASSERT_TRUE(alpha);
       const auto rack = common_rack(g, angles_at_transverse(g, *alpha));
-      // Every difference is of the first order in the tilt.
+      // Every difference is of first order in the tilt.
       const double a = conjugate_center_distance(g, rack);
       const double scale = 50 * tilt + 1e-12;
       EXPECT_NEAR(a, p->center_distance, scale * p->center_distance);
@@ -307,7 +308,8 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
         EXPECT_NEAR(rack.sides[k].tooth_thickness_normal, rack_p.sides[k].tooth_thickness_normal,
                     scale * p->center_distance);
       }
-      // dj_bn/da at the backlash-free place: 2 sin α_n on crossed axes; parallel: the same.
+      // dj_bn/da at the backlash-free position: 2 sin α_n on crossed axes, and the same on parallel
+      // ones.
       MeshInput<double> in = p->input;
       in.center_distance += 1e-4;
       const double slope = mesh_of(in).backlash.normal_base / 1e-4;

@@ -1,6 +1,6 @@
-// Gears of one to twelve teeth, over the whole range of shift, helix and circular fillets, and the
-// gears that a third of them cut: each ends in an outline that obeys its laws, in a flag, or in an
-// error that names its key. Never in a broken contract.
+// Tests gears with one to twelve teeth, over the whole range of shift, helix and circular fillets,
+// and the gears cut by a third of them. Each ends in an outline that obeys its laws, in a flag, or
+// in an error with its key, and never in a violated contract.
 //
 //   P, ρ, θ    a point of the flank's end, polar     C   centre of a circular fillet
 //   t          direction from the axis to where the flank's normal at P touches the base circle
@@ -8,8 +8,8 @@
 // An involute's normal touches its base circle, and a fillet that is tangent to the flank is
 // centred on that normal: C = D e^{iγ} with D cos(γ − arg t) = r_b, γ being the centre line.
 //
-// A sample of each is confirmed: rack-cut ones by the swept rack, pinion-cut ones by the swept
-// pinion, the circles by their own points.
+// A sample of each kind is verified: rack-cut gears by the swept rack, pinion-cut gears by the
+// swept pinion, and circular fillets by their own points.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@
 namespace gearwright::property {
 namespace {
 
-constexpr int kEvery = 10;  // the sample that is confirmed
+constexpr int kEvery = 10;  // every tenth case is verified
 
 CylindricalSpec random_few_teeth(Random& random) {
   CylindricalSpec spec;
@@ -76,9 +76,9 @@ std::string broken_message(const Error& error) {
   return {};
 }
 
-// Points and centre are good to a few roundings of the tooth; C moves along the centre line by D
-// for every radian of the normal, which is known as well as ξ_P = √(ρ² − r_b²)/r_b from the radius
-// of a rounded point: to ε/ξ, at the base circle itself to √ε.
+// Points and centre are accurate to a few rounding errors of the tooth. C moves along the centre
+// line by D per radian of the normal. The normal is as accurate as ξ_P = √(ρ² − r_b²)/r_b from the
+// rounded radius of a point: to ε/ξ, at the base circle itself to √ε.
 std::string broken_circle(const Gear& gear, const Arc& arc, const Vec2& p, double gamma) {
   constexpr double kEps = std::numeric_limits<double>::epsilon();
   const double r_b = gear.base_radius(), rho = p.norm();
@@ -101,8 +101,8 @@ std::string broken_circle(const Gear& gear, const Arc& arc, const Vec2& p, doubl
   return {};
 }
 
-// The circular fillets: they begin where the flank ends, and are circles about the place where its
-// normal meets the centre line.
+// The circular fillets begin where the flank ends, and are circles about the point where its normal
+// meets the centre line.
 std::string broken_fillets(const Gear& gear) {
   const Outline& outline = gear.tooth->outline;
   const Arc* flank = outline.find(ArcName::flank);
@@ -128,7 +128,7 @@ std::string denied_by_rack(const Gear& gear, double scale) {
         return fmt::format("the swept rack finds ({}, {}) off by {} mm", p.x(), p.y(), off);
     }
   } catch (const std::invalid_argument& refused) {
-    // An acute sharp cutter is the one thing that the swept rack leaves to the engine alone.
+    // The swept rack does not support an acute sharp cutter.
     if (std::string(refused.what()) != "dedendum: a sharp cutter needs a tip land")
       return std::string("the swept rack refuses this cutter: ") + refused.what();
   }
@@ -226,7 +226,8 @@ Tally check_few_teeth(std::uint64_t seed, int n) {
   return tally;
 }
 
-// Shares of the endings, so that no change of the generator empties one unseen.
+// The shares of the results, so that a change of the generator that removes one of them is
+// detected.
 void expect_all_endings(const Tally& tally) {
   EXPECT_GT(tally.teeth, 0.3 * tally.made);
   EXPECT_GT(tally.errors, 0.1 * tally.made);
@@ -242,8 +243,8 @@ TEST(FewTeeth, end_in_a_tooth_a_flag_or_an_error) {
   expect_all_endings(check_few_teeth(20240614, 5000));
 }
 
-// The ramp at the cutter's bottom takes the flank from below C on, in part or entirely: no flank
-// for the fillet to touch.
+// The ramp at the bottom of the cutter removes the flank from below C on, partly or entirely, so
+// there is no flank that the fillet could touch.
 TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
   CylindricalSpec part = testing::plain_spec({.teeth = 7,
                                               .module = 1.0895445729075677,

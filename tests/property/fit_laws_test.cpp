@@ -1,5 +1,5 @@
-// Laws of fit over seeded questions: its branches are pairs at their least distance, and none is
-// lost when the question is mirrored or its gears are exchanged.
+// Tests laws of fit over seeded problems: its branches are pairs at their least distance, and none
+// is lost if the problem is mirrored or its gears are exchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace gearwright::property {
 namespace {
 
-// Every branch of fit has no backlash, and its own least distance is where it stands.
+// Every branch of fit has no backlash and is mounted at its own least distance.
 TEST(FitLaws, branches_stand_at_their_least_distance) {
   Random random(411);
   int branches = 0;
@@ -64,7 +64,7 @@ TEST(FitLaws, branches_stand_at_their_least_distance) {
   EXPECT_GT(branches, 150);
 }
 
-// No branch is lost: the mirrored question and the one with the gears exchanged have as many.
+// No branch is lost: the mirrored problem and the one with exchanged gears have as many.
 TEST(FitLaws, branches_mirrored_and_exchanged) {
   Random random(412);
   int branches = 0;

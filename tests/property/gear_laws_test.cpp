@@ -1,5 +1,4 @@
-// Laws of a gear, over seeded gears: what scaling, the hand, the shift and the defaults do and do
-// not change.
+// Tests laws of a gear over seeded gears: the effects of scaling, hand, shift and defaults.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -93,7 +92,7 @@ TEST(GearLaws, hand_changes_the_sign_of_lead_and_base_helix_only) {
   }
 }
 
-// (3) base cylinder and lead do not know the shift, the allowance or the rack's depth
+// (3) base cylinder and lead do not depend on the shift, the allowance or the depth of the rack
 TEST(GearLaws, base_cylinder_is_the_rack_s_angle_and_nothing_else) {
   Random random(103);
   for (int i = 0; i < kGears; ++i) {
@@ -163,7 +162,7 @@ TEST(GearLaws, spur_is_the_limit_of_helical) {
     const auto spur = gear_if_made(spec);
     spec.helix_angle = Angle::radians(1e-9);
     const auto helical = gear_if_made(spec);
-    // Within 1e-6 of its limit a gear may fall on either side of it.
+    // Within 1e-6 of its limit, a gear may be on either side of it.
     if (!spur || !helical || !spur->exists() || !helical->exists()) continue;
     if (spur->tooth->outline.arcs.size() != helical->tooth->outline.arcs.size()) continue;
     if (std::abs(*spur->involute()->undercut_free_profile_shift -
@@ -197,8 +196,8 @@ TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
     for (const double u : {0.0, 0.5, 1.0}) {
       const Vec2 p = flank->curve->point(flank->begin + u * (flank->end - flank->begin));
       const double rho = std::max(p.norm(), d_b / 2);
-      // Both half angles round by a few ε of the sums they are made of; near the base circle the
-      // roll angle is the root of a difference, ξ³ keeps that small.
+      // Both half angles are rounded by a few ε of their sums. Near the base circle, the roll angle
+      // is the root of a difference, but ξ³ keeps the error small.
       const double half = tooth_thickness_transverse(
                               spec.teeth, d_b, gear->reference().base_tooth_thickness, 2 * rho) /
                           (2 * rho);
@@ -213,8 +212,8 @@ TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
   EXPECT_GT(compared, kGears / 4);
 }
 
-// (8) the shift that is free of undercut is: above it the flank joins its fillet smoothly, below
-// not
+// (8) the undercut-free shift is exact: above it the flank joins its fillet smoothly, below it does
+//     not
 TEST(GearLaws, undercut_flag_tells_a_crossing_from_a_smooth_joint) {
   Random random(108);
   int smooth = 0, crossing = 0;
@@ -237,7 +236,7 @@ TEST(GearLaws, undercut_flag_tells_a_crossing_from_a_smooth_joint) {
         EXPECT_NEAR(turn, 0.0, 1e-9) << describe(spec);
       } else if (margin < -1e-2) {
         ++crossing;
-        EXPECT_LT(turn, -1e-4) << describe(spec);  // an edge that sticks out turns clockwise
+        EXPECT_LT(turn, -1e-4) << describe(spec);  // a corner that points outwards turns clockwise
       }
     }
   }

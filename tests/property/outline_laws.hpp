@@ -1,10 +1,10 @@
-// The laws of a finished half tooth (generation/outline.hpp), each as a sentence that is empty
-// while it holds.
+// The laws of a finished half tooth (generation/outline.hpp). Each returns a sentence, which is
+// empty if the law holds.
 //
 //   ρ, θ   polar coordinates of an outline point; tooth 0 is centred on θ = 0, the space on π/|z|
 //
-// From root to tip ρ never falls, on a ring it never grows: the half angle is a function of ρ, and
-// the outline cannot cross itself.
+// From root to tip, ρ never decreases, or never increases on an internal gear. Therefore the half
+// angle is a function of ρ, and the outline cannot cross itself.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace gearwright::property {
 /// mm: within 1e-9 at gears up to a metre across; beyond, the doubles' own rounding grows along.
 inline double tolerance(double scale) { return 1e-9 * std::max(1.0, scale / 500.0); }
 
-/// The first law that the tooth breaks, as a sentence; empty when all hold.
+/// Returns the first law that the tooth breaks as a sentence. It is empty if all hold.
 ///
 /// Units     mm; `scale` the greater of pitch and tip radius
 ///
@@ -44,7 +44,7 @@ inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, d
       return where + " does not start where the last one ends";
     before = &arc.end_point;
     if (a > 0 && arc.name < outline.arcs[a - 1].name) return where + " is out of order";
-    // The stored ends are points of the curve, up to what the solver of the joint left.
+    // The stored ends are points of the curve within the tolerance of the solver.
     for (const auto& [t, p] :
          {std::pair(arc.begin, arc.begin_point), std::pair(arc.end, arc.end_point)}) {
       const double off = (arc.curve->point(t) - p).norm();
@@ -55,7 +55,8 @@ inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, d
       const Vec2& p = points[i];
       const double rho = p.norm();
       double theta = std::atan2(p.y(), p.x());
-      if (theta < 0.0 && p.x() < 0.0) theta += 2 * std::numbers::pi;  // one tooth: π may round over
+      // a single tooth: π may be rounded to the other sign
+      if (theta < 0.0 && p.x() < 0.0) theta += 2 * std::numbers::pi;
       const std::string at = where + fmt::format(" point {}", i);
       if (!(std::isfinite(p.x()) && std::isfinite(p.y()))) return at + " is not finite";
       if (!(side * rho >= side * rho_before - kRounding * scale)) {

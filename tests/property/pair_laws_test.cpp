@@ -1,4 +1,4 @@
-// Laws of a mounted pair, over seeded pairs.
+// Tests laws of a mounted pair over seeded pairs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,8 @@ int over_spec_pairs(std::uint64_t seed, Law law) {
   return held;
 }
 
-// (1) j_bn = 0 at the backlash-free distance: what inv and its inverse round, over the base circles
+// (1) j_bn = 0 at the backlash-free distance, within the rounding of inv and its inverse on the
+//     base circles
 TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
   const int held = over_spec_pairs(201, [](const SpecPair&, const ParallelPair& p, Random&) {
     EXPECT_NEAR(p.mesh.backlash.normal_base, 0.0,
@@ -133,7 +134,7 @@ TEST(PairLaws, backlash) {
     const double step =
         0.2 * specs.first.normal_module * (0.05 + random.unit()) * (external ? 1 : -1);
     const auto p = mounted(specs, tight.center_distance + step);
-    if (!p) return;  // a ring cannot always come that close
+    if (!p) return;  // an internal gear does not always permit this distance
     const auto& m = p->mesh;
     EXPECT_GT(m.backlash.normal_base, 0.0);
     EXPECT_NEAR(m.backlash.rotation[0] * m.rack.sides[0].pitch_radius,
@@ -185,14 +186,15 @@ TEST(PairLaws, line_of_action) {
   over_spec_pairs(207, [](const SpecPair&, const ParallelPair& p, Random&) {
     const double a = p.center_distance, scale = 64 * kEps * (a + p.input.tip_form_radius[1]);
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r, E = p.on_line_of_action(p.mesh.rho1_E).r;
-    if ((E - A).norm() < 1e-3 * a) return;  // no direction to speak of
+    if ((E - A).norm() < 1e-3 * a) return;  // the direction is undefined
     const Vec3 d = (E - A).normalized();
     const double long_way = a / (E - A).norm();
     EXPECT_NEAR(std::abs(A.x() * d.y() - A.y() * d.x()), p.input.gears[0].radius, scale * long_way);
     EXPECT_NEAR(std::abs((A.x() - a) * d.y() - A.y() * d.x()), p.input.gears[1].radius,
                 scale * long_way);
     EXPECT_NEAR(E.norm(), p.input.tip_form_radius[0], scale);
-    // A ring's tip inside its base circle has no flank: the path ends at the base tangent point.
+    // If the tip of an internal gear is inside its base circle, it has no flank there, and the path
+    // ends at the base tangent point.
     const double tip_2 = std::max(p.input.tip_form_radius[1], p.input.gears[1].radius);
     EXPECT_NEAR((A - Vec3(a, 0, 0)).norm(), tip_2, scale * 4);
     EXPECT_EQ(p.on_trailing_line(p.mesh.rho1_A).r, Vec3(A.x(), 0.0 - A.y(), 0.0));

@@ -1,5 +1,5 @@
-// A second way to a mesh: turn two finished outlines against each other and look where they
-// overlap. Nothing of the pair's formulas is used but its centre distance and poses.
+// An independent check of a mesh: two finished outlines are turned against each other and tested
+// for overlap. Only the centre distance and the poses of the pair are used, none of its formulas.
 //
 //   ρ, θ     polar coordinates in a gear's own frame; θ(ρ) half angle of its tooth at that radius
 //   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear's nearest tooth, mm: arc between
@@ -40,8 +40,8 @@ struct Contact {
   double left = kInfinity, right = kInfinity;  // least gap on either side of the teeth, mm
 };
 
-// Both gears turned by `rotation` of gear 1 (clockwise), points of the teeth of one against the
-// other.
+// Both gears are turned by `rotation` of gear 1 (clockwise). Points on the teeth of one are tested
+// against the other.
 class Turned {
  public:
   Turned(const InvolutePair& pair, double rotation) : pair_(pair) {
@@ -126,8 +126,8 @@ Contact contact_of(const InvolutePair& pair, double rotation) {
   return contact;
 }
 
-// External pairs whose interference list is empty and that pass on motion without a break, tips
-// shortened to keep the racks' clearance.
+// External pairs without interference and with continuous motion. Tips are shortened to keep the
+// clearance of the racks.
 template <class Check>
 int over_running_pairs(std::uint64_t seed, int wanted, Check check) {
   Random random(seed);
@@ -185,8 +185,8 @@ TEST(PairTouch, closer_by_a_hundredth_they_overlap) {
   EXPECT_EQ(found, kPairs);
 }
 
-// Apart they do not touch; turning gear 2 by half its backlash closes one side, and opens the
-// other.
+// At a larger distance they do not touch. If gear 2 turns by half its backlash, one side closes and
+// the other opens.
 TEST(PairTouch, backlash_is_what_closes_the_gap) {
   constexpr int kPairs = 150;
   const int found =
@@ -198,7 +198,7 @@ TEST(PairTouch, backlash_is_what_closes_the_gap) {
         const Contact c = contact_of(*apart, 0.0);
         EXPECT_GT(c.left, 0.0);
         EXPECT_GT(c.right, 0.0);
-        // Thicken gear 2 by the backlash: then both sides touch, at the distance as it is.
+        // If gear 2 is thickened by the backlash, both sides touch at the unchanged distance.
         SpecPair filled = specs;
         filled.second.thickness_allowance +=
             apart->mesh.backlash.normal_base / std::cos(specs.first.normal_pressure_angle.rad());

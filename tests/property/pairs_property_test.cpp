@@ -1,5 +1,5 @@
-// Any two gears at any distance: a pair whose numbers are finite, or an error that names its key.
-// Never a broken contract, however little is left of the teeth.
+// Tests any two gears at any distance. The result is a pair whose numbers are finite, or an error
+// with its key, and never a violated contract, however little remains of the teeth.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace gearwright::property {
 namespace {
 
-// A mate of the same base pitch: other teeth, shift, rack and tip.
+// A mating gear with the same base pitch but different teeth, shift, rack and tip.
 CylindricalSpec random_mate(Random& random, const CylindricalSpec& spec, bool internal) {
   CylindricalSpec mate = random_spec(random);
   mate.thickness_allowance *= spec.normal_module / mate.normal_module;
@@ -31,7 +31,7 @@ CylindricalSpec random_mate(Random& random, const CylindricalSpec& spec, bool in
 
 bool finite(const std::optional<double>& v) { return !v || std::isfinite(*v); }
 
-// The sentence that says what is not a number, empty when all are.
+// Returns a sentence about values that are not finite. It is empty if all are.
 std::string not_finite(const ParallelPair& p) {
   const auto& m = p.mesh;
   const double plain[] = {m.rack.sides[0].transverse_angle,

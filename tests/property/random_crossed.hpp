@@ -51,7 +51,8 @@ inline CrossedSpecs random_crossed(Random& random, double least, bool racks = tr
   }
 }
 
-/// Mounted `play` mm further apart than without backlash; nothing when a gear cannot be.
+/// Mounted at a distance `play` mm above the one without backlash. Returns nothing if a gear is
+/// impossible.
 inline std::optional<CrossedPair> mounted(const CrossedSpecs& s, double play = 0.0) {
   auto g1 = make_gear(s.first);
   auto g2 = make_gear(s.second);

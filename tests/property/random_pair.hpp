@@ -1,5 +1,4 @@
-// Seeded pairs that mesh: one module, pressure angle and |β|, hands to match, shifts of common
-// size.
+// Seeded pairs that mesh: one module, pressure angle and |β|, matching hands, shifts of usual size.
 #pragma once
 
 #include <cmath>
@@ -40,8 +39,8 @@ inline SpecPair random_pair(Random& random, bool internal) {
   return pair;
 }
 
-/// Both gears mounted at `a`, at the backlash-free distance without it; nothing when they cannot
-/// be.
+/// Mounts both gears at `a`, or at the backlash-free distance if `a` is absent. Returns nothing if
+/// that is impossible.
 inline std::optional<ParallelPair> mounted(const SpecPair& specs,
                                            std::optional<double> a = std::nullopt) {
   auto g1 = make_gear(specs.first);

@@ -1,5 +1,5 @@
-// Every spec ends in a tooth that obeys its laws and that the swept rack agrees with, in flags, or
-// in an error that names its key. Never in a broken contract.
+// Tests that every spec ends in a tooth that obeys its laws and agrees with the swept rack, in
+// flags, or in an error with its key, and never in a violated contract.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 using oracle::SweptRack;
 
-// The members that a gear's spec has; a message that names another helps nobody.
+// The members of a gear's spec. A message with any other name is useless.
 bool known_field(const std::string& field) {
   static const std::array<const char*, 16> fields = {"teeth",
                                                      "normal_module",
@@ -53,8 +53,7 @@ std::string broken_error(const Error& e) {
   return {};
 }
 
-// Does the oracle's rack exist? An acute sharp cutter is the one thing it leaves to the engine
-// alone.
+// Returns true if the oracle supports the rack. It does not support an acute sharp cutter.
 std::optional<SweptRack> swept_rack_of(const Gear& gear, std::string& broken) {
   try {
     return SweptRack(oracle::numbers_of(gear));
@@ -70,7 +69,7 @@ enum class Ending { error, through_axis, severed, tooth };
 
 struct Outcome {
   Ending ending;
-  std::string broken;  // what is wrong, empty when all is well
+  std::string broken;  // the fault; empty if there is none
 };
 
 Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
@@ -92,7 +91,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
     if (tooth.through_axis && rack->deepest_radius() > tolerance(scale)) {
       return {ending, "the oracle's cutter does not reach the axis"};
     }
-    // The centre line is cut where the fillets' half angle passes 0, at or below the neck.
+    // The centre line is cut if the half angle of the fillets passes 0 at or below the neck.
     if (tooth.severed && walk_centre_line &&
         !oracle::surface_radius(*rack, 0.0, 0.0, *tooth.neck_radius * (1 + 1e-9))) {
       return {ending, "the oracle finds the neck whole"};
@@ -139,7 +138,8 @@ std::map<Ending, int> check_specs(std::uint64_t seed, int n) {
   return count;
 }
 
-// Shares of the four endings, so that no change of the generator empties one unseen.
+// The shares of the four results, so that a change of the generator that removes one of them is
+// detected.
 void expect_all_endings(const std::map<Ending, int>& count, int n) {
   EXPECT_GT(count.at(Ending::tooth), 0.45 * n);
   EXPECT_GT(count.at(Ending::error), 0.1 * n);
@@ -157,7 +157,7 @@ TEST(LongSpecs, end_in_a_tooth_a_flag_or_an_error) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) expect_all_endings(check_specs(seed, n), n);
 }
 
-// Numbers that no drawing has: each in turn in a spec that was in order.
+// Values that no drawing has, each in turn in a valid spec.
 TEST(Specs, wild_numbers_are_refused_or_survived) {
   const PrintsAtHand handler;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -209,7 +209,7 @@ TEST(Specs, wild_numbers_are_refused_or_survived) {
   }
 }
 
-// Rings: no tooth from a rack, but never a broken contract either.
+// A rack cuts no internal gear, but the contract is never violated either.
 TEST(Specs, rings) {
   const PrintsAtHand handler;
   Random random(11);

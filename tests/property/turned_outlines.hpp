@@ -1,13 +1,15 @@
-// Two finished outlines turned against each other: how near their flanks come to one another.
+// Computes the distances between the flanks of two finished outlines that are turned against each
+// other.
 //
 //   φ       rotation of gear 1, clockwise, rad     p   a point of one outline, mm
 //   q       p in the frame of the mate
 //   d       signed distance of q from the mate's outline, mm, < 0 inside its material
 //   leading    the flanks by which gear 1 pushes: y < 0 on its teeth in its own frame
 //
-// d changes by no more than p moves. On the walk along an outline a point with d > kNear lets the
-// next one be d − kNear further on; where d is less every sample is asked, and about the least of
-// them the least between them is searched. Both outlines walk, each past the other.
+// d changes by no more than p moves. On the walk along an outline, a point with d > kNear permits
+// skipping to the next one d − kNear further. If d is less, every sample is evaluated, and the
+// minimum is refined between the samples about the least one. Both outlines are walked past each
+// other.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +25,8 @@
 
 namespace gearwright::property {
 
-/// Least signed distance, by the side of gear 1's teeth where it was found, mm. More than the reach
-/// of the walk (a twentieth of a module) says only that: nothing is nearer.
+/// Least signed distance, mm, by the side of gear 1's teeth at which it occurs. A value above the
+/// reach of the walk (a twentieth of a module) only means that nothing is nearer.
 struct Nearness {
   double leading = std::numeric_limits<double>::infinity();
   double trailing = std::numeric_limits<double>::infinity();
@@ -42,7 +44,7 @@ class FinishedOutline {
     double s;  ///< mm from the middle of the space
   };
 
-  /// Samples stand no more than `step` apart.
+  /// The distance between samples is at most `step`.
   FinishedOutline(const Outline& outline, double step)
       : ring_(outline.teeth < 0), material_(std::abs(outline.teeth), oracle::curves_of(outline)) {
     for (const Arc& arc : outline.arcs) {
@@ -64,12 +66,12 @@ class FinishedOutline {
 
   const std::vector<Place>& places() const { return places_; }
 
-  /// A bound of the signed distance from below that costs nothing.
+  /// A cheap lower bound of the signed distance.
   double lower_bound(const Vec2& q) const {
     return ring_ ? inner_radius_ - q.norm() : q.norm() - material_.outer_radius();
   }
 
-  /// Signed distance; `start` helps the next search along.
+  /// Signed distance. `start` speeds up the next search.
   double distance(const Vec2& q, std::size_t& start) const {
     const auto foot = material_.foot(q, start);
     start = foot.piece;
@@ -99,7 +101,7 @@ class TurnedOutlines {
   double reach() const { return near_; }
   double step() const { return kStep * near_; }  ///< between samples, mm
 
-  /// Least distance of all samples, asked one by one.
+  /// Least distance of all samples, without skipping.
   double min_of_all(double phi, double turn) const {
     double least = std::numeric_limits<double>::infinity();
     for_each_flank(phi, turn, [&](const Flank& flank) {
@@ -116,7 +118,7 @@ class TurnedOutlines {
     return -0.5 * pair_.mesh.backlash.rotation[1] * (pair_.gears[1].internal() ? -1.0 : 1.0);
   }
 
-  /// How near they come after the rotation φ, gear 2 turned on by `turn` besides.
+  /// Their least distance after the rotation φ, with gear 2 turned additionally by `turn`.
   Nearness at(double phi, double turn) const {
     Nearness nearness;
     for_each_flank(phi, turn, [&](const Flank& flank) { walk(flank, nearness); });
@@ -152,7 +154,7 @@ class TurnedOutlines {
     return {p.x() * c - p.y() * s, p.x() * s + p.y() * c};
   }
 
-  /// Places of a flank as its mate sees them.
+  /// Points of a flank in the frame of its mating gear.
   struct Seen {
     const TurnedOutlines& pair;
     const Flank& flank;

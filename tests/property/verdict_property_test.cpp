@@ -1,10 +1,11 @@
 // Laws of the verdict, over seeded specs as a user writes them.
 //
-// (1) The change that a remedy states, written into the spec, takes its finding away and makes no
-//     other one worse.
-// (2) A finding at the ends of tolerances is there, with its number, when those ends are written as
-//     plain numbers; and no combination of ends has a worse level than the verdict.
-// (3) `pair` and `contact` judge the gears alike; where nothing is left to be judged, the level too.
+// (1) The change in a remedy, applied to the spec, removes its finding and makes no other one
+//     worse.
+// (2) A finding at the ends of tolerances occurs with its value if those ends are given as plain
+//     values; and no combination of ends has a worse level than the verdict.
+// (3) `pair` and `contact` judge the gears alike, and if nothing else is left to be judged, their
+//     levels agree.
 // (4) Ordinary pairs are green.
 // (5) An amber headline about one gear names this gear. (A red one joins the reasons of several.)
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ void set(Json& spec, std::string path, const Json& value) {
 
 double rounded(double x, double step) { return std::round(x / step) * step; }
 
-// What a user might type: small gears, bold shifts, distances that do not fit, long tips.
+// Possible input of a user: small gears, large shifts, distances that do not fit, long tips.
 Json random_job(Random& random) {
   const double m = random.pick({0.8, 1.0, 2.0, 2.5, 5.0, 12.0});
   const bool ring = random.chance(0.15);
@@ -140,7 +141,7 @@ RemedyCount remedies_hold(std::uint64_t seed, int wanted) {
 TEST(VerdictLaws, what_a_remedy_states_helps) {
   const RemedyCount count = remedies_hold(30, 120);
   EXPECT_GT(2 * count.remedies, count.findings);  // most findings have one
-  EXPECT_GT(count.of_a_gear, 10);                 // (5) was put to the test
+  EXPECT_GT(count.of_a_gear, 10);                 // (5) was tested
 }
 
 TEST(LongVerdictLaws, what_a_remedy_states_helps) {

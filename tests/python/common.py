@@ -30,5 +30,6 @@ def batch(verb, specs):
     """What the program answers to each spec, in one run."""
     lines = "\n".join(json.dumps(spec) for spec in specs)
     run = subprocess.run([BIN, "batch", verb], input=lines, capture_output=True, text=True)
-    assert run.returncode in (0, 1), run.stderr  # 1: a spec has no answer, which its line says
+    # 1: a spec has no answer, which is reported in its line
+    assert run.returncode in (0, 1), run.stderr
     return [json.loads(line) for line in run.stdout.splitlines()]

@@ -52,7 +52,8 @@ def test_a_search_as_a_table(tmp_path):
 def test_a_search_of_pairs_that_hold():
     steel = {"material": {"name": "18CrNiMo7-6"}}
     load = {"power_kW": 10, "speed_rpm": 1480, "quality": 6, "face_load_factor": 1.2}
-    every_one = {**SEARCH["search"], "interference": "flag"}  # of designs that are drawn the verdict would take away more
+    # For designs that are drawn, the verdict would reject more.
+    every_one = {**SEARCH["search"], "interference": "flag"}
     wish = {"search": {**every_one, "safety_flank_min": 1.0, "safety_root_min": 1.4, "objective": "mass"},
             "gear1": steel, "gear2": steel, "rating": load}
     found = gw.search(wish, progress=False)
@@ -127,7 +128,7 @@ def test_measure():
     assert len(gw.measure(pair())) == 2
 
 
-# What can be stopped.
+# Computations that can be stopped.
 LONG = {
     "search": 'gw.search({"search": {"ratio": [1, 8], "modules_mm": [1 + 1e-3 * i for i in range(4000)], '
               '"pinion_teeth": [8, 200], "helix_angle_deg": [0, 30], "helix_step_deg": 1}}, progress=False, yes_large=True)',
@@ -169,7 +170,7 @@ def seconds_to_stop(work):
 
 @pytest.mark.parametrize("work", LONG)
 def test_ctrl_c(work):
-    # a machine that is busy with other tests gives a thread its turn late: the best of some tries
+    # on a busy machine a thread may be delayed, so the best of several attempts counts
     tries = []
     while not tries or (min(tries) >= 0.3 and len(tries) < 6):
         tries.append(seconds_to_stop(work))

@@ -29,7 +29,7 @@ def test_no_leak():
         return resident_kb()
 
     warm = rounds(1000)
-    assert rounds(100_000) - warm < 3000  # kB; 32 bytes of each pair would be as much
+    assert rounds(100_000) - warm < 3000  # kB; 32 bytes per pair would amount to this
 
 
 def test_threads_have_the_bits_of_one():

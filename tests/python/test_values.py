@@ -45,7 +45,7 @@ def test_replace():
     assert p.replace(gear2=wheel(teeth=44)).gear2.teeth == 44
     assert pinion().replace(teeth=19).teeth == 19
     assert "thickness_allowance_mm" not in pinion().replace(thickness_allowance=None).spec
-    # an absent distance follows from the teeth
+    # a distance that is not given follows from the teeth
     assert p.replace(center_distance=None).center_distance == pytest.approx(78.6056, abs=1e-4)
 
 
@@ -143,7 +143,7 @@ def test_what_is_no_name_of_a_file_is_said(call):
                                   pinion().stl, pair().drawing, pair().stl])
 @pytest.mark.parametrize("wrong", [True, 1, 2.5, 1j])
 def test_a_number_is_no_file(call, wrong):
-    # A whole number is a file that is open already: True was standard output, and closed it.
+    # A whole number is an open file descriptor. True used to be standard output, and closed it.
     with pytest.raises((TypeError, gw.SpecError)) as e:
         call(wrong)
     assert "cast" not in str(e.value)
@@ -159,7 +159,7 @@ def test_a_dict_with_itself_in_it():
 
 
 def test_a_record_or_a_search_is_no_spec():
-    # Each ended the interpreter: they have keys, or places, and no items.
+    # Each of these used to end the interpreter, because they have keys or positions but no items.
     found = gw.search({"search": {"ratio": [3.0, 3.05], "modules_mm": [2], "pinion_teeth": [14, 30]}}, progress=False)
     for value in (pair().backlash, found, pair().verdict):
         for call in (gw.load, lambda v: gw.Gear(teeth=v, normal_module=2), lambda v: pinion().replace(rack=v)):

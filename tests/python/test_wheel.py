@@ -40,7 +40,7 @@ def test_what_is_in_it(wheel):
 
 
 def test_pip_installs_it_without_an_index(wheel, tmp_path):
-    # NumPy is the one requirement; Debian's serves, as there is no index here to get another one from
+    # NumPy is the only requirement. The one of Debian is used, because no index is available here.
     subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", str(tmp_path / "env")], check=True)
     python = str(tmp_path / "env/bin/python")
     clean = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}

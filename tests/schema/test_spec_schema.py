@@ -17,7 +17,7 @@ BIN, NODE = os.environ["GW_BIN"], os.environ["GW_NODE"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
 SPECS = pathlib.Path(os.environ["GW_SPECS"])
 SCHEMA = SOURCE / "docs/schema/spec.schema.json"
-# What the program says of a type, a word, a number of values or a key; ranges: see `Ranges`.
+# The program's messages about a type, a word, a number of values or a key. Ranges: see `Ranges`.
 OF_THE_READER = re.compile(r"unknown key in|: must be (a (whole )?number\n|true or false|a text in quotes|one of \"|a table, )|"
                            r": is an empty list|values; it must be|is no number")
 
@@ -103,7 +103,7 @@ def of_gear(**more):
 SET = {"sun": 20, "planet": 25, "ring": 70, "planets": 3}
 GRAPH = {"body": [{"name": "a"}, {"name": "b"}], "gear": [{"name": "g", "body": "a", "teeth": 20}, {"name": "h", "body": "b", "teeth": 40}],
          "mesh": [{"gears": ["g", "h"]}], "input": "a", "output": "b"}
-# A spec that has the table, and the way to it.
+# A spec that contains the table, and the path to it.
 STAGE = {"torque_Nm": 100, "speed_rpm": 1000, "duration_h": 10}
 TABLES = {
     "gear": (of_gear(), ("gear1",)),
@@ -160,7 +160,7 @@ TABLES = {
     "drive_gear": ({"drive": GRAPH}, ("drive", "gear", 0)),
     "drive_mesh": ({"drive": GRAPH}, ("drive", "mesh", 0)),
 }
-# Keys that another one of their table takes the place of, or that have a place beside it alone.
+# Keys that are mutually exclusive with another key of their table, or that require one.
 BESIDE = {"transverse_module_mm": {"normal_module_mm": None}, "normal_diametral_pitch_per_in": {"normal_module_mm": None},
           "lead_angle_deg": {"hand": "right"}}
 
@@ -246,7 +246,7 @@ class Ranges(unittest.TestCase):
             with self.subTest(name):
                 self.assertIn(key, sentences[name], "the program does not refuse it")
                 self.assertNotEqual(said[name], "", f"ajv takes it, the program says: {sentences[name]}")
-        # The program reads what they were made from; a search is no gear.
+        # The program accepts the specs from which the answers were made. A search is not a gear.
         for table, sentence in refusals([(table, spec) for table, (spec, _) in TABLES.items()]).items():
             if "search" not in TABLES[table][0]:
                 self.assertNotRegex(sentence, r"must be|unknown key|is missing", table)

@@ -1,10 +1,11 @@
-// Asks ajv about values: one JSON line {"name", "value"} each on stdin, one line
-// {"name", "valid", "why"} each on stdout. The schema file is the argument.
+// Validates values with ajv: one JSON line {"name", "value"} each on stdin, one line {"name",
+// "valid", "why"} each on stdout. The schema file is the argument.
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import Ajv2020 from "ajv/dist/2020.js";
 
-// strictRequired asks that `required` stands beside its `properties`, which an anyOf of alternatives does not.
+// strictRequired requires `required` next to its `properties`, which an anyOf of alternatives does
+// not satisfy.
 const ajv = new Ajv2020({ strict: true, strictRequired: false, strictTypes: false, allErrors: false });
 const validate = ajv.compile(JSON.parse(readFileSync(process.argv[2], "utf8")));
 for await (const line of createInterface({ input: process.stdin })) {

@@ -15,7 +15,7 @@ class Campaign(unittest.TestCase):
     """A search of 22 chunks, done once by one process alone."""
 
     TEXT = spec(WIDE)
-    CHUNK = ("--chunk", 200_000)  # makes 22
+    CHUNK = ("--chunk", 200_000)  # makes 22 chunks
     CHUNKS = 22
 
     @classmethod

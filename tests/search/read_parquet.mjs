@@ -1,4 +1,4 @@
-// What DuckDB, a reader of its own, finds in a Parquet file.
+// Reads a Parquet file with DuckDB, an independent reader.
 //
 //   node read_parquet.mjs FILE SQL
 //

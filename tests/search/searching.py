@@ -10,10 +10,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 from cli import BIN, SOURCE, Asked, Run, new_folder, raw  # noqa: E402,F401
 
 FILES = ["best.csv", "report.html", "search.json", "search.parquet"]
-# With the bare regions of the theory; what is left of them by default has tests of its own.
+# The regions are those of the theory, without further limits. The default limits have tests of
+# their own.
 SMALL = {"ratio": [1.9, 2.1], "center_distance_mm": [99, 101], "modules_mm": [2, 2.5, 3], "pinion_teeth": [12, 40],
          "profile_shift": [-0.6, 1.0], "interference": "flag"}
-# 4.2 million candidates, 3633 of them feasible: a second or two.
+# 4.2 million candidates, 3633 of them feasible, take one or two seconds.
 WIDE = SMALL | {"modules_mm": "ISO54-I+II", "pinion_teeth": [12, 300], "helix_angle_deg": [8, 20], "helix_step_deg": 1}
 
 
@@ -76,7 +77,7 @@ def end(process, seconds=120):
     try:
         out, err = process.communicate(timeout=seconds)
     except subprocess.TimeoutExpired:
-        process.terminate()  # mpirun ends its ranks then
+        process.terminate()  # mpirun then ends its ranks
         time.sleep(5)
         process.kill()
         process.communicate()

@@ -24,7 +24,7 @@ class OneMachine(Campaign):
 
     def test_no_campaign_at_all(self):
         self.assertEqual(end(start(self.where, self.out))[0], 0)
-        # One default chunk does not hold it; the size of chunks changes nothing.
+        # The search is larger than one default chunk. The size of chunks changes nothing.
         self.assertEqual(contents(self.out), self.alone)
         self.assertEqual(chunks(self.out), 17)
 
@@ -58,7 +58,7 @@ class OneMachine(Campaign):
     def test_unfinished_json(self):
         told = json.loads(self.go("--shard", "1/11", "--json"))
         self.assertEqual(told["search"], {"finished": False, "stopped": False, "chunks_done": 2, "chunks": 22})
-        # whoever resumes alone does what the other shards left
+        # a single process with --resume completes the work of the other shards
         self.go("--resume")
         self.check()
 
@@ -102,11 +102,12 @@ class OneMachine(Campaign):
             time.sleep(self.random.uniform(0.1, 0.5) * self.seconds)
             process.kill()
             end(process)
-            for name, whole in self.alone.items():  # whole or not there
+            for name, whole in self.alone.items():  # a file is either complete or missing
                 if (self.out / name).exists():
                     self.assertEqual((self.out / name).read_bytes(), whole)
         self.go("--resume")
-        for part in self.out.glob("*.part*"):  # of those that were killed; no reader takes them for results
+        # Left by killed processes; no reader takes them for results.
+        for part in self.out.glob("*.part*"):
             part.unlink()
         self.check()
 
@@ -183,10 +184,10 @@ class FinishedFolder(unittest.TestCase):
 
         self.assertEqual(run()[0], 0)
         before = contents(where / "o")
-        self.assertEqual(run()[0], 0)  # the same spec again: the same files
+        self.assertEqual(run()[0], 0)  # the same spec again gives the same files
         self.assertEqual(contents(where / "o"), before)
         (where / "case.toml").write_text('title = "other words"\n' + spec())
-        self.assertEqual(run()[0], 0)  # nothing of it decides the result
+        self.assertEqual(run()[0], 0)  # these options have no effect on the result
         before = contents(where / "o")
         (where / "case.toml").write_text(spec(contact_ratio_min=1.3))
         for args in ((), ("--chunk", 50), ("--threads", 1)):

@@ -10,7 +10,7 @@ from two_nodes import main
 
 
 class LongSlurm(Short):
-    # Of the short test only its cluster and its search are wanted here.
+    # Only the cluster and the search of the short test are used here.
     test_an_array_whose_tasks_on_one_node_are_killed = None
     test_an_array_of_another_size_takes_over = None
     test_ranks_of_one_job = None

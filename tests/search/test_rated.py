@@ -89,7 +89,7 @@ class Taken(unittest.TestCase):
 
 class Listed(unittest.TestCase):
     def test_limits_take_away_and_are_counted(self):
-        # Of designs that are not drawn: the verdict would take away more.
+        # The designs are not drawn, because the verdict would reject more.
         every = search(rated(safety_flank_min=None, safety_root_min=None, objective="safety", interference="flag"))
         some = search(rated(interference="flag"))
         keeps = [d for d in every["designs"] if min(d["S_H"]) >= 1.0 and min(d["S_F"]) >= 1.4]
@@ -195,7 +195,7 @@ class Nothing(Asked):
                     self.assertEqual(search(rated(STEEL + more))["feasible_count"], 0)
 
     def test_one_safety_is_its_own_change(self):
-        # Of designs that are not drawn: the thinnest teeth would have to hold too.
+        # The designs are not drawn, because otherwise the thinnest teeth would have to hold too.
         found = search(rated(STEEL + self.HEAVY, safety_root_min=None, interference="flag"))
         reach = [c for c in found["changes"] if c["key"] == "search.safety_flank_min"]
         best = max(min(d["S_H"]) for d in
@@ -238,7 +238,8 @@ class Refused(Asked):
         for line, key in (("quality = 6\n", "rating.quality"), ("face_load_factor = 1.2\n", "rating.face_load_factor"),
                           ("power_kW = 20\n", "rating.torque_Nm")):
             self.no(rated(STEEL + LOAD.replace(line, "")), key, "is missing")
-        # All at once; of the materials, which are one here, gear 1's alone.
+        # All are missing at once. Both gears have the same material here, so only that of gear 1 is
+        # listed.
         self.no(rated("[rating]\n"), "rating.torque_Nm", "gear1.material (", "rating.quality (", "rating.speed_rpm (", "rating.face_load_factor (")
         self.no(rated(STEEL + LOAD, safety_flank_min=0), "search.safety_flank_min", "0")
         self.no(rated(STEEL + LOAD, safety_flank_min="high"), "search.safety_flank_min")

@@ -26,7 +26,7 @@ class Regions(unittest.TestCase):
         for x, line in zip(points, done.stdout.splitlines(), strict=True):
             answer = json.loads(line)
             runs = False
-            if "error" not in answer:  # else there is no working angle
+            if "error" not in answer:  # otherwise there is no working angle
                 pair = answer["pair"]
                 runs = (x[0] >= least_x1 and min(pair["contact_ratio"], pair["contact_ratio_true"]) >= 1.2
                         and min(pair["tip_clearance_mm"]) >= 0.02 * m and pair["internal"]["involute_margin_mm"] >= 0.02 * m
@@ -36,7 +36,8 @@ class Regions(unittest.TestCase):
             inside += runs
             if runs != (crossed % 2 == 1):
                 differ.append(x)
-        # Curved edges are drawn by 25 points: a few per mille of the region lie between chord and curve.
+        # Curved edges are drawn with 25 points. A few per mille of the region lie between chord and
+        # curve.
         self.assertLessEqual(len(differ), 8, differ)
         share = inside / len(points)
         whole = math.prod(hi - lo for lo, hi in box)

@@ -78,7 +78,7 @@ class Sets(unittest.TestCase):
 
 class Taken(unittest.TestCase):
     def test_an_internal_pair_that_nobody_mounts_has_no_negative_backlash(self):
-        # At the extended distance the first of these was too thick by 0.18 mm.
+        # At the extended distance, the first of these used to be too thick by 0.18 mm.
         pair = taken(spec({"ratio": [-4, -3], "modules_mm": 2, "pinion_teeth": [20, 22]}), 1)
         self.assertNotEqual(pair["verdict"]["level"], "red")
         self.assertLess(abs(pair["pair"]["backlash"]["normal_base_mm"]), 1e-9)
@@ -101,7 +101,7 @@ class Taken(unittest.TestCase):
                   (f"working_{angle}_pressure_angle_deg", working)]
         for key, value in values:
             self.agree(row[key], value, f"{kind}: {key}")
-        # A ring's fillets come from its cutter, which a search does not choose.
+        # The fillets of an internal gear depend on its cutter, which a search does not choose.
         if p["kind"] != "parallel_internal":
             self.agree(row["contact_ratio_true"], p["contact_ratio_true"] - overlap, f"{kind}: contact_ratio_true")
         for i, gear in enumerate(gears):
@@ -171,7 +171,7 @@ class Answer(Asked):
         s = p.json["search"]
         self.assertEqual(s["tested"], s["feasible_count"] + sum(s["rejected"].values()))
         self.assertEqual(len(s["designs"]), s["feasible_count"])
-        # every number is the shortest that reads back to itself
+        # every number is the shortest text that reads back to itself
         for token in set(re.findall(r"(?<=[\[:,])-?\d[^,\]}\s]*", p.out)):
             self.assertEqual(float(token), float(repr(float(token))))
             self.assertLessEqual(len(re.sub(r"^-?0*\.?0*|[eE].*|\.", "", token)), 17, token)
@@ -185,14 +185,15 @@ class Answer(Asked):
                 self.assertLess(math.dist(edge["points"][-1], following["points"][0]), 1e-9)
             corners = [p for edge in edges for p in edge["points"]]
             area = sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(corners, corners[1:] + corners[:1])) / 2
-            # the corners of a curve's chords lose a little
+            # the chords of a curve cut off a little area
             self.assertAlmostEqual(abs(area), row["region"]["area"], delta=2e-3 * row["region"]["area"] + 1e-12)
             for i in (0, 1):
                 self.assertLessEqual(min(p[i] for p in corners), row["profile_shift"][i] + 1e-9)
                 self.assertGreaterEqual(max(p[i] for p in corners), row["profile_shift"][i] - 1e-9)
 
     def test_objectives_rank(self):
-        texts = [spec(), spec(center_distance_mm=[100.4, 100.6])]  # in the second many have no point of Eq. 11
+        # in the second, many have no point of Eq. 11
+        texts = [spec(), spec(center_distance_mm=[100.4, 100.6])]
         for text in texts:
             for name in ("contact_ratio", "ratio", "size", "shift", "area", "sliding", "formula_contact_ratio"):
                 found = search(text + f'objective = "{name}"\ntarget_ratio = 2.03\n')
@@ -233,7 +234,7 @@ class Answer(Asked):
         self.assertEqual(len((r.folder / "o/best.csv").read_text().splitlines()), 6)
         count = duckdb(r.folder / "o/search.parquet", "select count(*) as n from data")
         self.assertEqual(count, [{"n": every["feasible_count"]}])
-        # --take reaches further than --top
+        # --take is not limited by --top
         self.assertEqual(Run("search", spec(), "--top", 2, "--take", 7, folder=folder()).out,
                          Run("search", spec(), "--take", 7, folder=folder()).out)
 
@@ -384,7 +385,7 @@ class Changes(unittest.TestCase):
         for change in found["changes"]:
             key = change["key"].removeprefix("search.")
             old, new = (json.loads(change[end_]) for end_ in ("from", "to"))
-            if keys[key] == [old, old]:  # a band of one number is shown as one
+            if keys[key] == [old, old]:  # a range with equal limits is shown as one value
                 old = keys[key]
             self.assertEqual(old, keys[key], change)
             self.assertGreater(search(spec(keys | {key: new}, after))["feasible_count"], 0, change)
@@ -392,7 +393,7 @@ class Changes(unittest.TestCase):
                 continue
             shy = [o + 0.99 * (n - o) for o, n in zip(old, new)] if isinstance(old, list) else old + 0.99 * (new - old)
             self.assertEqual(search(spec(keys | {key: shy}, after))["feasible_count"], 0, f"{change}, {shy}")
-        # the table for people and the page say the same
+        # the table and the page show the same text
         told = Run("search", text, folder=folder()).out
         for change in found["changes"]:
             self.assertIn(f"{change['key']} = {change['to']} instead of {change['from']}", told)

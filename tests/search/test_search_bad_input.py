@@ -48,7 +48,7 @@ class Refused(Asked):
         self.no(spec(pinion_teeth=[12.5, 40]), "search.pinion_teeth", "whole numbers")
         self.no(spec(pinion_teeth=[2, 40]), "search.pinion_teeth", "between 3 and 20000")
         self.no(spec(pinion_teeth=[12, 30000]), "search.pinion_teeth", "between 3 and 20000")
-        # wheels beyond 20 000 teeth
+        # external gears with more than 20 000 teeth
         self.no(spec(pinion_teeth=[12, 9524]), "search.ratio", "20000.4", "at most 20000")
         self.no(spec(ratio=[-800, -2]), "search.ratio", "32000", "at most 20000")
         self.assertEqual(Run("search", spec(pinion_teeth=[9500, 9523], modules_mm=[2]), folder=folder()).status, 0)
@@ -154,7 +154,7 @@ def children_seconds():
 
 
 class Large(Asked):
-    # 9·10^14 candidates, and as many as a spec can ask for.
+    # 9·10^14 candidates, the maximum for a spec.
     WIDEST = {"ratio": [1, 5], "pinion_teeth": [10, 2000], "modules_mm": modules(1400), "helix_angle_deg": [0, 40],
               "helix_step_deg": 0.0005}
 
@@ -177,8 +177,8 @@ class Large(Asked):
         return float(said[4]) / int(said[5])
 
     def test_says_how_long_it_would_take(self):
-        # What one helix angle and a few modules of it really take. The machine may be at something else
-        # while one of the two is measured: one honest measurement is enough.
+        # The actual duration for one helix angle and a few modules. The machine may be busy while
+        # one of the two is measured, so one good measurement is sufficient.
         ratios = []
         while len(ratios) < 4 and not any(0.2 < ratio < 5 for ratio in ratios):
             part = folder(spec(SMALL | self.WIDEST, modules_mm=modules(2), helix_angle_deg=10, helix_step_deg=None))
@@ -274,10 +274,10 @@ class World(Asked):
                 p = subprocess.run([BIN, "search", "case.toml", *args], cwd=where, stdout=full, stderr=subprocess.PIPE, text=True)
             self.assertEqual(p.returncode, 3, args)
             self.assertIn("standard output", p.stderr)
-        contents(where / "o")  # what was asked for is whole
+        contents(where / "o")  # the requested files are complete
 
     def test_full_disk(self):
-        # A file size limit is a disk that fills up in the middle of a file.
+        # A file size limit has the effect of a disk that fills up in the middle of a file.
         for blocks in (1, 8, 40):
             where = folder(spec())
             script = f"ulimit -f {blocks}; exec '{BIN}' search case.toml --out o"

@@ -11,7 +11,7 @@ from searching import BIN, SOURCE, WIDE, chunks, contents, end, folder, spec, st
 from two_nodes import NODES, TwoNodes, main
 
 SCRIPTS = SOURCE / "examples" / "slurm"
-# 10 million candidates: ten seconds on one core.
+# 10 million candidates take ten seconds on one core.
 SPEC = spec(WIDE, modules_mm=[1 + i / 8 for i in range(25)], pinion_teeth=[10, 400], helix_step_deg=0.6)
 CHUNK = ("--chunk", 100_000)
 

@@ -116,7 +116,7 @@ class TwoNodes:
 
     def __init__(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_slurm_"))
-        self.folder.chmod(0o755)  # munged insists
+        self.folder.chmod(0o755)  # munged requires it
         self.daemons = {}
         self.environment = os.environ | {"SLURM_CONF": str(self.folder / "slurm.conf"), "OMPI_ALLOW_RUN_AS_ROOT": "1",
                                          "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -130,7 +130,8 @@ class TwoNodes:
         return self
 
     def __exit__(self, *_):
-        for name in sorted(self.daemons, key=lambda name: name == "munged"):  # the others need munged to say goodbye
+        # The other daemons need munged to shut down.
+        for name in sorted(self.daemons, key=lambda name: name == "munged"):
             self.end(name, signal.SIGTERM)
         for process in self.processes():
             kill(process)
@@ -229,7 +230,7 @@ class TwoNodes:
             try:
                 environment = (entry / "environ").read_bytes().split(b"\0")
                 comm = (entry / "comm").read_text().strip()
-            except OSError:  # it has ended
+            except OSError:  # the process has ended
                 continue
             if f"SLURM_CONF={self.folder}/slurm.conf".encode() not in environment:
                 continue

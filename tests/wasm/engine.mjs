@@ -1,4 +1,4 @@
-// The engine of the build for WebAssembly, for tests under node.
+// Loads the engine of the WebAssembly build, for tests under node.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -7,7 +7,7 @@ const here = path.dirname(fileURLToPath(import.meta.url));
 export const source = process.env.GW_SOURCE ?? path.resolve(here, "../..");
 export const build = process.env.GW_WASM ?? path.join(source, "build/wasm");
 
-/** The engine as a page has it, its bytes read from disk. */
+/** The engine as used by a page, with its bytes read from disk. */
 export async function loadEngine() {
   const folder = path.join(build, "engine");
   const { default: createEngine, failed } = await import(pathToFileURL(path.join(folder, "engine.js")));

@@ -1,17 +1,17 @@
-// Two JSON texts compared: the same bits, or the same but for the last digits of numbers.
+// Compares two JSON texts: equal bits, or equal except for the last digits of numbers.
 //
 //   error   |a − b| / max(|a|, |b|, scale), where scale is 1 of what the number is made of in the core,
 //           in the unit that its key ends with: a transmission error of a conjugate pair is the difference
 //           of two angles of about 1 rad, a gap that of two radii, and 0 but for their rounding
 
 export const kNear = 1e-12;
-/** Of what follows from a solved system: a section's stiffness, the normal equations of readings. */
+/** For results of a solved system: the stiffness of a section, the normal equations of readings. */
 export const kSolved = 1e-10;
 
 const kLengths = 100; // mm: a large length of the examples
 const kStresses = 1000; // N/mm²: a large stress of the examples
 const units = [
-  [/least_root_stress_MPa$/, kStresses], // what is left where greater ones meet
+  [/least_root_stress_MPa$/, kStresses],  // the value where greater ones cancel
   [/_arcsec$/, (180 * 3600) / Math.PI],
   [/_deg$/, 180 / Math.PI],
   [/_mm$/, kLengths],
@@ -25,7 +25,7 @@ export function scaleOf(path) {
   return unit ? unit[1] : 1;
 }
 
-/** What two trees have in common. */
+/** Compares two trees. */
 export function compare(a, b, path = "", found = { numbers: 0, bits: 0, differing: [], faults: [] }) {
   const into = (x, y, step) => compare(x, y, path + step, found);
   if (typeof a === "number" && typeof b === "number") {

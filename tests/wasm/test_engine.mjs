@@ -1,4 +1,4 @@
-// What engine.d.ts promises: shapes, refusals, poses, work in steps.
+// Tests the interface of engine.d.ts: shapes, errors, poses, work in steps.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
@@ -57,7 +57,7 @@ const tests = {
     const session = engine.open(text);
     const once = engine.run("load", text);
     for (let again = 0; again < 2; ++again) {
-      // the second time with tables that were kept
+      // the second time with cached tables
       const work = session.load();
       let steps = 0;
       for (let state = work.step(1); !state.finished; state = work.step(1)) {
@@ -122,7 +122,7 @@ const tests = {
       for (const rotation of [-3, 0, 5.5]) {
         const at = session.contactPoint(rotation);
         if (at.kind === "none") continue;
-        // The point lies on both gears at the diameters and heights that contact tells.
+        // The point lies on both gears at the diameters and heights of the contact result.
         for (const gear of [1, 2]) {
           const x = session.pose(gear, rotation);
           const axis = [x[8], x[9], x[10]];
@@ -151,7 +151,7 @@ const tests = {
               ((bx - ax) ** 2 + (by - ay) ** 2)));
             least = Math.min(least, Math.hypot(q[0] - ax - t * (bx - ax), q[1] - ay - t * (by - ay)));
           }
-          // Modifications and tilted errors take a few µm off the drawing's flank.
+          // Modifications and tilted errors move the flank by a few µm from that of the drawing.
           assert.ok(least < 0.03, `${name} gear ${gear}: the point lies ${least} mm off the outline`);
         }
       }

@@ -1,12 +1,12 @@
-// Every example, every verb: what the program prints and what WebAssembly prints.
+// Compares the output of the program with that of WebAssembly, for every example and every verb.
 //
-//   same      words, flags, lists, keys: letter for letter
+//   same      words, flags, lists, keys: identical
 //   bits      numbers that are the same double
 //   near      the others, which the C library's last bits tell apart: within kNear as near.mjs measures,
 //             under load, and of identify, within kSolved
 //
-// Two ways through WebAssembly are asked, the engine of the page and the program under node: their
-// texts are the same bytes.
+// Two ways through WebAssembly are tested, the engine of the page and the program under node. Their
+// texts must be the same bytes.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";

@@ -16,7 +16,7 @@ Progress = Callable[[str, int, int], object]
 
 
 class _Line:
-    """How far a search is, on stderr, from its second second on."""
+    """Reports the progress of a search on stderr, after its first second."""
 
     def __init__(self) -> None:
         self.start = self.printed = time.monotonic()
@@ -46,11 +46,12 @@ def search(
     resume: bool = False,
     yes_large: bool = False,
 ) -> Search:
-    """All designs that satisfy the table [search] of a spec, best first: iterate over them, .pair(place), .to_pandas().
+    """Finds all designs that satisfy the table [search] of a spec, best first. Iterate over them, or use .pair(place)
+    or .to_pandas().
 
-    top       so many designs at most          progress  True: a line on stderr; or f(stage, done, of)
-    out       folder of the program's files; with resume=True a search that was stopped goes on
-    Ctrl-C ends it within a tenth of a second.
+    top       greatest number of designs       progress  True: a line on stderr; or f(stage, done, of)
+    out       folder for the program's files; with resume=True, a stopped search continues
+    Ctrl-C ends the search within a tenth of a second.
     """
     line = _Line()
     report: Progress | None = progress if callable(progress) else line if progress else None
@@ -61,25 +62,26 @@ def search(
 
 
 def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
-    """Which standard gear the readings of a gear in hand belong to: the program's answer to a spec with [gear1.measured]
-    readings, as a dict."""
+    """Finds the standard gears that match the readings of a gear. Returns the program's answer to a spec with
+    [gear1.measured] readings, as a dict."""
     return _core.solve(spec, "identify")
 
 
 def measure(value: Gear | Pair) -> Any:
-    """What a workshop measures on a gear, by key; of a Pair a list of two."""
+    """Returns the inspection dimensions of a gear, by key; for a Pair, a list of two."""
     gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]
     return gears if isinstance(value, Pair) else gears[0]
 
 
 def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Runs published numbers (a case file of `gearwright verify`) through the engine: for each case its id, how many
-    values it compares and a line for each difference. `cases`: the file's path, or what stands in it."""
+    """Compares published numbers (a case file of `gearwright verify`) with the engine. Returns for each case its id,
+    the number of compared values and a line for each difference. `cases` is the path of the file, or its content."""
     if isinstance(cases, (str, bytes, os.PathLike)):
         with open(cases, encoding="utf-8") as file:
             cases = json.load(file)
-    elif not isinstance(cases, Mapping):  # a number would be a file that is open already
-        raise TypeError(f"cases: must be the path of a case file, or what stands in it, not {cases!r}")
+    # a number would be taken as the descriptor of an open file
+    elif not isinstance(cases, Mapping):
+        raise TypeError(f"cases: must be the path of a case file, or its content, not {cases!r}")
     return _core._verify(cases)
 
 
@@ -88,7 +90,7 @@ def _designs(found: Search) -> Iterator[Any]:
 
 
 def _to_pandas(found: Search) -> Any:
-    """The designs as a DataFrame, a row each, with the columns of search.parquet."""
+    """Returns the designs as a DataFrame, with a row each and the columns of search.parquet."""
     import pandas as pd
 
     return pd.DataFrame(found.to_numpy())

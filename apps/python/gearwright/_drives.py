@@ -15,7 +15,7 @@ _UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_arcsec", math.pi / 648000.
 
 
 def _value(record: Mapping[str, Any], name: str) -> Any:
-    """The value of a key, or of a name in mm and rad."""
+    """Returns the value of a key, or of a name in mm and rad."""
     if name in record:
         return record[name]
     for suffix, unit in _UNITS:
@@ -63,10 +63,10 @@ def _wrapped(value: Any) -> Any:
 
 
 class Drive:
-    """A planetary set, a train or any other drive: speeds, torques, places, phases, play, the pairs of its meshes.
+    """A planetary set, a train or any other drive: speeds, torques, positions, phases, backlash, pairs of its meshes.
 
-    Values do not change. Attributes are in mm and rad, `drive.ratio`, `drive.backlash.output`; items and as_dict() have
-    the keys of the program's JSON. `bodies` and `meshes` are dicts by name.
+    The object is immutable. Attributes are in mm and rad, `drive.ratio`, `drive.backlash.output`. Items and as_dict()
+    have the keys of the program's JSON. `bodies` and `meshes` are dicts by name.
     """
 
     def __init__(self, spec: Mapping[str, Any]) -> None:
@@ -101,15 +101,15 @@ class Drive:
         return [Part(warning) for warning in self._warnings]
 
     def rate(self, **rating: Any) -> dict[str, Part]:
-        """Strength by ISO 6336 of each mesh that carries, by its name, with the keys of [rating]: quality=[6, 6],
-        material={"name": "17CrNiMo6"}, mesh_load_factor, …; torque and speed are those of the drive, unless they are given."""
+        """Returns the strength by ISO 6336 of each loaded mesh, by its name, with the keys of [rating]: quality=[6, 6],
+        material={"name": "17CrNiMo6"}, mesh_load_factor, …. Torque and speed are those of the drive unless given."""
         table = {**self._spec.get("rating", {}), **rating}
         answer = _core.solve({**self._spec, "rating": table}, "rate")
         rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}
         return {name: Part(record) for name, record in rated.items() if record}
 
     def replace(self, **changes: Any) -> Drive:
-        """The same with other tables, or of a planetary set with other keys of [planetary]; None takes one out."""
+        """Returns the drive with other tables or, for a planetary set, other keys of [planetary]. None removes one."""
         spec = self.spec
         own = spec["planetary"] if "planetary" in spec else spec
         for key, value in changes.items():
@@ -149,12 +149,14 @@ class Drive:
 
 
 def planetary(**keys: Any) -> Drive:
-    """A planetary set with the keys of [planetary]: gw.planetary(sun=20, planet=25, ring=70, planets=3, normal_module=2)."""
+    """Makes a planetary set from the keys of [planetary]:
+    gw.planetary(sun=20, planet=25, ring=70, planets=3, normal_module=2)."""
     return Drive({"planetary": keys})
 
 
 def train(*stages: Mapping[str, Any]) -> Drive:
-    """A train of stages, each a dict with the keys of [[stage]]: gw.train({"teeth": [19, 58]}, {"teeth": [17, 67]})."""
+    """Makes a train of stages, each a dict with the keys of [[stage]]:
+    gw.train({"teeth": [19, 58]}, {"teeth": [17, 67]})."""
     return Drive({"stage": [dict(stage) for stage in stages]})
 
 

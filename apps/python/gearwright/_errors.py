@@ -1,4 +1,4 @@
-"""What is wrong with an input, so that whoever gave it can mend it."""
+"""Errors of the input, with the information that the user needs to correct it."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ class SpecError(ValueError):
     """A number that no gear can have.
 
     key      the key of a spec, "pair.center_distance_mm"; of a Gear by itself "helix_angle_deg"
-    value    what stands there, as a text; empty: nothing, or nothing that a sentence could show
+    value    the given value as a text; empty if there is none or it cannot be shown in a sentence
     allowed  what is wrong, what is allowed and why, what would help
-    message  all of it in one sentence
+    message  all of these in one sentence
     """
 
     def __init__(self, key: str, value: str, allowed: str, message: str) -> None:

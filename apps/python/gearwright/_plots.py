@@ -1,4 +1,4 @@
-"""Plots for matplotlib, where that is installed: gear.plot(), pair.plot(), pair.animate(), contact.plot()."""
+"""Plots with matplotlib, if it is installed: gear.plot(), pair.plot(), pair.animate(), contact.plot()."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _axes(ax: Any, equal: bool) -> Any:
 
 
 def plot_gear(gear: _core.Gear, ax: Any = None, points: int = 20) -> Any:
-    """The section of all teeth; returns the axes."""
+    """Plots the section of all teeth and returns the axes."""
     ax = _axes(ax, True)
     section = gear.section(points)
     ax.plot(section[:, 0], section[:, 1], color=COLOURS[0], lw=1)
@@ -42,7 +42,7 @@ def _placed(pair: _core.Pair, which: int, points: int, turn: float = 0.0) -> Any
 
 
 def plot_pair(pair: _core.Pair, ax: Any = None, points: int = 20) -> Any:
-    """Both sections in the housing, at rest; returns the axes."""
+    """Plots both sections in the housing, at rest, and returns the axes."""
     ax = _axes(ax, True)
     for which in (1, 2):
         section = _placed(pair, which, points)
@@ -72,7 +72,7 @@ def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: floa
 
 
 def plot_contact(contact: _core.Contact, ax: Any = None) -> Any:
-    """Transmission error over the rotation of gear 1; returns the axes."""
+    """Plots the transmission error over the rotation of gear 1 and returns the axes."""
     ax = _axes(ax, False)
     ax.plot(np.degrees(contact.rotation1), contact.transmission_error * ARCSEC, color=COLOURS[0])
     ax.set_xlabel("rotation of gear 1, degrees")
@@ -81,7 +81,7 @@ def plot_contact(contact: _core.Contact, ax: Any = None) -> Any:
 
 
 def plot_search(found: _core.Search, x: str = "center_distance_mm", y: str = "contact_ratio", ax: Any = None) -> Any:
-    """Two columns of the designs against each other, the front in colour; returns the axes."""
+    """Plots two columns of the designs against each other, with the front in colour, and returns the axes."""
     ax = _axes(ax, False)
     table = found.to_numpy()
     ax.plot(table[x], table[y], ".", color="0.6")
@@ -93,7 +93,7 @@ def plot_search(found: _core.Search, x: str = "center_distance_mm", y: str = "co
 
 
 def add() -> None:
-    """The plots as methods of the values."""
+    """Adds the plots as methods to the types."""
     for owner, name, method in ((_core.Gear, "plot", plot_gear), (_core.Pair, "plot", plot_pair),
                                 (_core.Pair, "animate", animate), (_core.Contact, "plot", plot_contact),
                                 (_core.Search, "plot", plot_search)):

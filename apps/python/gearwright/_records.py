@@ -1,4 +1,4 @@
-"""Quantities of the catalogue as values: what an attribute of a gear, a pair or an answer is where it is no plain one."""
+"""Quantities of the catalogue as values: the type of an attribute of a gear, a pair or an answer that is a record."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Record:
     def __init__(self, attributes: dict[str, Any], items: dict[str, Any], keys: list[str]) -> None:
         self._attributes = attributes
         self._items = items
-        self._keys = keys  # those that JSON has
+        self._keys = keys  # the keys of the JSON
 
     def __getattr__(self, name: str) -> Any:
         if name in self._attributes:
@@ -34,7 +34,7 @@ class Record:
         return list(self._keys)
 
     def as_dict(self) -> dict[str, Any]:
-        """By key, each in the unit that its key names: what JSON has"""
+        """By key, each in the unit that its key names, as in JSON"""
         return {key: self[key] for key in self._keys}
 
     def __eq__(self, other: object) -> bool:

@@ -1,7 +1,7 @@
-"""Closed forms over arrays, with NumPy's broadcasting: gears on parallel axes by their numbers alone.
+"""Closed forms over arrays, with NumPy's broadcasting, for gears on parallel axes given by their numbers alone.
 
 Angles in rad, lengths in mm (in modules while normal_module is 1), ISO 21771 signs: an internal gear has negative
-teeth, helix_angle is gear 1's. What is not there (no working angle, a tip inside its base circle) is NaN.
+teeth, and helix_angle is that of gear 1. A missing value (no working angle, a tip inside its base circle) is NaN.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ _ALPHA = math.radians(20)
 
 
 def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
-    """Columns for the module, how many rows they broadcast to, and in which shape: what is one number stays one."""
+    """Returns columns for the module, the number of rows to which they broadcast, and their shape. A single number
+    stays one."""
     arrays = [_core._real(v) for v in values]
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
     columns = [a if a.size == 1 else np.ascontiguousarray(np.broadcast_to(a, shape)) for a in arrays]
@@ -48,7 +49,7 @@ def involute(alpha: ArrayLike) -> Any:
 
 
 def inverse_involute(inv: ArrayLike) -> Any:
-    """The α with inv α = inv."""
+    """Returns the α with inv α = inv."""
     columns, rows, shape = _columns(inv)
     return _shaped(_core._inverse_involute(columns, rows), shape)
 
@@ -69,7 +70,7 @@ def pair_table(
     shorten_tips: bool = False,
     columns: tuple[str, ...] | None = None,
 ) -> dict[str, Any]:
-    """Pairs by their numbers, a column for each quantity, by name:
+    """Computes pairs from their numbers. Returns a column for each quantity, by name:
 
     center_distance         a, of the mounting: "tight" is free of backlash, "extended" a_d + m_n (x1 + x2)
     working_pressure_angle  α_wt
@@ -78,7 +79,7 @@ def pair_table(
     tip_thickness1, 2       s_an    tip_clearance1, 2   c
 
     addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. Rows that touch a limit of
-    these formulas are NaN. They are the search's own lanes: 1e-12 from a Pair's numbers, which have the last word.
+    these formulas are NaN. The search uses the same formulas. They agree with a Pair to 1e-12. The Pair is decisive.
     """
     if mounting not in ("tight", "extended"):
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
@@ -130,8 +131,8 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
 def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
                  normal_pressure_angle: float = _ALPHA, addendum: float = 1.0,
                  flank_depth: float = 1.0) -> tuple[Any, Any]:
-    """(least, greatest) profile shift: without undercut, and with a tip of at least tip_thickness modules. An
-    internal gear knows no undercut: its least shift is -inf. NaN where there is none."""
+    """Returns the least profile shift, without undercut, and the greatest, with a tip of at least tip_thickness
+    modules. An internal gear has no undercut, so its least shift is -inf. NaN if there is no such shift."""
     columns, rows, shape = _columns(z, helix_angle)
     alpha = _pressure_angle(normal_pressure_angle)
     least, greatest = _core._shift_limits(columns, rows, alpha, addendum, flank_depth, tip_thickness)

@@ -40,7 +40,7 @@ Result<Json> tree_of(const std::string& text, SpecFormat format) {
   return parse_spec(text, format);
 }
 
-// The path of a null in a tree, because TOML has no null.
+// Returns the path of a null in a tree, because TOML has no null.
 std::optional<std::string> null_in(const Json& tree, const std::string& path) {
   if (tree.is_null()) return path;
   if (!tree.is_structured()) return std::nullopt;

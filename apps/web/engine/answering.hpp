@@ -1,5 +1,5 @@
 // Computes from the text of a spec the text that the program prints with --json, byte for byte,
-// errors included. Files and folders, which a page does not need, are not available.
+// including errors. Files and folders, which a page does not need, are not available.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace gearwright::web {
 
-/// A text that was read; JSON if it begins with a brace, otherwise TOML.
+/// A text of a spec. It is JSON if it begins with a brace, otherwise TOML.
 SpecText spec_text(std::string text);
 
-/// Reads it.   Errors  for more than kMaxSpec bytes; as read_spec
+/// Reads it.   Errors  a text of more than kMaxSpec bytes; those of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// {"error": …} with the keys that the spec has and the line, as the program prints it.
+/// Returns {"error": …} with the keys of the spec and the line, as the program prints it.
 std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});
 
-/// What `gearwright VERB SPEC --json` prints.
+/// Returns the output of `gearwright VERB SPEC --json`.
 std::string answer(std::string_view verb, const std::string& text);
 
-/// The same tree in the other language; none if it cannot be read.
+/// Returns the same tree in the other language. None if the text cannot be read.
 Result<std::string> to_toml(const std::string& json);
 Result<std::string> to_json_text(const std::string& toml);
 

@@ -1,7 +1,8 @@
-// The module's functions, one binding each: values in, values out, no exception and no formula.
+// Binds each function of the module. Functions take and return values; they throw no exceptions and
+// contain no formulas.
 //
-// engine.js adapts them to engine.d.ts: default arguments, and a catch around each call for traps,
-// which only JavaScript detects.
+// engine.js adapts them to engine.d.ts. It adds default arguments, and a catch around each call for
+// traps, which only JavaScript detects.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -28,7 +29,7 @@ namespace {
 
 using emscripten::val;
 
-// A typed array of JavaScript itself: a copy that stays valid when the memory grows.
+// Returns a typed array of JavaScript. It is a copy that stays valid when the memory grows.
 template <class T>
 val array_of(const std::vector<std::uint8_t>& bytes) {
   const auto* data = reinterpret_cast<const T*>(bytes.data());
@@ -44,7 +45,7 @@ val array_of(const Json::binary_t& row) {
   return val::null();
 }
 
-// A tree as JavaScript's objects and arrays.
+// Converts a tree to objects and arrays of JavaScript.
 val js(const Json& tree) {
   if (tree.is_binary()) return array_of(tree.get_binary());
   if (tree.is_object()) {
@@ -76,7 +77,7 @@ val failed(const Error& error, const SpecText* text = nullptr, const GivenKeys& 
   return js(refusal(error, text, given));
 }
 
-// The caught exception as an error, inside a handler.
+// Returns the caught exception as an error. Must be called inside a handler.
 Error caught() {
   try {
     throw;
@@ -108,8 +109,8 @@ std::string guarded_text(const Work& work) {
 const Session& session_of(const Session& session) { return session; }
 const Session& session_of(const Work& work) { return work.session(); }
 
-// A method of a session or of its work: returns its result, or its error with the line in the
-// spec's text.
+// Calls a method of a session or of its work. Returns its result, or its error with the line in the
+// text of the spec.
 template <auto method, class Of, class... Arguments>
 val call(Of& of, Arguments... arguments) {
   return guarded([&] {

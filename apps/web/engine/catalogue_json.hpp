@@ -1,5 +1,5 @@
-// The catalogue as JSON, for forms and tables: every key of a spec, every quantity of a result. The
-// shape: `Catalogue` of engine.d.ts.
+// Writes the catalogue as JSON, for forms and tables: every key of a spec and every quantity of a
+// result. Its structure is `Catalogue` in engine.d.ts.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@
 // Housing frame, rotations, signs: docs/theory/01-frames.md. Gear 1 turns clockwise seen from +z
 // for growing `rotation1`, gear 2 as it is driven.
 
-/** What a refusal looks like: the key of the spec, its value, one sentence. */
+/** An error: the key of the spec, its value, and one sentence. */
 export interface Failed {
   error: {
     key: string; // "gear1.normal_module_mm", or "" if the error has no key
@@ -33,10 +33,10 @@ export interface Failed {
   };
 }
 
-/** Every verb that answers a spec with JSON. */
+/** Every verb that returns JSON for a spec. */
 export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
 
-/** Files that the engine makes; `report` and `json` of all that the spec describes. */
+/** Files that the engine makes. `report` and `json` cover everything in the spec. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";
 
 // ---------------------------------------------------------------------------------- catalogue
@@ -48,20 +48,21 @@ export interface InputKey {
   kind: "number" | "whole" | "boolean" | "text" | "word" | "table" | "any";
   unit: string; // "mm", "°", "µm", "″", "1/min", … of the key's ending; "" of pure numbers
   suffix: string; // end of the key: "mm", "deg", "um", ""
-  words: string[]; // permitted words; for other kinds: words that are also allowed
+  // Permitted words; for kinds other than words, words that are permitted in addition.
+  words: string[];
   range: {
-    lo: number | null; // null: no end
+    lo: number | null; // null: unlimited
     hi: number | null;
-    loOpen: boolean; // the end itself is not allowed
+    loOpen: boolean; // the limit itself is not permitted
     hiOpen: boolean;
-    zero: boolean; // false: 0 is not allowed
-    reason: string; // goes on after the range: ", usually 14.5 to 30"
+    zero: boolean; // false: 0 is not permitted
+    reason: string; // continues the sentence after the range: ", usually 14.5 to 30"
   } | null;
   list: { least: number; most: number; single: boolean } | null; // a list instead of one value
   form: string; // the permitted values as part of a sentence: "a number", "true or false"
   required: boolean;
   needs: string[]; // keys that must also be given
-  excludes: string[]; // keys that must not also be given
+  excludes: string[]; // keys that must not be given together with this one
   tables: string[]; // for a table: names of the possible InputTables
   fallback: string; // value if the key is absent: a value as in the file, or words
   meaning: string; // one sentence, lower case, without the full stop
@@ -88,8 +89,8 @@ export interface Quantity {
   two: "values" | "gears" | "ends"; // the meaning of two values of a list
   oneOf: string[]; // of a word
   of: string; // for a record: name of its QuantityTable; otherwise ""
-  page: boolean; // the report's tables show it
-  listing: boolean; // the terminal's
+  page: boolean; // true if the tables of the report show it
+  listing: boolean; // true if the terminal shows it
   percent: boolean; // a fraction of 1; users see 100 times it
   nothing: string; // text for users if there is no value; "" means "–"
   greaterFirst: boolean; // greater values are better
@@ -119,20 +120,20 @@ export interface Catalogue {
 export interface Section {
   teeth: number; // |z|
   internal: boolean;
-  /** x, y, x, y, … counter-clockwise, mm; closed: the last point joins the first. */
+  /** x, y, x, y, … counter-clockwise, mm. Closed, so the last point is joined to the first. */
   outline: Float64Array;
-  /** Pieces of the outline in its order: points from[i] … to[i] inclusive (point indices; the last
-   *  `to` is the number of points, that is: point 0). */
+  /** Pieces of the outline in order: points from[i] … to[i] inclusive (point indices). The last `to` is
+   *  the number of points, which means point 0. */
   pieces: { name: string; tooth: number; land: boolean; from: number; to: number }[];
-  /** Bore, or rim of an internal gear, closed, x, y, …; empty without one. */
+  /** The bore, or the rim of an internal gear: closed, x, y, …; empty if there is none. */
   bore: Float64Array;
-  /** Circles about the axis that the catalogue names: tip, reference, base, root, form circles,
-   *  working pitch. `key` is the quantity's, "base_diameter_mm". */
+  /** Circles about the axis that the catalogue contains: tip, reference, base, root, form circles,
+   *  working pitch. `key` is that of the quantity, "base_diameter_mm". */
   circles: { key: string; symbol: string; words: string; radius: number }[];
   toleranceMm: number; // greatest distance of a chord from the exact curve
 }
 
-/** A closed mesh in the gear's own frame, for three.js buffers. Normals are the exact surface's. */
+/** A closed mesh in the gear's own frame, for three.js buffers. Normals are those of the exact surface. */
 export interface Mesh {
   positions: Float32Array; // x, y, z, …, mm
   normals: Float32Array;
@@ -140,7 +141,7 @@ export interface Mesh {
   toleranceMm: number;
 }
 
-/** What stands between the gears, in the housing frame, mm. Empty arrays: no such thing. */
+/** Geometry between the gears in the housing frame, mm. An array is empty if there is no such geometry. */
 export interface MeshLines {
   kind: "parallel_external" | "parallel_internal" | "crossed";
   centerDistance: number;
@@ -151,8 +152,8 @@ export interface MeshLines {
   points: { name: "A" | "B" | "C" | "D" | "E"; x: number; y: number; z: number }[];
 }
 
-/** Columns by the keys of contact.positions; NaN or "" where there is no value. A list of n numbers
- *  lies interleaved, `width[key]` = n; of a record the keys are "ellipse.semi_major_mm". */
+/** Columns by the keys of contact.positions; NaN or "" if there is no value. Lists of n numbers are
+ *  interleaved, with `width[key]` = n. For a record the keys are "ellipse.semi_major_mm". */
 export interface ContactCurve {
   n: number;
   columns: Record<string, Float64Array | string[]>;
@@ -164,20 +165,20 @@ export interface ContactCurve {
   words: string; // summary in words, as in the report
 }
 
-/** A flank as a raster: rows are diameters, columns heights z in the gear's own frame. */
+/** A flank as a raster. Rows are diameters, and columns are heights z in the gear's own frame. */
 export interface FlankRaster {
   diameter: Float64Array; // mm, growing
   height: Float64Array; // mm, growing
-  gap: Float64Array; // mm, [row * columns + column]; Infinity where the mating gear never comes
+  gap: Float64Array; // mm, [row * columns + column]; Infinity where the mating gear never reaches
 }
 
 /** The x1–x2 chart of this pair of tooth numbers: exact borders of the search's limits. */
 export interface ShiftRegion {
   point: [number, number]; // the shifts of the spec itself
   inside: boolean;
-  /** Distance of the point to the nearest border, modules; < 0 outside. */
+  /** Distance of the point from the nearest border, modules; < 0 outside. */
   margin: number;
-  /** The border that stops the point, when it is outside or at a wall; "" else. */
+  /** The border that limits the point if it is outside or at a border; otherwise "". */
   stoppedBy: string;
   area: number; // modules²
   pieces: { border: string; points: Float64Array }[][]; // per piece its borders, x1, x2, …
@@ -190,13 +191,14 @@ export interface ShiftRegion {
 
 // ---------------------------------------------------------------------------------- long work
 
-/** Work that is done in steps, so that messages get through meanwhile. */
+/** Work that is done in steps, so that messages can be handled between them. */
 export interface Work<T> {
-  /** Works for about so many milliseconds. `done` of `of` steps; not linear in time. */
+  /** Works for about this number of milliseconds. `done` of `of` steps are complete; they take unequal
+   *  times. */
   step(milliseconds: number): { done: number; of: number; finished: boolean } | Failed;
-  /** What came out; before the end what is there so far, or null. */
+  /** The result. Before the end, the partial result, or null. */
   result(): T | Failed | null;
-  /** Figures of what was found: of a map one, of teeth under load those of a torque by its place. */
+  /** Figures of the result: one for a map; for teeth under load, those of the torque with this index. */
   figures(torque: number, width: number): Figure[] | Failed;
   delete(): void;
 }
@@ -219,9 +221,9 @@ export interface LoadResult {
 
 // ---------------------------------------------------------------------------------- figures
 
-/** A figure as the report has it: its picture and caption (of gears in section without a caption), and
- *  what its curves are made of. The group
- *  of class "plot" has the scale in `data-x` and `data-y`, "lo hi from to": values and their px. */
+/** A figure as in the report: its picture and caption (gears in section have no caption), and the data
+ *  of its curves. The group of class "plot" has the scale in `data-x` and `data-y`, "lo hi from to":
+ *  values and their px. */
 export interface Figure {
   id: string; // "te", "spectrum", "bearing1", "pressure2"
   html: string; // a `figure` element; its classes are those of figure_style.css
@@ -235,7 +237,7 @@ export interface Figure {
     points?: { name: string; at: [number, number] }[]; // letters of a mesh
   };
 }
-/** What is seen of contact. */
+/** Options of the figures of contact. */
 export interface ContactView {
   width: number; // px, of a figure
   positions: number; // per pitch
@@ -244,17 +246,17 @@ export interface ContactView {
   curves: boolean; // false: only the flanks
 }
 
-/** What is seen of the gears in section. */
+/** Options of the figure of the gears in section. */
 export interface MeshView {
   frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, the path of contact
   width: number; // px
   height: number;
   window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm, in place of the frame's
-  bodies: boolean; // the bodies alone
+  bodies: boolean; // only the bodies
   name: string; // of the picture and its shapes, unique in the page
 }
 
-/** What is seen of the chart of profile shifts. */
+/** Options of the figure of the profile shifts. */
 export interface ShiftView {
   width: number; // px
   aspect: number; // of the plot, width over height
@@ -262,7 +264,7 @@ export interface ShiftView {
                                                    // the region
 }
 
-/** Designs as dots, in their order, over two of their numbers, which are finite. */
+/** Designs as dots, in order, over two of their quantities, which must be finite. */
 export interface DesignDots {
   width: number; // px
   tall: number; // height of the plot over its width
@@ -273,41 +275,44 @@ export interface DesignDots {
 
 // ---------------------------------------------------------------------------------- a session
 
-/** A spec that was read and solved, for everything live. */
+/** A spec that is read and solved, with everything that a page shows while the user changes it. */
 export interface Session {
   readonly gears: number; // 1 or 2
   readonly hasPair: boolean;
-  /** What `gearwright VERB SPEC --json` prints, with its line feed; or a Failed as JSON. */
+  /** Returns the output of `gearwright VERB SPEC --json` with its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
   /** Outline of gear 1 or 2 within the tolerance (default 0.001 mm). */
   section(gear: 1 | 2, toleranceMm?: number): Section | Failed;
   /** Solid of gear 1 or 2 (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   lines(): MeshLines | Failed;
-  /** The gears in section, mm. A gear's shapes are `use` elements with `data-gear`, about their place. */
+  /** The gears in section, mm. The shapes of a gear are `use` elements with `data-gear`, about the
+   *  gear's position. */
   meshFigure(view: MeshView): Figure | Failed;
-  /** Gear frame → housing, column-major 4×4 as three.js takes it, at a rotation of gear 1, with the
-   *  errors of the spec. Gear 2 stands where its working flanks touch; without contact (or when
-   *  `nominal`) where the ratio puts it, in the middle of the play at rest. */
+  /** Transformation from gear frame to housing, as a column-major 4×4 matrix for three.js, at a rotation
+   *  of gear 1, with the errors of the spec. Gear 2 is in the position in which its working flanks
+   *  touch. Without contact, or if `nominal`, its position follows from the ratio, in the middle of the
+   *  backlash at rest. */
   pose(gear: 1 | 2, rotation1Deg: number, nominal?: boolean): Float64Array | Failed;
-  /** Contact at `positions` per pitch, from minus half a pitch on; the spec's errors and
-   *  modifications. */
+  /** Contact at `positions` per pitch, starting half a pitch before the centre line, with the errors and
+   *  modifications of the spec. */
   contactCurve(positions: number): ContactCurve | Failed;
-  /** Transmission error, spectrum and both flanks; what there is none of is left out. */
+  /** Transmission error, spectrum and both flanks. Figures that do not exist are omitted. */
   contactFigures(view: ContactView): Figure[] | Failed;
-  /** One position, keys of contact.positions as an object; `kind` "none" without contact. */
+  /** One position as an object with the keys of contact.positions. `kind` is "none" if there is no
+   *  contact. */
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
   /** Gap on the flank of gear 1 of tooth pair k (`tooth` of a position) at one position. */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
-  /** Least gap over a mesh on both flanks: what marking compound would show. */
+  /** Least gap over a mesh on both flanks, which is the pattern that marking compound would show. */
   pattern(positions: number, rows?: number, columns?: number): Work<[FlankRaster, FlankRaster]> | Failed;
-  /** Peak to peak of the transmission error over two errors (keys of [errors]). */
+  /** Peak-to-peak transmission error over two errors (keys of [errors]). */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
-  /** Teeth under the torques of [load]; `accuracy` in place of the spec's. The teeth's compliance is
-   *  kept: the next torque, error or modification takes a fraction of the time. */
+  /** Teeth under the torques of [load]. `accuracy` replaces that of the spec. The compliance of the
+   *  teeth is kept, so the next torque, error or modification takes a fraction of the time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
-  /** A file's bytes: of gear 1 or 2, or (0) of the pair as it is mounted. report, json: gear 0. */
+  /** The bytes of a file of gear 1 or 2, or (0) of the pair as mounted. report and json require gear 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
   delete(): void;
 }
@@ -322,7 +327,7 @@ export interface SearchSession extends Work<SearchResult> {
   readonly trials: number;
   /** Rows of search.designs so far, best first, as JSON text. */
   best(most: number): string;
-  /** A design (counted from 1) of the finished search as TOML: the design on screen. */
+  /** A design (counted from 1) of the finished search as TOML, to be opened as the design on screen. */
   take(design: number): string | Failed;
   /** The same page as the program's search report. */
   report(): Uint8Array | Failed;
@@ -332,18 +337,18 @@ export interface SearchSession extends Work<SearchResult> {
 
 export interface Engine {
   version(): string;
-  /** What `gearwright VERB --json` prints, byte for byte; a refusal is the JSON of a `Failed`. The
-   *  text is JSON when it begins with a brace, else TOML. `search` here runs to its end. */
+  /** Returns the output of `gearwright VERB --json`, byte for byte; an error is the JSON of a `Failed`.
+   *  The text is JSON if it begins with a brace, otherwise TOML. `search` runs to its end here. */
   run(verb: Verb, spec: string): string;
   /** JSON Schema of specs or results, as `gearwright schema` prints it. */
   schema(of: "spec" | "result"): string;
   /** JSON text of a `Catalogue`. */
   catalogue(): string;
-  /** A spec from JSON text to TOML, and from TOML text to JSON: the same tree. Comments stay behind. */
+  /** Converts a spec from JSON to TOML, or from TOML to JSON, with the same tree. Comments are lost. */
   toToml(json: string): string | Failed;
   toJson(toml: string): string | Failed;
-  /** The TOML text with one key set ("gear1.profile_shift", value as JSON text: "0.25", "\"left\"")
-   *  or, with "null", taken out. Comments and order stay as they are. */
+  /** Returns the TOML text with one key set ("gear1.profile_shift", value as JSON text: "0.25",
+   *  "\"left\"") or, with "null", removed. Comments and order are kept. */
   edit(toml: string, key: string, valueJson: string): string | Failed;
   open(spec: string): Session | Failed;
   openSearch(spec: string, most?: number): SearchSession | Failed;
@@ -353,9 +358,9 @@ export interface Engine {
 export function failed(x: unknown): x is Failed;
 
 export interface EngineOptions {
-  /** Where engine.wasm lies; default: beside the script. */
+  /** The location of engine.wasm; default: next to the script. */
   locateFile?(name: string): string;
-  /** The module's bytes, for one self-contained file. */
+  /** The bytes of the module, for one self-contained file. */
   wasmBinary?: ArrayBuffer | Uint8Array;
 }
 /** `import createEngine from "./engine.js"` (ES6: page, worker) */

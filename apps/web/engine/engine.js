@@ -1,4 +1,4 @@
-// The engine as engine.d.ts describes it: the module's own functions with default arguments, and a
+// The engine as described by engine.d.ts: the functions of the module with default arguments and a
 // catch around each call. Nothing is computed here.
 import createCore from "./gearwright.mjs";
 
@@ -9,14 +9,14 @@ const broken = (e) => ({
   error: { key: "", value: "", message: kBroken + (e instanceof Error ? e.message : String(e)) },
 });
 
-/** Whether a call was refused. */
+/** Returns true if a call returned an error. */
 export function failed(x) {
   return typeof x === "object" && x !== null && "error" in x;
 }
 
-/** Calls whose answer is text, a refusal too. */
+/** Calls whose result is text. An error is also text. */
 const kTexts = ["run", "json", "best"];
-/** What holds for arguments that a caller leaves out. */
+/** Default values of arguments that the caller omits. */
 const kDefaults = {
   openSearch: ["", 0],
   step: [8],

@@ -1,4 +1,4 @@
-// Outlines, solids, lines and places of a session's gears.
+// Outlines, solids, lines and positions of the gears of a session.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ void append(Numbers& out, const Eigen::Matrix<double, n, 1>& p) {
   out.insert(out.end(), p.data(), p.data() + n);
 }
 
-// Points of an arc of a circle after its first, so that chords stay within the tolerance; the last
-// is `end` itself.
+// Points of an arc of a circle after its first point, so dense that chords stay within the
+// tolerance. The last one is `end` itself.
 void append_circle(Numbers& out, const Vec2& center, const Vec2& begin, const Vec2& end,
                    double sweep, double tolerance) {
   const Vec2 arm = begin - center;
@@ -67,7 +67,7 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
   return out;
 }
 
-// The diameters of a record, as circles about the axis of a gear.
+// The diameters of a record as circles about the axis of a gear.
 void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
                     std::size_t gear) {
   for (const Member& m : record) {
@@ -101,7 +101,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
   auto bore = bore_outline(*made, *contour, tolerance);
   if (!bore) return spelled(within(made->name, bore.error()), job_.spec.given);
   const Gear& g = job_.gears[static_cast<std::size_t>(gear - 1)];
-  // Each arc of the half tooth once, then in all its places.
+  // Each arc of the half tooth is computed once and then placed in all its positions.
   std::vector<std::vector<Vec2>> arcs;
   for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
   Numbers out;
@@ -221,8 +221,8 @@ Result<Json> Session::lines() const {
               {"points", std::move(points)}};
 }
 
-// Gear 1 turns clockwise seen from +z, gear 2 as it is driven; errors tilt and shift axis 1, ΔC moves
-// axis 2. [T1.5], [T8.12]
+// Gear 1 turns clockwise seen from +z, and gear 2 as it is driven. Errors tilt and shift axis 1,
+// and ΔC moves axis 2. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!job_.pair) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
@@ -242,7 +242,8 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // The rotations do not depend on the direction of the mirror into N: D M D of each axis.
+        // The rotations do not depend on the direction of the mirror into N. D M D is applied to
+        // each axis.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;

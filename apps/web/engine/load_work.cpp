@@ -1,4 +1,4 @@
-// Teeth under load in steps: a table for each gear, then position by position.
+// Computes teeth under load in steps: a table for each gear, then position by position.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -48,7 +48,7 @@ class LoadWork : public Work {
   Json result_;
 };
 
-// Makes the table of the next gear. With both tables, the positions can be computed.
+// Makes the table of the next gear. The positions can be computed once both tables exist.
 std::optional<Error> LoadWork::make_table() {
   const Gear &gear_1 = task_.setup.gear(1), &gear_2 = task_.setup.gear(2);
   const int which = tables_[0] ? 2 : 1;

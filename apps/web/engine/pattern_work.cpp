@@ -1,4 +1,4 @@
-// The pattern and the map of two errors, in steps.
+// Computes the pattern and the map over two errors in steps.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -19,8 +19,8 @@ class PatternWork : public Work {
   PatternWork(std::shared_ptr<Session> session, int positions, const RasterSize& size)
       : Work(std::move(session)), positions_(positions), size_(size) {}
 
-  // A sixteenth, then a quarter of the nodes, then all of them: together a third more work than the
-  // last step alone.
+  // The steps use a sixteenth of the nodes, then a quarter, then all of them. Together they take a
+  // third longer than the last step alone.
   Result<Steps> step(double) override {
     constexpr int kSteps = 3;
     if (next_ == kSteps) return Steps{kSteps, kSteps, true};

@@ -14,7 +14,8 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr std::int64_t kFirstPart = 1 << 12;  // trials; later parts have the requested duration
+// Trials; the size of later parts follows from the requested duration.
+constexpr std::int64_t kFirstPart = 1 << 12;
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
 constexpr double kPartMs = 8.0;
 

@@ -1,7 +1,7 @@
-// A search in steps, so that a worker can handle messages between them.
+// Runs a search in steps, so that a worker can handle messages between them.
 //
-// The steps are parts of the range of trials. The final result is equal to that of the program:
-// same designs, same order, same text.
+// The steps are parts of the range of trials. The final result equals that of the program, with the
+// same designs, order and text.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ namespace gearwright::web {
 
 class SearchSession {
  public:
-  /// Errors    as read_spec and run_search; without [search]
+  /// Errors    those of read_spec and run_search; a spec without [search]
   static Result<std::shared_ptr<SearchSession>> open(std::string text, int most);
 
   std::int64_t trials() const { return trials_; }
   Steps step(double milliseconds);
   bool finished() const { return stage_ == Stage::done; }
-  /// The answer's text, empty before the end, and counts.
+  /// The text of the answer, which is empty before the end, and the counts.
   Json result() const;
   std::string best(int most) const;
   Result<std::string> take(int design) const;

@@ -24,7 +24,7 @@ bool is_number(const QuantityInfo& info) {
   return info.type == Type::number || info.type == Type::whole || info.type == Type::index;
 }
 
-// One column for each of the table that has a fixed width, of numbers or of words.
+// There is one column for each column of the table that has a fixed width, of numbers or of words.
 void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows,
                  ContactCurve& curve) {
   for (const RecordColumn& column : columns_of(table)) {

@@ -1,7 +1,7 @@
-// A spec that was read and solved, with the results that a page shows while the user changes it.
+// A spec that is read and solved, with the results that a page shows while the user changes it.
 //
-// Everything is computed by the core on request. Common data of several requests, the solved pair
-// and its contact, are kept.
+// The core computes everything on request. Data that several requests share, the solved pair and
+// its contact, are kept.
 #pragma once
 
 #include <memory>
@@ -17,11 +17,11 @@
 
 namespace gearwright::web {
 
-/// The requested view of contact.
+/// Options of the figures of contact.
 struct ContactView {
   double width = 560.0;                 ///< px, of a figure
   int positions = 64;                   ///< per pitch
-  int index = 0;                        ///< of the position whose gap is shown on the flanks
+  int index = 0;                        ///< index of the position whose gap is shown on the flanks
   std::array<FlankRaster, 2> patterns;  ///< from `pattern`; empty: not yet computed
   bool curves = true;                   ///< false: only the flanks
 };
@@ -44,7 +44,7 @@ struct ShiftView {
 
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  /// Errors    as read_spec and solve
+  /// Errors    those of read_spec and solve
   static Result<std::shared_ptr<Session>> open(std::string text);
 
   const SolvedJob& job() const { return job_; }
@@ -56,25 +56,25 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> section(int gear, double tolerance) const;
   Result<Json> mesh(int gear, double tolerance) const;
   Result<Json> lines() const;
-  /// The gears in section, with all circles that the catalogue names.
+  /// The gears in section, with all circles that the catalogue contains.
   Result<Json> mesh_figure(const MeshView& view) const;
-  /// Column-major, as three.js takes it.
+  /// Column-major, as three.js requires.
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
   Result<ContactCurve> contact_curve(int positions);
-  /// Transmission error, spectrum, and both flanks at one position; some may be missing.
+  /// Transmission error, spectrum, and both flanks at one position. Some may be missing.
   Result<Json> contact_figures(const ContactView& view);
-  /// An object of contact.positions, JSON.
+  /// An object of contact.positions as JSON.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
-  /// The pair for contact analysis; it lives as long as the session.
+  /// The pair for contact analysis. It lives as long as the session.
   Result<const ContactPair*> contact_pair();
   /// The same with other values of two errors, given by their indices in error_entries().
   Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
-  /// With a figure if `view` is given and the region is not empty.
+  /// Includes a figure if `view` is given and the region is not empty.
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 

@@ -1,7 +1,7 @@
 // Data from the engine for a page: JSON with rows of numbers for buffers.
 //
-// A row is binary data of the tree, so that trees are made and tested without a browser; bindings.cpp
-// turns them into JavaScript's values. What each member means: engine.d.ts, under the same names.
+// A row is binary data of the tree, so trees can be made and tested without a browser. bindings.cpp
+// converts them to values of JavaScript. Members have the names and meanings given in engine.d.ts.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@
 namespace gearwright::web {
 
 using Numbers = std::vector<double>;
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< nothing there
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< no value
 
-/// The typed array of JavaScript for a row: the subtype of its binary data.
+/// The typed array of JavaScript for a row, given by the subtype of its binary data.
 enum class RowType : std::uint8_t { float64, float32, uint32, uint8 };
 Json row(const Numbers& numbers);
 Json row(const std::vector<float>& numbers);
@@ -38,12 +38,13 @@ struct ContactCurve {
   double peak_to_peak_arcsec, mean_slope;
   Numbers harmonics_arcsec;
   bool contact_lost;
-  std::string words;  // what it comes to
+  std::string words;  // summary in words
 };
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
-/// A figure with its caption (a plane figure has none) as HTML, and its data, for a width in px.
+/// A figure with its caption as HTML, and its data, for a width in px. A plane figure has no
+/// caption.
 Json shape(const Figure& figure, double width);
 
 }  // namespace gearwright::web

@@ -1,4 +1,5 @@
-// The x1–x2 chart of a session's pair: that of a search for this one pair of tooth numbers.
+// Computes the x1–x2 chart of a session's pair, which is that of a search for this one pair of
+// tooth numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,8 +23,8 @@ namespace gearwright::web {
 
 namespace {
 
-// A search of one trial. Its limits are those of the spec's [search], or the defaults of a search.
-// `swapped`: gear 2 has fewer teeth and is gear 1 of the search.
+// A search with a single trial. Its limits are those of [search] in the spec, or the defaults of a
+// search. If `swapped`, gear 2 has fewer teeth and becomes gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
@@ -68,7 +69,7 @@ ShiftEdge swapped_edge(ShiftEdge edge) {
   }
 }
 
-// The border nearest to a point, and its distance, modules.
+// The border nearest to a point, and its distance in modules.
 struct Nearest {
   std::string border;
   double distance = std::numeric_limits<double>::infinity();
@@ -87,7 +88,8 @@ struct Nearest {
 // The figure without the design point, which the page draws so that it can be dragged.
 Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                     const ShiftView& view) {
-  constexpr double kFairPart = 0.62;  // of the rectangle: a region as long is shown in it
+  // Fraction of the rectangle; a region at least this long is shown in the rectangle.
+  constexpr double kFairPart = 0.62;
   const ShiftChart chart = shift_chart(graph, design);
   const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
   RegionWindow window = region_window(limits_box(graph), chart.around, aspect, kFairPart);

@@ -1,5 +1,5 @@
-// Long work in steps, so that a worker can handle messages between them: the pattern, a map of two
-// errors, teeth under load.
+// Long work in steps, so that a worker can handle messages between them: the pattern, a map over
+// two errors, teeth under load.
 #pragma once
 
 #include <array>
@@ -27,11 +27,11 @@ class Work {
   Work& operator=(const Work&) = delete;
 
   Session& session() const { return *session_; }
-  /// Works for about this time.
+  /// Works for about this duration.
   virtual Result<Steps> step(double milliseconds) = 0;
   /// The result so far; null if there is none yet.
   virtual Json result() const = 0;
-  /// Figures of the result, for work that has some.
+  /// Figures of the result, for types of work that have some.
   virtual Result<Json> figures(int, double) const { return Json::array(); }
 
  private:
@@ -39,21 +39,21 @@ class Work {
 };
 using MadeWork = Result<std::shared_ptr<Work>>;
 
-/// The pattern in rasters of increasing resolution; the first is available immediately.
+/// The pattern in rasters of increasing resolution. The first one is available immediately.
 MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size);
 
-/// An error axis is in the unit of its key.
+/// An error axis, in the unit of its key.
 struct ErrorAxis {
   std::string key;  ///< of [errors]
   double from = 0.0, to = 0.0;
   int n = 2;
 };
-/// Peak to peak over two errors, curve by curve.
+/// Peak-to-peak transmission error over two errors, curve by curve.
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
 /// The compliance of the last gears under load. Torque, errors and modifications do not change it,
-/// so a page that changes these waits only for the positions.
+/// so a page that changes only these waits only for the positions.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,

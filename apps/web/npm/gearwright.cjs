@@ -1,4 +1,5 @@
 #!/usr/bin/env node
-// The program gearwright, compiled to WebAssembly: its words, options and exit status are the program's.
+// Runs the program gearwright, compiled to WebAssembly. Verbs, options and exit status are those of
+// the program.
 "use strict";
 require("./cli/gearwright.js");

@@ -6,7 +6,8 @@ export { failed } from "./engine/engine.js";
 /** TOML or JSON text, or the spec as an object: docs/spec.md. */
 export type Spec = string | Record<string, unknown>;
 
-/** A number, a list of them per gear, a word, a flag, a record; null: there is no such value. */
+/** A number, a list of numbers per gear, a word, a flag, or a record. null means that there is no such
+ *  value. */
 export type Value =
   | number
   | string
@@ -16,7 +17,7 @@ export type Value =
   | { [key: string]: Value };
 export type Values = { [key: string]: Value };
 
-/** What a verb answers: docs/spec.md, and gearwright schema result. */
+/** The answer of a verb: docs/spec.md, and gearwright schema result. */
 export interface Result {
   title?: string;
   gears?: Values[];
@@ -33,7 +34,7 @@ export interface Result {
   verdict?: { level: "green" | "amber" | "red"; headline: string } & Values;
 }
 
-/** A spec that was refused. */
+/** An error in a spec. */
 export class SpecError extends Error {
   key: string;
   value: string;
@@ -41,15 +42,15 @@ export class SpecError extends Error {
   column?: number;
 }
 
-/** What `gearwright VERB SPEC --json` prints, as an object.   Throws  SpecError */
+/** Returns the output of `gearwright VERB SPEC --json` as an object.   Throws  SpecError */
 export function solve(spec: Spec, verb?: Verb): Result;
 
-/** A file's bytes: of gear 1 or 2, or (0) of the pair as it is mounted.   Throws  SpecError */
+/** Returns the bytes of a file of gear 1 or 2, or (0) of the pair as mounted.   Throws  SpecError */
 export function file(
   spec: Spec,
   kind: FileKind,
   options?: { gear?: 0 | 1 | 2; toleranceMm?: number },
 ): Uint8Array;
 
-/** The engine itself, for live work. */
+/** The engine itself, for interactive use. */
 export const engine: Engine;

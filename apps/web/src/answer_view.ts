@@ -54,7 +54,7 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
   abstract refresh(): Promise<void>;
   abstract judge(): Promise<void>;
 
-  /** The pair to answer for; null where the view shows why there is none. */
+  /** Returns the pair of the spec, or null if the view shows why there is none. */
   protected pair(): Solved | null {
     const solved = bench.good;
     this.panel.show();
@@ -71,13 +71,13 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
     return null;
   }
 
-  /** The answer about a text: the panel has nothing against it. */
+  /** Shows the answer for a text. The panel reports no error. */
   protected take(answer: A, text: string): void {
     this.panel.show(null);
     this.answer = answer;
     this.shown = text;
   }
-  /** The engine refuses an answer, for a reason that the panel shows at its field. */
+  /** Shows an error of the engine, whose reason the panel shows at its field. */
   protected refuse(fault: Fault, text: string): void {
     judgement.take(this.part, text, { error: fault });
     this.clear(this.panel.show(fault), text);
@@ -89,7 +89,7 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
     fill(this.sentence, sentence);
   }
 
-  /** The verdict, what the answer has to be read with, and its numbers. */
+  /** Shows the verdict, the conditions of the answer, and its numbers. */
   protected show(answer: A, rows: Row[], extra?: Extra): void {
     this.room.hidden = false;
     this.showVerdict();

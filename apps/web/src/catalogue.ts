@@ -1,4 +1,4 @@
-// The catalogue of the engine: every key of a spec and every quantity of a result, defined once there.
+// The catalogue of the engine, which defines every key of a spec and every quantity of a result.
 
 import type { Catalogue, InputKey, InputTable, NamedMaterial, Quantity, QuantityTable } from "../engine/engine";
 
@@ -25,7 +25,7 @@ export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-/** Results whose quantities have the words of a table's keys; the file's own tables come first. */
+/** Results whose quantities have the words of a table's keys. The tables of the file itself come first. */
 const kResultsOf: Record<string, string[]> = {
   material: ["rating"],
   rating_plastic: ["rating"],
@@ -35,12 +35,13 @@ const kResultsOf: Record<string, string[]> = {
   cutter: ["gear"],
   search: ["search.designs"],
 };
-/** Words that only a programmer reads: an end of a range, a letter, a symbol, a name without its apostrophe. */
+/** Names that only a programmer understands and their words: an end of a range, a letter, a symbol, a
+ *  name without its apostrophe. */
 const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
 const kLongest = 44;
 
-/** What a key of a table is called on the page: as the quantity that it sets, else by its own name,
- *  "normal module" of normal_module_mm, or where that does not read, by what it means. */
+/** The name of a key on the page. It is that of the quantity that the key sets, otherwise the key itself
+ *  as words, "normal module" for normal_module_mm, or its meaning if those words are unclear. */
 export function wordsOf(table: string, key: InputKey): string {
   const info = (kResultsOf[table] ?? [table])
     .map((name) => quantity(name, key.key))

@@ -1,4 +1,4 @@
-// The interface for scripts: tests, and users of the browser's console.
+// The interface for scripts, used by tests and in the browser's console.
 //
 //   await gearwright.run("pair", text)   the JSON that `gearwright pair --json` prints
 //   gearwright.open(text)                puts a design on screen
@@ -21,18 +21,18 @@ export function doorOf(page: Page) {
     open: (text: string, tab?: string): void => page.begin(text, tab),
     start: (): void => page.showStarts(),
     text: (): string => bench.text,
-    /** The answer on screen is that of the text on screen. */
+    /** True if the answer on screen belongs to the text on screen. */
     settled: (): boolean => bench.solved?.text === bench.text,
-    /** The engine has nothing more to do. */
+    /** True if the engine has no more work. */
     idle: (): boolean =>
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&
       [bench.front, bench.back, bench.press, bench.seek].every((one) => one.idle),
-    /** Nothing of the verdict is pending. */
+    /** True if no part of the verdict is pending. */
     judged: (): boolean => bench.solved?.text === bench.text && judgement.pending.length === 0,
-    /** Which spec is on screen: pictures of it have the same in `data-revision`. */
+    /** Identifies the spec on screen. Pictures of it have the same value in `data-revision`. */
     revision: (): string => revisionOf(bench.text),
-    /** Of the last change: until the answer was here, and what of it was the engine's work. */
+    /** Times of the last change: until the answer arrived, and the part used by the engine. */
     lastMs: (): number => bench.lastMs,
     engineMs: (): number => bench.solved?.milliseconds ?? NaN,
   };

@@ -1,6 +1,6 @@
-// Elements of the page, made without a framework.
+// Makes elements of the page without a framework.
 //
-// Every text is a text node, never markup, so the text of a spec is shown as text everywhere.
+// Every text is a text node, never markup, so the text of a spec is shown as text.
 
 export type Child = Node | string | number | null | undefined | false;
 type Handler = (event: never) => void;
@@ -26,7 +26,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** The same for a picture. */
+/** The same for SVG elements. */
 export function svg<K extends keyof SVGElementTagNameMap>(
   tag: K,
   properties: Properties = {},
@@ -44,18 +44,18 @@ function put(element: Element, ...children: Child[]): void {
   }
 }
 
-/** Takes everything out of an element and puts these in. */
+/** Replaces the content of an element. */
 export function fill(element: Element, ...children: Child[]): void {
   element.replaceChildren();
   put(element, ...children);
 }
 
-/** A button with words; `title` only where these are short. */
+/** A button with words. `title` is used only if these are short. */
 export function button(words: string, click: () => void, properties: Properties = {}): HTMLButtonElement {
   return h("button", { type: "button", click, ...properties }, words);
 }
 
-/** A slider from `min` to `max` that calls `change` while it is moved. */
+/** A slider from `min` to `max` that calls `change` while it moves. */
 export function slider(
   name: string,
   range: { min: number; max: number; step: number; value?: number },
@@ -65,22 +65,22 @@ export function slider(
   input.addEventListener("input", () => change(Number(input.value)));
   return input;
 }
-/** A slider among the controls of a picture, with the word before it and what follows it. */
+/** A slider among the controls of a picture, with a word before it and its value after it. */
 export function slide(words: string, of: HTMLInputElement, ...rest: Child[]): HTMLElement {
   return h("label", { class: "slide" }, h("span", {}, words), of, ...rest);
 }
-/** A box to be checked, with the word behind it. */
+/** A check box, followed by its word. */
 export function check(words: string, box: HTMLInputElement): HTMLElement {
   return h("label", { class: "check" }, box, words);
 }
 
 type Words = Record<string, string> | ArrayLike<string>;
-/** Buttons in a row of which one is pressed. */
+/** Buttons in a row, one of which is pressed. */
 export class Choice {
   readonly element: HTMLElement;
   constructor(
     name: string,
-    options: Words, // of each value
+    options: Words, // words for each value
     now: string,
     private readonly pick: (value: string) => void,
     properties: Properties = {},
@@ -104,7 +104,7 @@ export class Choice {
   }
 }
 
-/** A sheet that its button folds out and in; Escape and a press beside it fold it in, too. */
+/** A sheet that its button opens and closes. Escape and a click outside also close it. */
 export function foldOut(
   style: string,
   opener: HTMLButtonElement,
@@ -131,7 +131,7 @@ export function foldOut(
   return holder;
 }
 
-/** What the keys of a table do while an element has the focus. */
+/** Actions for the keys of a table while an element has the focus. */
 export function onKeys(
   element: HTMLElement | SVGElement,
   acts: Record<string, (event: KeyboardEvent) => void>,
@@ -144,7 +144,7 @@ export function onKeys(
   });
 }
 
-/** A room that scrolls by itself: the keyboard reaches it, and a screen reader knows its name. */
+/** A scrolling area that the keyboard can reach and a screen reader can name. */
 export function scroller(style: string, name: string, ...children: Child[]): HTMLDivElement {
   return h("div", { class: style, tabindex: "0", role: "region", "aria-label": name }, ...children);
 }
@@ -154,7 +154,7 @@ export function tableOf(style: string, heads: Child[], ...rows: Child[]): HTMLTa
   return h("table", { class: style }, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows));
 }
 
-/** A symbol of the catalogue, "d_a", "F_z/F_t", "α_wn": letters slanted, indices below. */
+/** A symbol of the catalogue, such as "d_a", "F_z/F_t" or "α_wn", with italic letters and subscripts. */
 export function symbol(text: string): HTMLElement {
   const whole = h("span", { class: "symbol" });
   for (const part of text.split(/(_[\p{L}\p{N},]+|(?<=\p{L})\d|\*)/u)) {
@@ -169,19 +169,19 @@ export function symbol(text: string): HTMLElement {
   return whole;
 }
 
-/** What a colour of the house is now, light or dark: colour("g1-fill"). */
+/** The current value of a colour, light or dark: colour("g1-fill"). */
 export function colour(name: string): string {
   return getComputedStyle(document.documentElement)
     .getPropertyValue("--" + name)
     .trim();
 }
 
-/** Calls `then` when light becomes dark or the other way round. */
+/** Calls `then` when the colour scheme changes between light and dark. */
 export function onThemeChange(then: () => void): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", then);
 }
 
-/** Calls `paint` with the browser's next frame, once however often it is called before. */
+/** Calls `paint` once with the next frame of the browser, even if requested several times before. */
 export function onNextFrame(paint: () => void): () => void {
   let waiting = false;
   return () => {
@@ -194,12 +194,12 @@ export function onNextFrame(paint: () => void): () => void {
   };
 }
 
-/** What went wrong, as a sentence. */
+/** Returns the error as a sentence. */
 export function sentenceOf(reason: unknown): string {
   return reason instanceof Error ? reason.message : String(reason);
 }
 
-/** Hands a file to the user. */
+/** Downloads a file for the user. */
 export function download(name: string, bytes: BlobPart, type = "application/octet-stream"): void {
   const address = URL.createObjectURL(new Blob([bytes], { type }));
   const link = h("a", { href: address, download: name });

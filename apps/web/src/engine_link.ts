@@ -5,8 +5,8 @@
 //   press   teeth under load, which keep their compliance from one torque to the next
 //   seek    searches and fits, which keep their results
 //
-// If a newer request makes older ones obsolete, `latest` drops the older ones: at most one request
-// of a kind is being computed and one waits. The result of a dropped request is null.
+// If a newer request makes older ones obsolete, `latest` drops the older ones, so at most one
+// request of a kind is being computed and one waits. The result of a dropped request is null.
 
 import type { Questions } from "./engine_worker";
 
@@ -14,7 +14,7 @@ export type Name = keyof Questions;
 export type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
 export type Progress = (done: number, of: number, sofar?: unknown) => void;
 
-/** Why there is no answer: the user has ended the work. */
+/** The error if the user has ended the work. */
 export class Cancelled extends Error {
   override message = "cancelled";
 }
@@ -81,7 +81,7 @@ export class EngineLink {
     this.worker = null;
   }
 
-  /** Puts a question; the answer comes in its time. */
+  /** Sends a request and returns its answer. */
   async call<N extends Name>(
     name: N,
     question: Parameters<Questions[N]>[0],
@@ -99,7 +99,7 @@ export class EngineLink {
     });
   }
 
-  /** Puts a question, or lets it go when a newer one on this channel comes before its turn. */
+  /** Sends a request, or drops it if a newer one on this channel arrives before its turn. */
   latest<N extends Name>(
     channel: string,
     name: N,
@@ -127,7 +127,7 @@ export class EngineLink {
     });
   }
 
-  /** Ends whatever is under way; the next question starts anew. */
+  /** Ends all running work. The next request starts the worker again. */
   cancel(): void {
     this.fail(new Cancelled());
     for (const waiting of this.channels.values()) waiting?.drop();

@@ -1,4 +1,4 @@
-// The worker: the engine, and the requests of the page that it handles.
+// The worker that runs the engine and handles the requests of the page.
 //
 // A request contains the spec's text. The last spec stays open, so a second request for the same
 // text needs no time. Long requests are computed in steps of some milliseconds. Messages are
@@ -10,7 +10,7 @@ import type { Motion } from "./motion";
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type Fault = E.Failed["error"];
-/** What came of a spec: what the program prints with --json, or why there is nothing. */
+/** The result of a spec: the output of the program with --json, or the reason why there is none. */
 export interface Solved {
   text: string;
   spec: { [key: string]: Json } | null; // the same tree as the text; null if it cannot be read
@@ -42,27 +42,28 @@ export interface Verdict {
   level: string;
   headline: string;
   findings: Finding[];
-  /** What the spec could have judged and this verb did not compute. */
+  /** Parts of the verdict that the spec permits and this verb did not compute. */
   not_judged?: string[];
 }
 type Edit = [key: string, valueJson: string];
 interface Step {
-  (done: number, of: number, sofar?: unknown): Promise<boolean>; // true: go on
+  // Resolves to true if the work shall continue.
+  (done: number, of: number, sofar?: unknown): Promise<boolean>;
 }
 
 let engine: E.Engine;
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
-/** The last work that has figures: they are made when a page wants them, as wide as it wants them. */
+/** The last work that has figures. They are made on request, in the requested width. */
 let drawn: E.Work<unknown> | null = null;
 
-/** Why there is no answer. */
+/** The reason why there is no answer. */
 class Refused extends Error {
   constructor(readonly fault: Fault) {
     super(fault.message);
   }
 }
-/** The answer. Throws  Refused where there is none */
+/** Returns the answer.   Throws  Refused if there is none */
 function good<T>(answer: T | E.Failed): T {
   if (failed(answer)) throw new Refused(answer.error);
   return answer as T;
@@ -75,7 +76,7 @@ function session(text: string): E.Session {
   return next;
 }
 
-/** A spec is JSON when it begins with a brace, as the engine reads it. */
+/** True if a spec is JSON, which begins with a brace, as for the engine. */
 const isJson = (text: string) => text.trimStart().startsWith("{");
 function treeOf(text: string): Solved["spec"] {
   const tree = engine.toJson(isJson(text) ? good(engine.toToml(text)) : text);
@@ -110,7 +111,7 @@ function solve(text: string): Solved {
   return solved;
 }
 
-/** Steps some work to its end; null when it was overtaken. */
+/** Runs some work to its end in steps. Returns null if a newer request replaced it. */
 async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): Promise<T | null> {
   for (;;) {
     const state = good(task.step(30));
@@ -118,7 +119,7 @@ async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): P
     if (!(await step(state.done, state.of, sofar?.()))) return null;
   }
 }
-/** The same of work that is of no use later. */
+/** The same for work that is not used later. */
 async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | null> {
   const task = good(begun);
   try {
@@ -127,7 +128,7 @@ async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | nul
     task.delete();
   }
 }
-/** The same of work that figures are made of; `sofar` while it is under way. */
+/** The same for work with figures. `sofar` is called while the work is running. */
 async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (task: E.Work<T>) => unknown): Promise<T | null> {
   const task = good(begun);
   const result = await stepped(task, step, sofar && (() => sofar(task))).catch((reason) => {
@@ -142,7 +143,7 @@ async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (ta
   return result;
 }
 
-/** What `make` gives for each gear of a session. */
+/** Returns the results of `make` for each gear of a session. */
 function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
   return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(make(gear)));
 }
@@ -150,7 +151,7 @@ function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
 const questions = {
   catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
   solve: (q: { text: string }) => solve(q.text),
-  /** Sets keys of the text, then solves what has become of it. */
+  /** Sets keys of the text, then solves the new text. */
   edit(q: { text: string; edits: Edit[] }): Solved | { refused: string } {
     let text = isJson(q.text) ? good(engine.toToml(q.text)) : q.text;
     for (const [key, value] of q.edits) {
@@ -161,7 +162,7 @@ const questions = {
     return solve(text);
   },
   meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
-  /** Where the gears stand, and where they touch, over a pitch of gear 1 from −½ to ½. */
+  /** Positions of the gears and of their contact over a pitch of gear 1 from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
     const pitchDeg = 360 / good(s.section(1, 1)).teeth;
@@ -185,7 +186,7 @@ const questions = {
   contactFigures: (q: { text: string; view: E.ContactView }) => good(session(q.text).contactFigures(q.view)),
   pattern: (q: { text: string; positions: number; rows: number; columns: number }, step: Step) =>
     work(session(q.text).pattern(q.positions, q.rows, q.columns), step),
-  /** A map with its figure, which grows while it is made. */
+  /** A map with its figure, which is updated during the computation. */
   async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number; width: number }, step: Step) {
     const figure = (task: E.Work<E.ErrorMap>) => good(task.figures(0, q.width))[0]!;
     const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, figure);
@@ -193,7 +194,7 @@ const questions = {
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
   loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),
-  /** Teeth under load; a refusal with its key, so that it can stand at its field. */
+  /** Teeth under load. An error includes its key, so that it can be shown at its field. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
     const begin = performance.now();
     try {
@@ -207,10 +208,10 @@ const questions = {
     }
   },
   shifts: (q: { text: string; view: E.ShiftView }) => good(session(q.text).shiftRegion(q.view)),
-  /** Any verb, its JSON read. */
+  /** Runs any verb and parses its JSON. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
-  /** The very text that the program prints, for comparing. */
+  /** Returns exactly the text that the program prints, for comparison. */
   print: (q: { text: string; verb: E.Verb }) => engine.run(q.verb, q.text),
   trials(q: { text: string }) {
     const s = good(engine.openSearch(q.text, 1));
@@ -244,7 +245,7 @@ export type Questions = typeof questions;
 const overtaken = new Set<number>();
 const running = new Map<string, number>();
 const letThrough = new MessageChannel();
-/** A moment in which waiting messages are heard. */
+/** Pauses so that waiting messages are handled. */
 const moment = () =>
   new Promise<void>((go) => {
     letThrough.port1.onmessage = () => go();

@@ -32,7 +32,8 @@ export class FigureSlot {
   private figure: Figure | null = null;
   private t = NaN;
 
-  /** `chosen`: a press or a drag at a position; `at`: a press, or a pointer that passes, at values. */
+  /** `chosen` is called for a press or a drag at a position, and `at` for a press or a passing pointer
+   *  at values. */
   constructor(chosen?: (t: number) => void, at?: (x: number, y: number, pressed: boolean) => void) {
     fill(this.element, this.picture, this.save);
     const choose = (event: PointerEvent) => {
@@ -56,7 +57,7 @@ export class FigureSlot {
     this.mark(this.t);
   }
 
-  /** Puts the line, and the frame of a figure that has some, at a position. */
+  /** Moves the line, and the frame of a figure that has frames, to a position. */
   mark(t: number): void {
     this.t = t;
     const { plot } = this;
@@ -81,12 +82,12 @@ export class FigureSlot {
     }
   }
 
-  /** The group that holds the marks. */
+  /** The group that contains the marks. */
   get plot(): SVGGElement | null {
     return this.picture.querySelector("g.plot");
   }
 
-  /** The values at a pointer on the plot; null beside it. */
+  /** The values at a pointer on the plot; null outside of it. */
   valuesAt(event: MouseEvent): { at: [number, number]; pitch: number } | null {
     const picture = this.picture.querySelector("svg");
     const plot = picture?.querySelector("g.plot");
@@ -115,14 +116,14 @@ export class FigureSlot {
   }
 }
 
-/** The figures of one answer: each has its place, in the order in which they first came. */
+/** The figures of one answer. Each keeps its place, in the order in which they first appeared. */
 export class Figures {
   readonly element = h("div", { class: "plots" });
   private readonly slots = new Map<string, FigureSlot>();
   private t = NaN;
   constructor(private readonly chosen?: (t: number) => void) {}
 
-  /** With `all`, a figure that is not among them has gone. */
+  /** If `all`, figures that are not in the list are removed. */
   show(figures: Figure[], all = true): void {
     for (const figure of figures) {
       if (!this.slots.has(figure.id)) {
@@ -141,7 +142,7 @@ export class Figures {
     this.t = t;
     for (const slot of this.slots.values()) slot.mark(t);
   }
-  /** How wide a figure may be, px. */
+  /** The available width of a figure, px. */
   get width(): number {
     const room = this.element.clientWidth || 600;
     return Math.round((room - 20) / Math.max(1, Math.min(2, Math.floor(room / 310))));

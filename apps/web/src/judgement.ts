@@ -1,13 +1,13 @@
-// One verdict for the spec on screen from all results of the engine: the mounted pair, its contact,
-// its load, its rating. The worst level counts, and every finding is listed once. Parts that are
-// still being computed, or that the engine rejected, are named.
+// Combines all results of the engine into one verdict for the spec on screen: the mounted pair, its
+// contact, its load, its rating. The worst level counts, and every finding is listed once. The
+// verdict names parts that are pending or that the engine rejected.
 
 import type { Verdict } from "./engine_worker";
 import { at, bench } from "./workbench";
 
 export const kParts = ["contact", "rating", "load"] as const;
 export type Part = (typeof kParts)[number];
-/** What an answer has of it, or why there is none. */
+/** The contribution of an answer to the verdict, or the reason why there is none. */
 type Judged = { verdict?: Verdict; error?: { message: string } };
 const kLevels = ["green", "amber", "red"];
 
@@ -32,7 +32,7 @@ class Judgement {
     this.listeners.add(listener);
   }
 
-  /** What the engine came to for a part of a spec. */
+  /** The result of the engine for a part of a spec. */
   take(part: Part, text: string, { verdict, error }: Judged): void {
     this.answers.set(part, { verdict, error, text });
     for (const listener of this.listeners) listener();
@@ -43,7 +43,7 @@ class Judgement {
     return last?.text === bench.text ? last : null;
   }
 
-  /** What the spec lets the engine judge beside the pair itself. */
+  /** The parts that the engine can judge for the spec, in addition to the pair itself. */
   private get wanted(): Part[] {
     const { solved } = bench;
     const verdict = solved?.result?.["verdict"] as unknown as Verdict | undefined;
@@ -54,18 +54,18 @@ class Judgement {
     return kParts.filter(wanted);
   }
 
-  /** What is still to be computed. */
+  /** The parts that are still pending. */
   get pending(): Part[] {
     return this.wanted.filter((part) => !this.of(part));
   }
-  /** What the engine refused to judge, and why. */
+  /** The parts that the engine could not judge, with the reasons. */
   get refused(): [Part, string][] {
     return this.wanted.flatMap((part) => {
       const error = this.of(part)?.error;
       return error ? [[part, error.message]] : [];
     });
   }
-  /** The verdict of all that was judged; null where there is no pair. */
+  /** The verdict on all judged parts; null if there is no pair. */
   get verdict(): Verdict | null {
     const pair = bench.solved?.result?.["verdict"] as unknown as Verdict | undefined;
     if (!pair) return null;

@@ -40,7 +40,7 @@ async function through(
   return whole;
 }
 
-/** The part of an address that holds this text. */
+/** Returns the part of an address that contains this text. */
 export async function linkOf(text: string): Promise<string> {
   const packed = await through(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
   let letters = "";
@@ -48,7 +48,7 @@ export async function linkOf(text: string): Promise<string> {
   return kFormat + btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** The text in such a part; null: there is none. Throws a sentence where it is damaged. */
+/** Returns the text in such a part, or null if there is none. Throws a sentence if the part is damaged. */
 export async function textOf(hash: string): Promise<string | null> {
   if (!hash.startsWith(kFormat)) return null;
   const packed = hash.slice(kFormat.length);

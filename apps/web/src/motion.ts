@@ -1,5 +1,6 @@
-// Positions of the gears while they turn: exact poses of the engine over one pitch of gear 1, with
-// interpolated rotations between them. After a pitch the next tooth is in the place of this one.
+// Positions of the gears while they turn, from exact poses of the engine over one pitch of gear 1
+// with interpolated rotations between them. After a pitch, the next tooth is in the position of
+// this one.
 //
 //   t   rotation of gear 1 in its pitches, −½ … ½
 
@@ -12,14 +13,15 @@ export interface Motion {
   curve: ContactCurve | null;
 }
 
-/** The angle of b = a · turn about the gear's own z, from the first two columns. */
+/** The angle of b = a · rotation about the gear's own z axis, from the first two columns. */
 function turnBetween(a: ArrayLike<number>, b: ArrayLike<number>): number {
   const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
   const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;
   return Math.atan2(sin, cos);
 }
 
-/** A pose between two of the engine's, 16 numbers: the turn is shared out, the rest is a line. */
+/** A pose between two poses of the engine, 16 numbers. The rotation is interpolated, and the rest
+ *  linearly. */
 export function poseAt(motion: Motion, gear: number, t: number): number[] {
   const all = motion.places[gear]!;
   const at = Math.min(Math.max((t + 0.5) * (motion.n - 1), 0), motion.n - 1);
@@ -39,12 +41,12 @@ export function poseAt(motion: Motion, gear: number, t: number): number[] {
   return pose;
 }
 
-/** How far a gear has turned about its own axis out of the pose at t = −½, rad. */
+/** The rotation of a gear about its own axis from the pose at t = −½, rad. */
 export function turnAt(motion: Motion, gear: number, t: number): number {
   return turnBetween(motion.places[gear]!, poseAt(motion, gear, t));
 }
 
-/** Where the flanks touch at the position nearest to t; null without contact. */
+/** The contact point at the position nearest to t; null without contact. */
 export function touchAt(motion: Motion, t: number): { x: number; y: number; z: number } | null {
   const points = motion.curve?.columns["point_mm"];
   if (!motion.curve || !(points instanceof Float64Array)) return null;

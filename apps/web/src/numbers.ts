@@ -17,23 +17,23 @@ export function onUnitChange(listener: () => void): void {
   listeners.add(listener);
 }
 
-/** The unit that stands beside a value. */
+/** The unit shown with a value. */
 export function shownUnit(unit: string): string {
   return unit === "mm" && inches ? "in" : unit;
 }
-/** A value in the unit that is shown, and back. */
+/** Converts a value to the shown unit, and back. */
 export function toShown(value: number, unit: string): number {
   return unit === "mm" && inches ? value / kMmPerInch : value;
 }
 export function fromShown(value: number, unit: string): number {
   return unit === "mm" && inches ? clean(value * kMmPerInch) : value;
 }
-/** Without the noise of the last bits: 0.1 in is 2.54 mm. */
+/** Removes rounding noise in the last bits: 0.1 in is 2.54 mm. */
 function clean(value: number): number {
   return Number(value.toPrecision(14));
 }
 
-/** A fixed number of decimals; what rounds to nothing has no sign. */
+/** A fixed number of decimals. A value that rounds to zero has no sign. */
 export function fixed(value: number, digits: number): string {
   if (!Number.isFinite(value)) return "–";
   if (Math.abs(value) >= 1e15) return value.toExponential(6);
@@ -41,17 +41,17 @@ export function fixed(value: number, digits: number): string {
   return /^-[0.]+$/.test(text) ? text.slice(1) : text;
 }
 
-/** A length of the housing frame and the like, outside of the catalogue. */
+/** A length outside of the catalogue, such as one in the housing frame. */
 export function length(mm: number, digits = 3): string {
   return fixed(toShown(mm, "mm"), inches ? digits + 1 : digits) + " " + shownUnit("mm");
 }
 
-/** A number in a field: as short as it can be and still the same number. */
+/** A number in a field, in the shortest form that gives the same number. */
 export function short(value: number): string {
   return String(clean(value));
 }
 
-/** A value of a result as people read it, without its unit. */
+/** A value of a result for users, without its unit. */
 export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (value === null || value === undefined) return quantity.nothing || "–";
   if (typeof value === "boolean") return value ? "yes" : "no";
@@ -73,7 +73,7 @@ export function niceStep(size: number, parts = 100): number {
   const lead = raw / ten;
   return ten * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 }
-/** To a multiple of the step, without its noise. */
+/** Rounds to a multiple of the step, without rounding noise. */
 export function onStep(value: number, step: number): number {
   return Number((Math.round(value / step) * step).toPrecision(12));
 }

@@ -12,9 +12,9 @@ import { TextPane } from "./text/text_pane";
 import { VerdictLine } from "./verdict";
 import { bench, kMostCharacters } from "./workbench";
 
-/** What a narrow screen shows first. */
+/** The part that a narrow screen shows first. */
 const kFirstPart = "view";
-/** The numbers show their head alone. */
+/** Height at which only the heading of the numbers is visible. */
 const kFolded = 0.05;
 
 export class Page {
@@ -45,7 +45,7 @@ export class Page {
   private readonly main: HTMLElement;
   private readonly verdict = new VerdictLine();
   private readonly numbers = new QuantityPane();
-  /** Share of the height that the numbers have, per tab: a report or a list needs more than a picture. */
+  /** Fraction of the height for the numbers, per tab. A report or a list needs more height than a picture. */
   private readonly shares: Record<string, number> = {
     contact: 0.2,
     load: kFolded,
@@ -125,7 +125,7 @@ export class Page {
     const share = this.shares[tab] ?? 0.34;
     this.main.style.setProperty("--numbers", share > kFolded ? `${(100 * share).toFixed(1)}%` : "43px");
   }
-  /** The line between picture and numbers, to be dragged or moved with the arrow keys. */
+  /** The divider between picture and numbers, which can be dragged or moved with the arrow keys. */
   private divider(): HTMLElement {
     const now = () => this.shares[this.tabs.current.id] ?? 0.34;
     const set = (share: number) => {

@@ -1,4 +1,4 @@
-// The engine inside the one file: gzip as base64 in an element of the page.
+// The engine inside the single file, as gzip in base64 in an element of the page.
 import EngineWorker from "./engine_worker.ts?worker&inline";
 import * as scene from "./solid/scene";
 

@@ -1,7 +1,7 @@
-// The engine of a page on a host: files beside it.
+// The engine of a hosted page, as files next to it.
 import address from "gearwright-engine/gearwright.wasm?url";
 
-/** Loaded when a solid is first looked at. */
+/** Loaded when the user first opens a solid. */
 export const loadScene = () => import("./solid/scene");
 export const makeWorker = () =>
   new Worker(new URL("./engine_worker.ts", import.meta.url), { type: "module" });

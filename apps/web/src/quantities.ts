@@ -1,5 +1,5 @@
-// Every quantity of the result, in the catalogue's words and order: a search box, the values of both
-// gears side by side, and a highlight on values that the last change has altered.
+// Every quantity of the result, in the catalogue's words and order, with a search box, the values
+// of both gears side by side, and a highlight on values that the last change has altered.
 
 import { quantities } from "./catalogue";
 import { fill, h, scroller } from "./elements";
@@ -25,7 +25,7 @@ export class QuantityPane {
     this.sheet,
   );
   private signature = "";
-  private shown = ""; // the text of the shown numbers
+  private shown = ""; // the text of the spec of the shown numbers
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
 
@@ -39,7 +39,7 @@ export class QuantityPane {
     });
   }
 
-  /** Dims the numbers if they are of another spec than the one on screen. */
+  /** Dims the numbers if they belong to another spec than the one on screen. */
   private age(): void {
     markRevision(this.sheet, this.shown, bench.text, !bench.settled);
   }

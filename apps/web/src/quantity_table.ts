@@ -11,10 +11,10 @@ export interface Row {
   group: string;
   info: Quantity;
   values: (Json | undefined)[]; // one, or one per gear
-  ends: (Json | undefined)[]; // of a value with tolerances: at its lower and its upper end
+  ends: (Json | undefined)[]; // for a value with tolerances: at its lower and its upper end
 }
 
-/** `printed`: of records only those that the program prints, too. */
+/** If `printed`, records contain only the members that the program also prints. */
 export function rowsOf(
   table: QuantityTable,
   records: Json[],
@@ -53,7 +53,7 @@ function member(record: Json | undefined, key: string): Json | undefined {
   return record && typeof record === "object" ? (record as { [key: string]: Json })[key] : undefined;
 }
 
-/** A value as people read it, and below it what a tolerance makes of it. */
+/** A value for users, and below it the values at the ends of a tolerance. */
 export function cellText(row: Row, i: number): [value: string, ends: string] {
   const ends = row.ends[i];
   const both = Array.isArray(ends) && ends.length === 2 && ends.every((one) => typeof one === "number");
@@ -69,11 +69,11 @@ export function fillCell(cell: Element, row: Row, i: number): void {
 export interface Extra {
   /** What distinguishes one group of rows from the next; its last word is the heading. */
   headingOf?(row: Row, index: number): string[];
-  /** A column at the end. */
+  /** An additional last column. */
   last?: { head: string; of(row: Row): string };
 }
 
-/** The table with a column for each gear, and of each row the cells of its values. */
+/** The table with a column for each gear. It also returns the cells of the values of each row. */
 export function quantityTable(
   rows: Row[],
   gears: number,

@@ -1,6 +1,6 @@
 // The first screen: a design starts from a few known numbers, or from an example with its picture.
 //
-// A start is only a spec. The engine's search and fit compute unknown numbers.
+// A start is only a spec. The engine computes unknown numbers by search and fit.
 
 import { fill, h } from "./elements";
 import { numberIn } from "./form/field";
@@ -33,11 +33,11 @@ function exampleOf([path, text]: [string, string]): Example {
   const whole = comment.join(" ");
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
-// The page shows no racks.
+// The page does not show racks.
 export const kExamples: Example[] = Object.entries(examples)
   .filter(([, text]) => !/^form = "rack"/m.test(text))
   .map(exampleOf);
-/** The small picture of a card: the gears in section, whole, without letters. */
+/** The small picture of a card: the whole gears in section, without letters. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
   "helical_pair",
@@ -278,7 +278,7 @@ export class Starts {
     );
   }
 
-  /** Draws the cards, one after the other, by the engine that is there anyhow. */
+  /** Draws the cards one after the other with the engine that is already running. */
   async paint(): Promise<void> {
     if (this.painted) return;
     this.painted = true;

@@ -5,22 +5,22 @@ import { judgement, kParts, type Part } from "./judgement";
 import { markRevision } from "./revision";
 import { bench } from "./workbench";
 
-/** A spec that has not changed for so long rests: then contact, load and rating are judged, too. */
+/** After this time without a change, contact, load and rating are judged, too. */
 const kRestMs = 700;
 
 export interface Tab {
   readonly id: string; // also its name
   readonly element: HTMLElement;
-  /** What is dimmed while it shows another spec than the one on screen. */
+  /** The element that is dimmed while it shows another spec than the one on screen. */
   readonly picture: HTMLElement;
-  /** The text of the spec that the picture was made for; "" without a picture. */
+  /** The text of the spec of the picture; "" if there is no picture. */
   readonly shown: string;
-  /** What of the verdict this tab's answer has, and how to come to it without being seen. */
+  /** The contribution of this tab's answer to the verdict, and how to compute it while the tab is hidden. */
   readonly part?: Part;
   judge?(): Promise<void>;
-  /** Shows the design of now; called when it has changed or the tab is opened. */
+  /** Shows the current design. Called if it has changed or the tab is opened. */
   refresh(): Promise<void> | void;
-  /** The tab is left. */
+  /** Called when the user leaves the tab. */
   leave?(): void;
 }
 
@@ -67,8 +67,8 @@ export class Tabs {
     this.room.append(this.fault, this.spinner, this.kept);
     bench.on("text", () => this.age());
     bench.on("opened", () => {
-      for (const tab of this.tabs) void tab.refresh(); // removes all parts of another design,
-                                                       // visible or not
+      // Removes all parts of another design, visible or not.
+      for (const tab of this.tabs) void tab.refresh();
     });
     bench.on("solved", () => {
       void this.refresh();
@@ -79,7 +79,8 @@ export class Tabs {
     this.age();
   }
 
-  /** What the verdict still lacks, one after the other; a newer spec begins anew. */
+  /** Computes the missing parts of the verdict, one after the other. A newer spec starts from the
+   *  beginning. */
   private async judge(): Promise<void> {
     const { text } = bench;
     for (const part of kParts) {
@@ -109,7 +110,7 @@ export class Tabs {
     this.mark();
     this.opened(id);
     if (bench.settled) void this.refresh();
-    else this.age(); // the pending result brings the picture
+    else this.age(); // the pending result updates the picture
   }
 
   private mark(): void {
@@ -139,8 +140,8 @@ export class Tabs {
     } catch (reason) {
       fault = sentenceOf(reason);
     }
-    if (turn === this.turn) this.fault.textContent = fault; // otherwise a newer request shows its
-                                                            // own
+    // Otherwise a newer request shows its own error.
+    if (turn === this.turn) this.fault.textContent = fault;
     count(-1);
     this.age();
   }

@@ -23,7 +23,7 @@ const kOffers: Offer[] = [
 ];
 const kEndings: Partial<Record<FileKind, string>> = { report: "html", drawing: "pdf" };
 
-/** A file name of the title: letters and digits of any script, the rest become _. */
+/** A file name from the title: letters and digits of any script are kept, other characters become _. */
 export function fileName(): string {
   const title = bench.good?.spec?.["title"];
   const name =

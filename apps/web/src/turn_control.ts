@@ -1,5 +1,5 @@
-// The controls that turn a pair: a slider over one pitch of gear 1, a button that lets the gears run,
-// the angle in degrees.
+// The controls that turn a pair: a slider over one pitch of gear 1, a button that lets the gears
+// run, and the angle in degrees.
 
 import { button, h, slide, slider } from "./elements";
 import type { Motion } from "./motion";

@@ -6,7 +6,7 @@ import type { Finding, Notice } from "./engine_worker";
 import { judgement } from "./judgement";
 import { bench } from "./workbench";
 
-/** The headline of a spec that leaves something to be found, by the verb that finds it. */
+/** The headline of a spec with unknown values, by the verb that computes them. */
 const kFinders = {
   search: "This spec describes a search. Open the tab “search” to run it.",
   fit: "Some values of this spec are unknown. The tab “search” computes them.",
@@ -94,7 +94,7 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** The notices of an answer: its findings, and the warnings that are not among them. */
+/** The messages of an answer: its findings, and the warnings that are not among them. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

@@ -1,26 +1,26 @@
 // The design on screen: its text, its results, and its history.
 //
-// The text is the design; form, pictures and tables are views of it. A change is sent to the
+// The text is the design. Form, pictures and tables are views of it. A change is sent to the
 // engine, which returns the new text (with comments) and its results. Then all views are updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
 
 type Listener = () => void;
-/** Texts beyond this are no specs: the longest of ours has 2000 characters. */
+/** Longer texts are not accepted as specs. The longest of ours has 2000 characters. */
 export const kMostCharacters = 1_000_000;
-/** Changes of one field within this time are one step back. */
+/** Changes of one field within this time are one undo step. */
 const kOneStepMs = 900;
 
 class Workbench {
   text = "";
-  /** What the last text came to; its fault, if any, is shown where it belongs. */
+  /** The result of the last text. Its error, if any, is shown at the relevant field. */
   solved: Solved | null = null;
-  /** The last that could be solved: pictures keep it while a fault is being typed. */
+  /** The last spec that could be solved. Pictures keep it while an invalid value is being typed. */
   good: Solved | null = null;
-  /** Counts the designs that were opened: an answer about an earlier one comes too late. */
+  /** Counts the opened designs. An answer for an earlier one is ignored. */
   design = 0;
-  /** How long the engine and the way to it took for the last change, ms. */
+  /** The time from the last change to its answer and the part used by the engine, ms. */
   lastMs = 0;
   front!: EngineLink;
   back!: EngineLink;
@@ -43,7 +43,7 @@ class Workbench {
     for (const listener of this.listeners.get(what) ?? []) listener();
   }
 
-  /** A new text, as a whole: typed, opened, taken from a list. `what` names the hand that did it. */
+  /** Sets a whole new text: typed, opened, or taken from a list. `what` names its origin. */
   setText(text: string, what: string): void {
     if (text === this.text) return;
     this.remember(what);
@@ -51,8 +51,8 @@ class Workbench {
     this.edits.clear();
     if (what === "opened") {
       ++this.design;
-      this.good = this.solved = null; // another design: nothing of the last one may be shown with
-                                      // it
+      // Another design, so nothing of the last one may be shown with it.
+      this.good = this.solved = null;
       this.notify("opened");
     }
     this.notify("text");
@@ -71,7 +71,7 @@ class Workbench {
     this.notify("history");
   }
 
-  /** Sets one key, "gear1.profile_shift"; undefined takes it out. Many in one moment are one. */
+  /** Sets one key, "gear1.profile_shift"; undefined removes it. Simultaneous changes are combined. */
   setKey(key: string, value: Json | undefined): void {
     this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
     void this.applyEdits();
@@ -86,7 +86,8 @@ class Workbench {
     this.edits.clear();
     try {
       const answer = await this.front.call("edit", { text: from, edits });
-      if (this.text !== from) return; // typed in the meantime: the text takes precedence
+      // The user has typed in the meantime, and the text takes precedence.
+      if (this.text !== from) return;
       if ("refused" in answer) {
         const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
         this.takeSolved({ ...(this.solved ?? faulty(from, "")), fault }, begin);
@@ -102,8 +103,8 @@ class Workbench {
     }
   }
 
-  /** The answer about the design on screen; null when a newer question has taken its place, or another
-   *  design has been opened. */
+  /** Requests an answer about the design on screen. Returns null if a newer request has replaced it or
+   *  another design has been opened. */
   async about<N extends Name>(
     link: EngineLink,
     channel: string,
@@ -138,7 +139,7 @@ class Workbench {
     this.notify("solved");
   }
 
-  /** The verb that finds what the spec leaves open: that it is no pair yet is no fault. */
+  /** The verb that computes the unknown values of the spec. An incomplete spec is not an error. */
   get finder(): Fault["finder"] {
     const { fault, spec } = this.solved ?? {};
     if (!fault || !spec) return undefined;
@@ -146,17 +147,17 @@ class Workbench {
     return fault.finder ?? (spec["fit"] !== undefined ? "fit" : undefined);
   }
 
-  /** What is wrong with the text on screen. */
+  /** The error of the text on screen. */
   get fault(): Fault | null {
     return this.finder ? null : (this.solved?.fault ?? null);
   }
 
-  /** The answer of the engine is that to the text on screen. */
+  /** True if the answer of the engine belongs to the text on screen. */
   get settled(): boolean {
     return this.solved?.text === this.text;
   }
 
-  /** What stands where a picture would be, while there is no pair. */
+  /** The text shown in place of a picture while there is no pair. */
   get nothing(): string {
     return this.settled ? "There is no pair yet." : "";
   }

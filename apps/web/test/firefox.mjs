@@ -1,5 +1,5 @@
-// Stock Firefox, driven by WebDriver BiDi: one page, its scripts, its pictures. playwright-core drives
-// Chromium here; of Firefox it wants commands that the released browser does not have.
+// Drives stock Firefox by WebDriver BiDi: one page, its scripts, its pictures. playwright-core
+// drives Chromium here. For Firefox it requires commands that the released browser does not have.
 //
 // Needs node's WebSocket: `node --experimental-websocket` before node 22.
 
@@ -10,7 +10,7 @@ import { join } from "node:path";
 
 export const kFirefox = process.env.FIREFOX ?? "/usr/bin/firefox-esr";
 
-/** Starts the browser; resolves with the address at which it listens. */
+/** Starts the browser. Resolves with the address at which it listens. */
 function start() {
   const profile = mkdtempSync(join(tmpdir(), "gearwright_firefox_"));
   const process = spawn(kFirefox, ["--headless", "--no-remote", "--remote-debugging-port=0", "--profile", profile]);
@@ -26,7 +26,7 @@ function start() {
   });
 }
 
-/** A browser with one page of this size. */
+/** Opens a browser with one page of this size. */
 export async function launchFirefox(width = 1280, height = 800) {
   const { process, address } = await start();
   const socket = new WebSocket(address + "/session");
@@ -59,7 +59,7 @@ export async function launchFirefox(width = 1280, height = 800) {
   const page = {
     complaints,
     open: (url) => ask("browsingContext.navigate", { context, url, wait: "complete" }),
-    /** The value of a function of the page; values go there and come back as JSON. */
+    /** Returns the value of a function of the page. Values are transferred as JSON. */
     async evaluate(f, ...args) {
       const expression = `Promise.resolve((${f})(...${JSON.stringify(args)})).then((x) => JSON.stringify(x ?? null))`;
       const { result, exceptionDetails } = await ask("script.evaluate", {

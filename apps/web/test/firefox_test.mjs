@@ -1,5 +1,5 @@
-// The page in Firefox: every example in every tab without a complaint, and the same bytes from its
-// engine as from Chromium's, which page_test.mjs holds against the program.
+// Tests the page in Firefox: every example in every tab without errors, and the same bytes from its
+// engine as in Chromium, which page_test.mjs compares with the program.
 
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
@@ -31,7 +31,7 @@ describe("in Firefox", { skip }, () => {
   };
 
   it("every example has a picture or an answer in every tab", async () => {
-    // Without a screen Debian's Firefox has no WebGL: the solids are Chromium's to test.
+    // Without a screen, Firefox of Debian has no WebGL, so solids are tested only in Chromium.
     const solids = await page.evaluate(() => document.createElement("canvas").getContext("webgl2") !== null);
     const tabs = kTabs.filter((tab) => solids || tab !== "solid");
     for (const one of examples) for (const tab of tabs) await put(one.text, tab);

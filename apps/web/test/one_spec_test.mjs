@@ -1,5 +1,5 @@
-// Everything on the page is of the spec on screen: pictures, numbers, form, and the verdict, which is
-// the worst of what the native program's verbs judge.
+// Tests that everything on the page belongs to the spec on screen: pictures, numbers, form, and the
+// verdict, which is the worst of those of the native program's verbs.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, writeFileSync } from "node:fs";
@@ -12,7 +12,7 @@ import { example, examples, idle, it, judged, kPatience, kTabs, native, open, pu
 let page, browser, address;
 withPage((stage) => ({ page, browser, address } = stage));
 
-/** What is seen, is not marked as stale, and is yet of another spec than the one on screen. */
+/** Visible parts that are not marked as stale but belong to another spec than the one on screen. */
 const strangers = () => {
   const now = window.gearwright.revision();
   return [...document.querySelectorAll("[data-revision]")]
@@ -20,7 +20,7 @@ const strangers = () => {
     .filter((one) => one.dataset.revision !== now)
     .map((one) => one.className);
 };
-/** Types into the text, and returns what is seen before anything was computed anew. */
+/** Types into the text, and returns the visible parts before anything is computed again. */
 const typed = (page, from, to) =>
   page.evaluate(
     ([from, to]) => {
@@ -100,7 +100,7 @@ describe("a picture of another spec", () => {
         expected,
       );
     await inked(true);
-    // A bore that leaves its gear no body: the engine draws no section of it.
+    // With this bore the gear has no body, so the engine draws no section of it.
     await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 9"), "mesh");
     await idle(page);
     assert.match(await page.textContent(".view-fault"), /bore/);
@@ -135,7 +135,7 @@ describe("a picture of another spec", () => {
       };
       look();
     }, String(strangers));
-    // A fixed sequence that meets every tab after every other one.
+    // A fixed sequence in which every tab follows every other one.
     let seed = 12345;
     const random = (n) => (seed = (seed * 1103515245 + 12345) % 2147483648) % n;
     for (let i = 0; i < 120; ++i) {
@@ -195,7 +195,7 @@ describe("form and link", () => {
 
 describe("the verdict", () => {
   const levels = ["green", "amber", "red"];
-  /** The worst of the verdicts of all that the spec lets the program judge. */
+  /** The worst of the verdicts on all parts that the program can judge for the spec. */
   const expected = (text) => {
     const pair = native("pair", text);
     const asks = (part) =>
@@ -222,7 +222,8 @@ describe("the verdict", () => {
     }
   });
 
-  // A pair without backlash whose shafts cross: mounted so it jams, which contact alone computes.
+  // A pair without backlash whose shafts cross. Mounted in this way it jams, which only contact
+  // computes.
   const jams = `[gear1]
 teeth = 25
 normal_module_mm = 3
@@ -238,7 +239,7 @@ slices = 12
 accuracy = "draft"
 `;
   it("names what is pending, then covers contact and load", async () => {
-    await put(page, jams); // what it takes to judge it begins after a moment's rest
+    await put(page, jams); // the judgement starts after a moment without changes
     const parts = native("pair", jams).verdict.not_judged ?? ["contact", "load"];
     assert.equal(await page.textContent(".scope"), `${parts.join(", ")} pending`);
     await judged(page);

@@ -1,5 +1,5 @@
-// The page in a browser: every example and every tab, numbers against the native program, links,
-// faults at their field, and the one file without a server or a network.
+// Tests the page in a browser: every example and every tab, numbers against the native program,
+// links, errors at their fields, and the single file without a server or a network.
 
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync, mkdtempSync } from "node:fs";
@@ -34,7 +34,8 @@ describe("every example", () => {
       await page.evaluate(() => window.gearwright.start());
       await page.click(`[data-example=${one.name}]`);
       await settled(page);
-      const headline = await page.textContent(".headline"); // before contact and load are judged, too
+      // Before contact and load are judged, too.
+      const headline = await page.textContent(".headline");
       const expected = native("pair", one.text);
       if (expected.verdict) assert.equal(headline, expected.verdict.headline, one.name);
       else assert.ok(headline.length > 10, one.name);

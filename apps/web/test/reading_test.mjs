@@ -1,5 +1,5 @@
-// What a reader sees: words instead of keys, fields that show their whole value, circles with their
-// names.
+// Tests what the user reads: words instead of keys, fields that show their whole value, circles
+// with their names.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -8,7 +8,7 @@ import { example, examples, idle, it, open, put, touching, withPage } from "./st
 let page, browser, address;
 withPage((stage) => ({ page, browser, address } = stage));
 
-/** Fields of the visible part whose value is wider than they are. */
+/** Fields of the visible part whose value is wider than the field. */
 const clipped = () => {
   const pen = document.createElement("canvas").getContext("2d");
   return [...document.querySelectorAll("input[type=text], select")].flatMap((one) => {
@@ -61,7 +61,7 @@ describe("pictures", () => {
   it("circles of the mesh have their symbols", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
-    // Symbols end in a space of no width. Names for which no place is free are left out, here d_w1.
+    // Symbols end in a space of zero width. Names without a free position are omitted, here d_w1.
     const names = async () =>
       (await page.locator("#room-mesh .circle-name").filter({ visible: true }).allTextContents()).map((name) => name.replaceAll("\u200b", ""));
     await page.click('[data-choice="whole"]');
@@ -103,7 +103,8 @@ describe("pictures", () => {
   });
 
   it("the nearest border of the shift chart is as far away as it is drawn", async () => {
-    // With a tip clearance of 0.25 modules every design stood "0.230 modules from the nearest border".
+    // With a tip clearance of 0.25 modules, every design used to be "0.230 modules from the nearest
+    // border".
     for (const name of ["helical_pair", "rated_pair", "spur_pair"]) {
       await put(page, example(name), "shifts");
       await idle(page);

@@ -1,5 +1,5 @@
-// The table of designs that a search has found: it has the room it needs, says in words where the
-// shifts stand, and has its scatter below it, over numbers in which the designs differ.
+// Tests the table of designs that a search has found. It has enough room, describes the position of
+// the shifts in words, and has a scatter plot below, over quantities in which the designs differ.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";

@@ -1,4 +1,5 @@
-// What the tests stand on: a server of static files, a browser without a screen, the native program.
+// The common environment of the tests: a server of static files, a browser without a screen, the
+// native program.
 
 import { execFileSync } from "node:child_process";
 import { createReadStream, existsSync, readdirSync, readFileSync, statSync } from "node:fs";
@@ -10,7 +11,7 @@ import { chromium } from "playwright-core";
 export const root = resolve(import.meta.dirname, "../../..");
 export const web = resolve(process.env.GEARWRIGHT_WEB_OUT ?? join(root, "build/web"));
 const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
-/** Two loaded cores and a browser without a graphics card are slow; nothing here measures time. */
+/** Two loaded cores and a browser without a graphics card are slow. These tests do not measure time. */
 export const kPatience = 120_000;
 export const kTabs = ["mesh", "solid", "contact", "load", "rating", "shifts", "search", "sheet"];
 
@@ -21,7 +22,7 @@ const kTypes = {
   ".wasm": "application/wasm",
 };
 
-/** Serves build/web on some port of this machine. */
+/** Serves build/web on a port of this machine. */
 export function serve() {
   const server = createServer((request, response) => {
     const name = basename(new URL(request.url, "http://x").pathname) || "index.html";
@@ -38,8 +39,8 @@ export function serve() {
 export function launch() {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    // Without the compositor on a graphics card that is not there pages are painted 25 times faster;
-    // WebGL still has its own.
+    // Without the compositor of a missing graphics card, pages are painted 25 times faster. WebGL
+    // still has its own.
     args: [
       "--disable-gpu",
       "--no-sandbox",
@@ -50,7 +51,7 @@ export function launch() {
   });
 }
 
-/** The page that all tests of a file share: `take` gets it before the first of them. */
+/** The page that all tests of a file share. `take` receives it before the first of them. */
 export function withPage(take) {
   let server, browser;
   before(
@@ -69,7 +70,7 @@ export function withPage(take) {
 }
 export const it = (name, body) => test(name, { timeout: 4 * kPatience }, body);
 
-/** Opens an address and waits for the engine; complaints of the page end up in `page.complaints`. */
+/** Opens an address and waits for the engine. Errors of the page are collected in `page.complaints`. */
 export async function open(browser, address, options = {}) {
   const context = await browser.newContext({
     viewport: { width: 1280, height: 800 },
@@ -92,12 +93,12 @@ export async function open(browser, address, options = {}) {
   return page;
 }
 
-/** Puts a text on the page, as if it were opened, and waits for what came of it. */
+/** Puts a text on the page, as if it were opened, and waits for its result. */
 export async function put(page, text, tab = "mesh") {
   await page.evaluate(([text, tab]) => window.gearwright.open(text, tab), [text, tab]);
   await settled(page);
 }
-/** The answer on screen is that of the text on screen. */
+/** Waits until the answer on screen belongs to the text on screen. */
 export async function settled(page) {
   await page.waitForFunction(() => window.gearwright.settled(), undefined, { timeout: kPatience });
 }
@@ -118,7 +119,7 @@ export function example(name) {
   return examples.find((one) => one.name === name).text;
 }
 
-/** What the native program prints with --json; a refusal is an answer too. */
+/** The output of the native program with --json. An error is also an output. */
 export function native(verb, text) {
   try {
     return JSON.parse(
@@ -135,15 +136,15 @@ export function native(verb, text) {
   }
 }
 
-/** Nothing of the verdict on screen is pending. */
+/** Waits until no part of the verdict on screen is pending. */
 export async function judged(page) {
   await page.waitForFunction(() => window.gearwright.judged(), undefined, { timeout: kPatience });
 }
-/** The engine has nothing to do any more. */
+/** Waits until the engine has no more work. */
 export async function idle(page) {
   await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
 }
-/** Whether boxes of two selectors overlap. */
+/** True if boxes of two selectors overlap. */
 export const touching = (page, first, second) =>
   page.evaluate(
     ([first, second]) => {

@@ -1,5 +1,5 @@
-// The tabs "load" and "rating" in a browser: numbers against the native program, fields that ask for
-// what is missing, colours of the verdict.
+// Tests the tabs "load" and "rating" in a browser: numbers against the native program, fields for
+// missing inputs, colours of the verdict.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -9,7 +9,7 @@ let page;
 withPage((stage) => ({ page } = stage));
 
 describe("load", () => {
-  /** The full answer stands there, under this torque: a former answer would do for one who came too early. */
+  /** Waits for the full answer under this torque. Otherwise an earlier answer could be read. */
   const finished = (torque) =>
     page.waitForFunction(
       (torque) => {
@@ -20,7 +20,7 @@ describe("load", () => {
       torque,
       { timeout: kPatience },
     );
-  /** The text is the number, to the digits that it has. */
+  /** Checks that the text is the number, to the digits of the text. */
   const shows = (text, value) => assert.equal(text, value.toFixed((text.split(".")[1] ?? "").length));
   const cell = (id, column = 0) =>
     page.textContent(`#room-load [data-quantity="load.${id}"][data-column="${column}"]`);

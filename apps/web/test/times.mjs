@@ -1,5 +1,5 @@
-// How quick the page is: opening to first answer, keystroke to picture, the contact curve, frames
-// while turning. Times only; the tests are beside it.
+// Measures the speed of the page: opening to first answer, keystroke to picture, the contact curve,
+// frames while turning. It only measures times. The tests are in the other files.
 //
 //   node apps/web/test/times.mjs
 
@@ -32,7 +32,7 @@ for (const name of ["spur_pair", "helical_pair", "planetary_ring", "crossed_pair
       field.dispatchEvent(new Event("input"));
       while (window.gearwright.text() === before) await new Promise((go) => setTimeout(go));
       all.push([window.gearwright.lastMs(), window.gearwright.engineMs()]);
-      await new Promise((go) => setTimeout(go, 60)); // the picture of the last one is painted
+      await new Promise((go) => setTimeout(go, 60)); // waits until the last picture is painted
     }
     return all;
   });

@@ -1,4 +1,4 @@
-// How a picture is zoomed and moved, by the script that page and report share; without the engine.
+// Tests zooming and moving a picture by the script that page and report share, without the engine.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

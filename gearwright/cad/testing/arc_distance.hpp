@@ -1,5 +1,5 @@
-// How far a point of a drawing lies from an exact arc, by search: for tests, it shares nothing with
-// the osculating circles by which the fits measure themselves.
+// Computes by search the distance of a point of a drawing from an exact arc. It is for tests and
+// shares no code with the osculating circles by which the fits measure their deviation.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 
 namespace gearwright::testing {
 
-/// Distance from q to the arc, mm: the nearest of 400 samples, then ternary section around it.
+/// Returns the distance from q to the arc, mm: the nearest of 400 samples, refined by ternary
+/// search.
 inline double distance_to_arc(const Arc& arc, const Vec2& q) {
   constexpr int kSteps = 400;
   const auto distance = [&](double u) { return (arc.point(u) - q).norm(); };

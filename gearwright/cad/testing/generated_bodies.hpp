@@ -1,5 +1,5 @@
-// Gears that other gears cut, and of one and two teeth, as bodies: what the generation rooms make
-// for the CAD rooms.
+// Bodies of gears that are cut by other gears, and of gears with one and two teeth. They provide
+// results of the generation rooms for tests of the CAD rooms.
 //
 //   two_teeth       circular root fillet, a circular tip fillet in place of the land; β 30°
 //   cut_wheel       of 60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
@@ -9,7 +9,7 @@
 //   double_arcs     convex and concave arcs with a step between them, β −20°
 //   rack_bar        rack of module 2 and width 20 mm, the back 12 mm below the datum line
 //
-// All free of backlash with their cutters at the distances given beside them.
+// All mesh with their cutters without backlash at the centre distances given with them.
 #pragma once
 
 #include <optional>

@@ -1,11 +1,10 @@
-// Outlines at the edge of what a gear can be, for tests of the CAD rooms: undercut teeth, one or
-// two teeth, internal gears. Written down from the geometry of a sharp rack, independently of the
-// generation rooms.
+// Extreme outlines for tests of the CAD rooms: undercut teeth, one or two teeth, internal gears.
+// They follow from the geometry of a sharp rack, independently of the generation rooms.
 //
 //   m   module, mm     r = |z|m/2, r_b = r cos 20°     c   corner depth below the pitch line, mm
 //   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°
-//            the rack's sharp corner, p = 0 at the root, p > 0 up the tooth; its polar angle falls,
-//            then grows: the undercut
+//            the rack's sharp corner, p = 0 at the root, p > 0 up the tooth. Its polar angle
+//            decreases, then increases: the undercut
 #pragma once
 
 #include <algorithm>
@@ -32,8 +31,8 @@ class CornerTrochoid final : public ComplexCurve {
   double r_, c_, y_c_;
 };
 
-/// The flank of a space of an external gear is the flank of an internal gear's tooth: it thickens
-/// outward.
+/// The flank of a space of an external gear is the flank of an internal gear's tooth, which becomes
+/// thicker outwards.
 class RingInvolute final : public ComplexCurve {
  public:
   RingInvolute(double r_b, double psi_b) : r_b_(r_b), psi_b_(psi_b) {}
@@ -48,14 +47,14 @@ class RingInvolute final : public ComplexCurve {
 
 inline constexpr double kAlpha20 = 20 * kPi / 180;
 
-/// Polar angle of the involute flank at radius ρ, tooth centre line at 0.
+/// Polar angle of the involute flank at radius ρ. The centre line of the tooth is at 0.
 inline double flank_angle(int z, double r_b, double rho) {
   const double xi = std::sqrt(std::max(0.0, (rho / r_b - 1) * (rho / r_b + 1)));
   return kPi / (2 * z) + std::tan(kAlpha20) - kAlpha20 - (xi - std::atan(xi));
 }
 
-/// Undercut: root circle, corner trochoid, involute from their crossing, tip circle.
-/// Domain    small z: the crossing lies between the base circle and the tip
+/// An undercut tooth: root circle, corner trochoid, involute from their intersection, tip circle.
+/// Domain    z is small: the intersection lies between the base circle and the tip
 inline ToothedBody undercut_body(int z, double m, double depth, double height, double twist,
                                  double width) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), c = depth * m;
@@ -80,9 +79,9 @@ inline ToothedBody undercut_body(int z, double m, double depth, double height, d
   return body;
 }
 
-/// One or two teeth: a root circle well inside the base circle, a fillet of one circular arc that
-/// touches it and the radial line to the involute's start, the involute from its cusp (1e-9 rad
-/// beside it, where the tangent can be taken from the derivative), a tip land.
+/// One or two teeth. The outline has a root circle well inside the base circle, a fillet that
+/// touches the root circle and the radial line to the start of the involute, the involute from its
+/// cusp (1e-9 rad beside it, where the tangent can be taken from the derivative), and a tip land.
 inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = 0.8 * r_b, r_a = r + 0.5 * m;
   const double rho = (r_b - r_f) * (r_b + r_f) / (2 * r_f);
@@ -113,7 +112,7 @@ inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   return body;
 }
 
-/// An internal gear of |z| teeth with corners at root and tip; its rim is `rim` mm in diameter.
+/// An internal gear of |z| teeth with corners at root and tip. Its rim has the diameter `rim`, mm.
 inline ToothedBody ring_body(int z, double m, double twist, double width, double rim) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = r + 1.25 * m, r_a = r - 0.8 * m;
   const double psi_b = kPi / (2 * z) - (std::tan(kAlpha20) - kAlpha20);

@@ -1,5 +1,5 @@
-// Outlines for tests of the CAD rooms: rack-cut teeth written down independently of the generation
-// rooms, from three formulas.
+// Outlines for tests of the CAD rooms: rack-cut teeth computed from three formulas, independently
+// of the generation rooms.
 //
 //   z      teeth          m, α   transverse module, mm, and pressure angle, rad     r = mz/2
 //   h_a, h_f, ρ           addendum, dedendum and tip radius of the cutter, in modules
@@ -106,9 +106,10 @@ struct SampleGear {
   double addendum = 1.0;
   double dedendum = 1.25;
   double tip_radius = 0.38;
-  double chamfer = 0.0;           ///< radial height of a straight chamfer, mm
-  bool pointed = false;           ///< up to the ridge where the flanks meet, whatever the addendum
-  bool full_radius_root = false;  ///< tip_radius is the one that leaves no root land
+  double chamfer = 0.0;  ///< radial height of a straight chamfer, mm
+  bool pointed = false;  ///< the tooth ends at the ridge where the flanks meet, whatever the
+                         ///< addendum
+  bool full_radius_root = false;  ///< tip_radius is chosen so that no root land remains
 };
 
 inline void append(Outline& outline, ArcName name, std::shared_ptr<const Curve> curve, double begin,
@@ -118,14 +119,15 @@ inline void append(Outline& outline, ArcName name, std::shared_ptr<const Curve> 
   outline.arcs.push_back({name, std::move(curve), begin, end, from, to});
 }
 
-/// Base thickness: where the two flanks of a tooth meet, ξ − atan ξ = ψ_b.
+/// The half thickness on the base circle gives the point where the two flanks of a tooth meet: ξ −
+/// atan ξ = ψ_b.
 inline double pointed_roll(double psi_b) {
   double xi = std::cbrt(3 * psi_b);
   for (int i = 0; i < 50; ++i) xi -= (xi - std::atan(xi) - psi_b) * (1 + 1 / (xi * xi));
   return xi;
 }
 
-/// Domain    no undercut: the form point of the fillet lies outside the base circle
+/// Domain    no undercut, so the form point of the fillet lies outside the base circle
 inline ToothedBody sample_body(const SampleGear& g) {
   const int z = g.teeth;
   const double m = g.normal_module / std::cos(g.beta);
@@ -172,8 +174,8 @@ inline ToothedBody sample_body(const SampleGear& g) {
   return body;
 }
 
-/// Lands joined by a straight flank: the simplest outline, of an internal gear too (teeth < 0, root
-/// > tip).
+/// Lands joined by a straight flank, the simplest outline. It also serves for internal gears (teeth
+/// < 0, root > tip).
 inline ToothedBody plain_body(int teeth, double r_root, double root_angle, double r_tip,
                               double tip_angle, double face_width = 10.0, double twist = 0.0) {
   ToothedBody body{"plain", {teeth, {}}, twist, face_width, std::nullopt, {}};
@@ -196,10 +198,12 @@ inline double plain_area(int teeth, double r_root, double root_angle, double r_t
               r_root * r_tip * std::sin(root_angle - tip_angle) + tip_angle * r_tip * r_tip);
 }
 
-/// Distance from a point of the plane to the half outline or its mirror image (tooth 0), mm.
+/// Returns the distance from a point of the plane to the half outline or its mirror image (tooth
+/// 0), mm.
 ///
-/// Every arc is sampled once; about the nearest sample the distance is searched by ternary section,
-/// of arcs that can be nearer than what has been found: by the widest gap between samples.
+/// Every arc is sampled once. The distance is refined by ternary search about the nearest sample,
+/// for all arcs that can be nearer than the best result so far, as bounded by the widest gap
+/// between samples.
 class OutlineDistance {
  public:
   explicit OutlineDistance(const Outline& outline) : outline_(outline) {

@@ -1,5 +1,5 @@
-// STEP files as a foreign reader, OCCT, sees them. Only the tests named step*_test.cpp include this;
-// they are a program of their own, step_tests, which alone links OCCT.
+// Reads STEP files with an independent reader, OCCT. Only the tests named step*_test.cpp include
+// this file. They form a separate program, step_tests, the only one that links OCCT.
 #pragma once
 
 #include <TopAbs_ShapeEnum.hxx>
@@ -12,7 +12,7 @@
 namespace gearwright::testing {
 
 struct ReadStep {
-  int refusals = 0;                ///< instances that the reader finds wrong
+  int refusals = 0;                ///< instances that the reader rejects
   int free_shapes = 0;             ///< roots of the product structure
   TopoDS_Shape shape;              ///< the first of them
   std::vector<std::string> names;  ///< of that root, then of its components' parts; UTF-8
@@ -22,7 +22,8 @@ struct ReadStep {
 
 ReadStep read_step(const std::string& text);
 
-/// Volume by adaptive integration, 1e-10 of itself; negative inside out.
+/// Returns the volume by adaptive integration with a relative accuracy of 1e-10. It is negative if
+/// the solid is inside out.
 double volume(const TopoDS_Shape& shape);
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);

@@ -15,7 +15,7 @@ struct CutterPiece {
   double root, tip;
   Meeting meeting = Meeting::ahead;
 
-  // A fan's tangent is that of the walk although its angle falls.
+  // The tangent at a corner is that of the walk, although the angle of its normals decreases.
   bool forward() const { return tip > root || curve_if<CornerFan>(*curve); }
   Walk walk() const { return forward() ? Walk::forward : Walk::backward; }
   PinionEnvelope envelope() const { return {motion, curve, walk(), meeting}; }

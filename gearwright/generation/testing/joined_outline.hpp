@@ -1,4 +1,5 @@
-// The arcs of a tooth as cut: their names in order, and that each begins where the last one ends.
+// Checks the arcs of a tooth as cut: their names in order, and that each begins where the last one
+// ends.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +16,8 @@ inline std::vector<ArcName> names(const GeneratedTooth& tooth) {
   return all;
 }
 
-/// Arcs joined to the last bit, and at points of their own curves, to 1e-12 of a radius of the gear.
+/// Checks that the arcs join to the last bit, and lie on their own curves to 1e-12 of a radius of
+/// the gear.
 inline void expect_joined(const GeneratedTooth& tooth, double radius) {
   const auto& arcs = tooth.outline.arcs;
   ASSERT_FALSE(arcs.empty());

@@ -14,7 +14,7 @@
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
               to: number(node, 'data-to'), dx: number(node, 'data-dx'), dy: number(node, 'data-dy')};
     });
-    // Pictures of single positions: the nearest one is shown.
+    // For pictures of single positions, the nearest one is shown.
     var frames = list(scope.querySelectorAll('[data-frame]')).map(function (node) {
       return {node: node, at: number(node, 'data-frame'), of: number(node, 'data-frames')};
     });

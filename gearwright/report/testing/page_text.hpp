@@ -1,4 +1,4 @@
-// What tests ask of the text of a page, a section or a figure.
+// Functions that examine the text of a page, a section or a figure, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace gearwright::testing {
 
-/// A piece of a page, as a page that the strict reader takes.
+/// Wraps a piece of a page into a page that the strict reader accepts.
 inline std::string as_page(const std::string& piece) { return "<!DOCTYPE html>\n" + piece; }
 
 inline bool has(const std::string& text, const std::string& part) {
@@ -22,7 +22,8 @@ inline std::size_t count_of(const std::string& text, const std::string& what) {
   return n;
 }
 
-/// Well-formed, every number finite. Ids that begin with `elsewhere` may stand on the rest of the page.
+/// Checks that the text is well-formed and every number finite. Ids that begin with `elsewhere` may
+/// be on the remaining page.
 inline void expect_sound_figure(const std::string& figure, const std::string& elsewhere = "") {
   for (const std::string& fault : StrictHtml::read(as_page(figure)).faults) {
     if (elsewhere.empty() || fault.rfind("no such id: " + elsewhere, 0) != 0)

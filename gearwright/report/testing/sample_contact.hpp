@@ -1,4 +1,4 @@
-// Contact of sample pairs, as a job would hand it over, for the tests of this room.
+// Contact of sample pairs in the form in which a job passes it, for the tests of this room.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace gearwright::testing {
 
-/// Gears, the pair they make, and the report about it; the report points into the gears.
+/// Gears, their pair, and the report about it. The report points to the gears.
 struct ContactSample {
   std::shared_ptr<const std::array<Gear, 2>> gears;
   std::shared_ptr<const ContactPair> pair;
@@ -50,7 +50,7 @@ inline ContactMount mount_of(const InvolutePair& pair, const ContactErrors& erro
   return {pair.center_distance, pair.shaft_angle, false, errors};
 }
 
-/// 17/43 with its axes crossed by 0.02°: edges carry all the way.
+/// A pair 17/43 with its axes crossed by 0.02°, so that edges carry all the time.
 inline ContactSample helical_contact() {
   const InvolutePair pair = helical_pair();
   ContactErrors errors;
@@ -75,7 +75,7 @@ inline ContactSample ring_contact(bool gear2_drives = false) {
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
 }
 
-/// Without errors: line contact, conjugate.
+/// Without errors, the flanks are conjugate and touch along lines.
 inline ContactSample perfect_contact() {
   const InvolutePair pair = helical_pair();
   ContactSample s = contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair));

@@ -1,4 +1,4 @@
-// Teeth under load, as a job would hand them over, for the tests of this room.
+// Teeth under load in the form in which a job passes them, for the tests of this room.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace gearwright::testing {
 
-/// A pair and the report about it; the report points into the pair.
+/// A pair and the report about it. The report points to the pair.
 struct LoadSample {
   std::shared_ptr<const ParallelPair> pair;
   LoadScene report;
 };
 
-/// `crossing` in degrees; coarse tables and few positions.
+/// `crossing` is in degrees. Tables are coarse and positions few.
 inline LoadSample load_sample(ParallelPair mounted, std::vector<double> torques, double crossing,
                               bool gear2_drives = false) {
   LoadSample sample;

@@ -36,12 +36,12 @@ inline ParallelPair sample_pair(Gear gear_1, Gear gear_2, double center_distance
   return std::move(pair).take();
 }
 
-/// 17/43, m_n 2.5, ±15°, x 0.3 and 0.1: an ordinary helical pair with backlash.
+/// An ordinary helical pair with backlash: 17/43, m_n 2.5, ±15°, x 0.3 and 0.1.
 inline ParallelPair helical_pair() {
   return sample_pair(sample_gear(17, 2.5, 15, 0.3, 0.0, -0.06), sample_gear(43, 2.5, -15, 0.1),
                      78.6056);
 }
-/// 8/25: undercut, contact beyond the base tangent point, contact ratio below 1.
+/// A pair 8/25 with undercut, contact beyond the base tangent point, and a contact ratio below 1.
 inline ParallelPair undercut_pair() {
   return sample_pair(sample_gear(8, 2, 0, 0), sample_gear(25, 2, 0, 0), 33);
 }
@@ -49,7 +49,7 @@ inline ParallelPair internal_pair() {
   return sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.2), 42);
 }
 
-/// Two teeth with circular root and tip fillets: Table 1 of the paper in
+/// Two teeth with circular root and tip fillets, from table 1 of the paper in
 /// docs/theory/06-few-teeth.md.
 inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
   CylindricalSpec spec = testing::plain_spec(
@@ -62,7 +62,7 @@ inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
 }
-/// A gear that `cutter` cuts, of the profile shift x.
+/// A gear with the profile shift x, cut by `cutter`.
 inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_width) {
   auto distance = generating_distance(cutter, teeth, shift);
   GW_EXPECTS(static_cast<bool>(distance));
@@ -70,15 +70,15 @@ inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_wi
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
 }
-/// 2/60 of the same table, gear 2 cut by gear 1, mounted where it was cut.
+/// The pair 2/60 of the same table. Gear 2 is cut by gear 1 and mounted in the position of cutting.
 inline ParallelPair two_and_sixty(double face_width = 17.5) {
   Gear pinion = two_teeth(face_width);
   Gear wheel = cut_gear(pinion, 60, -1.4, face_width);
   const double distance = wheel.cut_by->distance;
   return sample_pair(std::move(pinion), std::move(wheel), distance);
 }
-/// 18 in an internal gear of 60 that a cutter of 20 teeth has cut; without backlash but for 0.05
-/// mm.
+/// A pinion of 18 teeth in an internal gear of 60 teeth, which was cut by a cutter of 20 teeth.
+/// Only 0.05 mm of the centre distance gives backlash.
 inline ParallelPair pinion_in_cut_ring() {
   CylindricalSpec cutter = testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20});
   cutter.straight_rack().addendum = 1.25;
@@ -105,7 +105,7 @@ inline Gear gear_as_itself(int teeth, double base_diameter, double base_thicknes
   return std::move(gear).take();
 }
 
-/// Two gears under a shaft angle, without backlash but for `more` of the centre distance.
+/// Two gears at a shaft angle, with a centre distance `more` above the one without backlash.
 inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg,
                                        double more = 0.0, std::optional<double> friction = {}) {
   const auto nominal = base_pair(gear_1, gear_2);
@@ -117,31 +117,31 @@ inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_an
   return std::move(pair).take();
 }
 
-/// 9/15 under 90°, base diameters, thicknesses and helices of Mägi's example after Zeise.
+/// A pair 9/15 at 90°, with base diameters, thicknesses and helices of Mägi's example after Zeise.
 inline CrossedPair crossed_pair() {
   return crossed_sample_pair(gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
                              gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24), 90, 0,
                              0.05);
 }
-/// Left hands, with backlash.
+/// Two left-hand gears with backlash.
 inline CrossedPair left_hand_pair() {
   return crossed_sample_pair(sample_gear(12, 2, -40, 0.2), sample_gear(20, 2, -30, 0.1), -70, 0.3);
 }
 inline CrossedPair opposite_hand_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 35, 0), sample_gear(33, 2, -15, 0.1), 20);
 }
-/// Half a degree off parallel: the lines of action lie far outside the faces.
+/// The axes are half a degree off parallel, so the lines of action lie far outside the faces.
 inline CrossedPair nearly_parallel_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 20.5, 0.2), sample_gear(33, 2, -20, 0), 0.5);
 }
-/// A worm of one tooth, with so much friction that its wheel cannot drive.
+/// A worm with one tooth, with so much friction that its wheel cannot drive.
 inline CrossedPair worm_pair() {
   return crossed_sample_pair(sample_gear(1, 2, 80, 0), sample_gear(30, 2, 10, 0), 90, 0, 0.3);
 }
 inline CrossedPair spur_and_helical_pair() {
   return crossed_sample_pair(sample_gear(20, 2, 0, 0), sample_gear(30, 2, 30, 0.3), 30.4);
 }
-/// Too far apart: no contact.
+/// The gears are too far apart and have no contact.
 inline CrossedPair crossed_apart() {
   return crossed_sample_pair(sample_gear(20, 2, 45, 0), sample_gear(30, 2, 45, 0), 90, 20);
 }
@@ -153,7 +153,7 @@ inline std::vector<CrossedPair> crossed_pairs() {
   return pairs;
 }
 
-/// The verdict over what a report has, with warnings of its own.
+/// The verdict on the content of a report, with additional warnings.
 inline void judge(ReportInput& input, std::vector<Warning> warnings) {
   Judged judged{input.gears, input.pair ? &*input.pair : nullptr, &warnings, nullptr};
   input.verdict = verdict_of(judged);
@@ -171,7 +171,7 @@ inline std::vector<Warning> warnings_of(const MountedGears& pair) {
   return warnings;
 }
 
-/// What a job would hand over.
+/// The data that a job would pass.
 template <std::derived_from<MountedGears> Kind>
 ReportInput report_input(const Kind& pair) {
   ReportInput input;

@@ -1,4 +1,5 @@
-// Small searches with their answers, as a job would hand them over, for the tests of this room.
+// Small searches with their answers in the form in which a job passes them, for the tests of this
+// room.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,7 @@
 
 namespace gearwright::testing {
 
-/// A search and what it found; the report points into both.
+/// A search and its result. The report points to both.
 struct SearchSample {
   std::shared_ptr<const Search> search;
   std::shared_ptr<const SearchAnswer> answer;
@@ -31,7 +32,7 @@ inline SearchSample search_sample(const SearchProblem& problem, std::size_t most
   return sample;
 }
 
-/// Ratio 2, centre distance 99 … 101 mm, shifts -0.6 … 1: 56 designs of 2754 trials.
+/// Ratio 2, centre distance 99 … 101 mm, shifts -0.6 … 1, which gives 56 designs from 2754 trials.
 inline SearchProblem spur_problem() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -52,7 +53,7 @@ inline SearchSample exact_search() {
   return search_sample(p);
 }
 
-/// Three objectives, tight centres, every limit asked.
+/// Three objectives, narrow centre distances, every limit given.
 inline SearchSample pareto_search() {
   SearchProblem p = spur_problem();
   p.center_distance.reset();

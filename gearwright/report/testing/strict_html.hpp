@@ -1,8 +1,9 @@
-// A strict little reader of the HTML that this room writes: stricter than HTML itself where that is
-// simple, so that a page that passes is read alike by everything.
+// A small strict reader of the HTML that this room writes. Where that is simple, it is stricter
+// than HTML itself, so that every reader interprets an accepted page in the same way.
 //
-//   tags balance, void elements aside; attributes are double-quoted, none twice; '<', '>' and a
-//   bare '&' appear in text only as references; ids are unique; every #reference finds its id
+//   Tags must balance, except void elements. Attributes must be double-quoted and unique in their
+//   element. The characters '<', '>' and a bare '&' may appear in text only as references. Ids must
+//   be unique, and the id of every #reference must exist.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +16,8 @@
 namespace gearwright::testing {
 
 struct HtmlFacts {
-  std::vector<std::string> faults;      ///< empty: well-formed
-  std::map<std::string, int> elements;  ///< how many of each
+  std::vector<std::string> faults;      ///< empty if well-formed
+  std::map<std::string, int> elements;  ///< number of each
   std::set<std::string> ids;
   std::vector<std::string> links;  ///< href and src values
 };
@@ -104,7 +105,7 @@ class StrictHtml {
     open_.push_back(name);
   }
 
-  // Leaves at_ behind '>'. True for "/>".
+  // Leaves at_ behind '>'. Returns true for "/>".
   bool attributes() {
     std::set<std::string> seen;
     while (!end()) {

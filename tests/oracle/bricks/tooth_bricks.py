@@ -31,10 +31,10 @@ POISSON = 0.3
 # Along the half outline and across to the centre line: elements of the loaded tooth, of its neighbours.
 LOADED, BESIDE = (12, 3), (5, 2)
 UNDER, BODY, REST = 2, 3, 6
-# Layers of half a module, of a quarter where a load lies.
+# Layers of half a module, or of a quarter of a module under a load.
 HEIGHTS = sorted({*np.arange(0, FACE + 0.1, 0.5), 0.25, 4.75, 9.75})
 READ = sorted({*np.arange(0, FACE + 0.1, 1.0), 0.25, 4.75, 9.75})
-# Helix angle, diameter of the bore, loads: above the reference circle, part of the face.
+# Helix angle, diameter of the bore, loads: above the reference circle, on a part of the face.
 GEARS = {30: 12.0, 45: 16.0}
 LOADS = [(0.7, (0.0, 0.5)), (0.7, (4.5, 5.0)), (0.7, (9.5, 10.0))]
 
@@ -48,14 +48,17 @@ def outline(beta, points=4000):
     r = reference_radius(beta)
     alpha_t = np.arctan(np.tan(ALPHA) / np.cos(beta))
     r_b = r * np.cos(alpha_t)
-    # The round of the rack's tip touches bottom and flank in the normal section; the transverse one is wider by 1/cos beta.
+    # The rounding of the rack's tip touches bottom and flank in the normal section. The transverse
+    # one is wider by 1/cos beta.
     t = np.linspace(np.pi / 2, ALPHA, points)
     y = RACK_ROUND - RACK_TIP - RACK_ROUND * np.sin(t)
     x = (np.pi / 4 + (RACK_TIP - RACK_ROUND) * np.tan(ALPHA) + RACK_ROUND / np.cos(ALPHA) - RACK_ROUND * np.cos(t)) / np.cos(beta)
-    pitch = x - y * np.cos(t) * np.cos(beta) / np.sin(t)  # where the normal meets the pitch line, which rolls on r
+    # Where the normal meets the pitch line, which rolls on r.
+    pitch = x - y * np.cos(t) * np.cos(beta) / np.sin(t)
     fillet = (r + y + 1j * (x - pitch)) * np.exp(1j * pitch / r)
     roll = np.linspace(np.sqrt(abs(fillet[-1] / r_b) ** 2 - 1), np.sqrt(((r + 1) / r_b) ** 2 - 1), points)
-    half = np.pi / (2 * TEETH) + np.tan(alpha_t) - alpha_t  # of the tooth at the base circle, an angle
+    # Half angle of the tooth at the base circle.
+    half = np.pi / (2 * TEETH) + np.tan(alpha_t) - alpha_t
     flank = r_b * (1 + 1j * roll) * np.exp(1j * (half - roll))
     land = abs(fillet[0]) * np.exp(1j * np.linspace(np.pi / TEETH, np.angle(fillet[0]), 50))
     w = np.concatenate([land[:-1], fillet, flank[1:]])
@@ -135,7 +138,7 @@ class Section:
 def offsets(points=400):
     """How far load and reading lie apart along s, each with its weight: two bumps, and a strip from its centre."""
     t, weight = np.polynomial.legendre.leggauss(points)
-    t, weight = (t + 1) / 2, weight / 2  # crowded towards 0 by t^3, where 1/R is great
+    t, weight = (t + 1) / 2, weight / 2  # concentrated towards 0 by t^3, where 1/R is large
     y, of_y = np.polynomial.legendre.leggauss(60)
 
     def bump(x):

@@ -1,5 +1,5 @@
-// The tab "contact": errors and modifications as sliders; transmission error, spectrum and flanks
-// follow while they move. The pattern is computed in the background and appears a moment later.
+// The tab "contact". Errors and modifications are sliders, and transmission error, spectrum and
+// flanks follow them. The pattern is computed in the background and appears a moment later.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
@@ -87,7 +87,7 @@ export class ContactView implements Tab {
     fill(this.sentence, sentence);
     this.empty(true);
   }
-  /** Without a curve there is the sentence alone. */
+  /** If there is no curve, only the sentence is shown. */
   private empty(yes: boolean): void {
     for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
     this.errorMap.element.hidden = yes;
@@ -118,14 +118,14 @@ export class ContactView implements Tab {
   private async pattern(text: string): Promise<void> {
     const pattern = await bench.back
       .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
-      .catch(() => null); // there is none
+      .catch(() => null); // there is no such figure
     if (!pattern || this.shown !== text) return;
     this.patterns = pattern;
     this.marked = text;
     await this.drawFigures(false);
   }
 
-  /** The verdict on the contact, which the curves alone do not have. */
+  /** Shows the verdict on the contact, which the curves do not contain. */
   async judge(): Promise<void> {
     const { text } = bench;
     const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });

@@ -1,4 +1,4 @@
-// Peak to peak of the transmission error over two errors at once: computed in the background, row by
+// The peak-to-peak transmission error over two errors. It is computed in the background, row by
 // row, with progress and a button to stop it. A click mounts the pair with those errors.
 
 import type { ErrorMap, Figure } from "../../engine/engine";
@@ -38,7 +38,8 @@ export class ErrorMapView {
     this.room,
   );
   private map: ErrorMap | null = null;
-  private axes = { x: "", y: "", rest: "", text: "" }; // of the map; its spec, and that without the two
+  // Axes of the map; its spec; the same spec without the two errors.
+  private axes = { x: "", y: "", rest: "", text: "" };
 
   constructor() {
     this.stop.hidden = this.bar.hidden = true;
@@ -51,13 +52,13 @@ export class ErrorMapView {
       this.status.textContent = "";
     });
   }
-  /** A map is of a spec but for the two errors that it runs over. */
+  /** Returns the spec without the two errors of the map, because the map does not depend on them. */
   private restOf(x: string, y: string): string {
     const { errors, ...spec } = bench.good?.spec ?? {};
     const rest = Object.entries(errors ?? {}).filter(([key]) => key !== x && key !== y);
     return JSON.stringify([spec, rest]);
   }
-  /** Dims the map if the spec has become another one. */
+  /** Dims the map if the spec has changed. */
   private age(): void {
     const { x, y, rest, text } = this.axes;
     const fresh = bench.settled && this.restOf(x, y) === rest;
@@ -123,7 +124,8 @@ export class ErrorMapView {
     }
   }
 
-  /** The point of the map that is nearest: a pointer reads its value, a press mounts the pair so. */
+  /** The nearest point of the map. The pointer shows its value, and a click mounts the pair with its
+   *  errors. */
   private at(x: number, y: number, pressed: boolean): void {
     const { map, axes } = this;
     if (!map) return;

@@ -1,5 +1,5 @@
-// Every error of mounting and every modification as a slider about 0. The pictures follow the
-// slider; a double click or the key 0 resets it.
+// Shows every mounting error and every modification as a slider about 0. The pictures follow the
+// slider. A double click or the key 0 resets it.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";
@@ -17,7 +17,7 @@ const kModifications = [
   "root_relief_um",
   "end_relief_um",
 ];
-/** What a modification needs beside it. */
+/** The keys that a modification requires in addition. */
 const kNeeds: Record<string, string> = {
   tip_relief_um: "tip_relief_start_mm",
   root_relief_um: "root_relief_start_mm",

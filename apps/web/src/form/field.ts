@@ -1,8 +1,8 @@
 // One field of the form: a key of the catalogue at a place of the spec.
 //
-// A number may be typed, stepped with the arrow keys, or slid: while a field has the focus, its
-// note is shown below the row, with one sentence, the range and a slider about the value. Errors of
-// the value are shown in the same place.
+// A number may be typed, stepped with the arrow keys, or changed by a slider. While a field has the
+// focus, its note is shown below the row, with one sentence, the range and a slider about the
+// value. Errors of the value are shown in the same place.
 
 import type { InputKey } from "../../engine/engine";
 import { materials, rangeOf } from "../catalogue";
@@ -14,12 +14,12 @@ import { bench } from "../workbench";
 export interface Field {
   place: string; // "gear1.profile_shift"
   element: HTMLElement;
-  /** Shows the spec's value, or what holds without one. */
+  /** Shows the value of the spec, or the default if there is none. */
   show(value: Json | undefined, implied: string): void;
   fault(sentence: string | null): void;
 }
 
-/** Letters that a field beside its label has room for, in the form and in a panel. */
+/** Number of letters that fit into a field beside its label, in the form and in a panel. */
 const kLetters = { form: 8, panel: 7, chooser: 7, line: 24 };
 /** A longer value moves the fields of its row below their label. */
 function makeRoom(field: HTMLElement): void {
@@ -36,7 +36,7 @@ function makeRoom(field: HTMLElement): void {
   row?.classList.toggle("longest", fields.some((one) => letters(one) > kLetters.line));
 }
 
-/** Where the note of the field with the focus stands. */
+/** The element for the note of the field with the focus. */
 export interface Note {
   element: HTMLElement;
   open(key: InputKey, slider: HTMLElement | null): void;
@@ -80,7 +80,7 @@ function wordsIn(text: string): string[] {
   return parts.filter(Boolean);
 }
 
-/** The value of this key that a text means; null where it means none that the engine could judge. */
+/** Converts a text to the value of this key. Returns null if the engine could not judge it. */
 function valueOf(key: InputKey, text: string): { value: Json | undefined } | null {
   const plain = text.trim();
   if (plain === "") return { value: undefined };
@@ -107,12 +107,12 @@ function shown(key: InputKey, value: Json | undefined): string {
   return typeof value === "object" ? "(in the text)" : String(value);
 }
 
-/** The name of a material: rows of the shipped table are offered. */
+/** The name of a material. The rows of the shipped table are offered. */
 function isMaterial(key: InputKey, place: string): boolean {
   return key.key === "name" && place.endsWith(".material.name");
 }
 
-/** Names of materials, by what they are: a name alone is short enough for a field. */
+/** Names of materials, grouped by kind, because only the name fits into a field. */
 export function materialGroups(): HTMLElement[] {
   const groups = new Map<string, HTMLElement>();
   for (const { name, kind, note } of materials()) {

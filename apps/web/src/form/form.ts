@@ -42,7 +42,7 @@ export class Form {
     if (!solved) return;
     const spec = solved.spec ?? bench.good?.spec ?? null;
     if (!spec) {
-      // A text that cannot be read, and no design before it: there is nothing to show.
+      // If the text cannot be read and there was no design before, there is nothing to show.
       this.signature = this.title.value = "";
       this.rows.clear();
       fill(this.body);
@@ -109,7 +109,7 @@ export class Form {
     return details;
   }
 
-  /** What the text does not have yet: a second gear. */
+  /** Offers a part that the text does not have yet, a second gear. */
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
     if (gears !== 1 || bench.finder) return null;

@@ -1,5 +1,5 @@
-// Inputs that a result needs and the spec lacks: a few fields with sensible initial values, and a
-// button that writes them into the spec. Nothing is written before the user presses it.
+// Offers inputs that a result needs and the spec lacks: a few fields with sensible initial values,
+// and a button that writes them into the spec. Nothing is written before the user presses it.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -12,7 +12,7 @@ import { materialGroups, numberIn } from "./field";
 export interface Offered {
   table: string; // of the catalogue
   key: string;
-  places: string[]; // all of them get the value: "rating.speed_rpm", "gear1.material.name"
+  places: string[]; // all get the value: "rating.speed_rpm", "gear1.material.name"
   instead?: string[]; // keys that replace it
   first(): Json; // "" for a material means the one that applies without a name
 }
@@ -44,7 +44,7 @@ export class Offer {
     this.element.hidden = true;
     this.shown = "";
   }
-  /** Fields for what the spec lacks. */
+  /** Fields for the values that the spec lacks. */
   show(): void {
     const spec = bench.good?.spec ?? null;
     const given = (place: string) => at(spec, place) !== undefined;
@@ -118,10 +118,11 @@ function numberAt(places: string[]): number | null {
   return null;
 }
 
-/** N/mm², F_t / (b m_n): what ordinary teeth of steel bear lightly. */
+/** N/mm², F_t / (b m_n): a light load for ordinary steel teeth. */
 const kUnitLoad = 20;
 
-/** The torque that the spec has elsewhere, else one that loads the teeth lightly: 1, 2 or 5 times a power of ten. */
+/** The torque given elsewhere in the spec, otherwise one that loads the teeth lightly: 1, 2 or 5 times a
+ *  power of ten. */
 export function firstTorque(): number {
   const given = numberAt(["load.torque_Nm", "rating.torque_Nm"]);
   if (given !== null) return given;
@@ -140,7 +141,7 @@ export function firstTorque(): number {
 export function firstSpeed(): number {
   return numberAt(["rating.speed_rpm", "pair.speed_rpm"]) ?? 1500;
 }
-/** The material of the other gear, else `otherwise`. */
+/** The material of the other gear, or else `otherwise`. */
 export function firstMaterial(otherwise: string): string {
   const names = ["gear1", "gear2"].map((gear) => at(bench.good?.spec ?? null, `${gear}.material.name`));
   return (names.find((name) => typeof name === "string") as string | undefined) ?? otherwise;

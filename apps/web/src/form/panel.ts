@@ -44,14 +44,14 @@ export class KeyPanel {
     fill(this.body, ...this.groups.map(group));
   }
 
-  /** Shows the values of the spec, and a fault at its field; of a table that is missing at its first.
-   *  `answered` is the fault of the last spec that could be solved. Returns the
-   *  sentence for the room beside the panel: the reason stands in one place only. */
+  /** Shows the values of the spec. An error is shown at its field, and that of a missing table at its
+   *  first field. `answered` is the error of the last spec that could be solved. Returns the sentence
+   *  for the area beside the panel, because the reason is shown in one place only. */
   show(answered: Fault | null = this.answered): string {
     this.build();
     this.answered = answered;
-    const typed = bench.solved?.fault ?? null; // of a spec that cannot be solved, which the form
-                                               // shows too
+    // if the spec cannot be solved, the form shows the error too
+    const typed = bench.solved?.fault ?? null;
     const fault = typed ?? answered;
     const spec = bench.solved?.spec ?? bench.good?.spec ?? null;
     this.rows.show(spec);

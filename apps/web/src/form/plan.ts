@@ -1,5 +1,5 @@
-// The rows of the form: for every table of the spec the most important keys, the keys in the text,
-// and the others behind "more", all from the engine's catalogue.
+// The rows of the form, from the engine's catalogue. Each table of the spec has its most important
+// keys and the keys in the text; the others are behind "more".
 
 import type { InputKey } from "../../engine/engine";
 import { inputs } from "../catalogue";
@@ -65,12 +65,12 @@ const kTitles: Record<string, string> = {
   scatter: "Scatter of tolerances",
 };
 
-/** The title of a table's section: its own above, else its name with a capital letter. */
+/** The title of a table's section: the one listed above, otherwise its name with a capital letter. */
 function titleOf(name: string): string {
   return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-/** The name of the table that stands at a place: a rack's depends on its kind. */
+/** The name of the table at a place. That of a rack depends on its kind. */
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");

@@ -15,7 +15,7 @@ interface RowField {
   note: Note;
 }
 
-/** What holds for a key that is absent: the result's value, else that of the catalogue. */
+/** The value that applies if a key is absent: that of the result, otherwise that of the catalogue. */
 function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
   const result = bench.solved?.result ?? bench.good?.result ?? null;
@@ -40,24 +40,24 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** Letters of a word, and of the label of two fields, that a row of numbers has room for. */
+/** Number of letters for which a row of numbers has room, in a word and in the label of two fields. */
 const kNarrow = 8;
 const kShortLabel = 26;
 
-/** A row with a label of its own line: words and lists are longer than numbers. */
+/** A row whose label has a line of its own, because words and lists are longer than numbers. */
 function isWide(key: InputKey): boolean {
   if (key.kind === "text" || (key.list !== null && !key.list.single && key.list.most > 2)) return true;
   return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);
 }
 
-/** "gear 1" over the column of fields of a place of gear 1. */
+/** "gear 1" above the column of fields of gear 1. */
 export function columnHeads(places: string[]): (HTMLElement | null)[] {
   return places.map((place) =>
     place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,
   );
 }
 
-/** Rows of fields, and the faults that the engine finds in them. */
+/** Rows of fields, and the errors that the engine reports for them. */
 export class Rows {
   private fields: RowField[] = [];
 
@@ -67,15 +67,15 @@ export class Rows {
   clear(): void {
     this.fields = [];
   }
-  /** Rows for keys of a table of the catalogue; `places` are where it stands: ["gear1.bore",
-   *  "gear2.bore"] of "bore". */
+  /** Rows for keys of a table of the catalogue. `places` are its positions in the spec: ["gear1.bore",
+   *  "gear2.bore"] for "bore". */
   add(table: string, keys: InputKey[], places: string[]): HTMLElement {
     return h("div", { class: "rows" }, ...keys.flatMap((key) => this.row(table, key, places)));
   }
   show(spec: Json): void {
     for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
   }
-  /** Shows a fault at its field; of a table that is missing at its first one if `within`. */
+  /** Shows an error at its field. If `within`, the error of a missing table is shown at its first field. */
   blame(fault: Fault | null, within = false): Field | undefined {
     for (const { field, note } of this.fields) {
       field.fault(null);

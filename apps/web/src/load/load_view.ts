@@ -12,7 +12,7 @@ import { judgement } from "../judgement";
 import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
 
-/** A spec that has not changed for so long rests. */
+/** After this time without a change, the full result is computed. */
 const kRestMs = 1200;
 const kNeeds = {
   keys: ["load.torque_Nm"],
@@ -62,7 +62,7 @@ export class LoadView extends AnswerView<Answer> {
     this.choose(i),
   );
   private readonly where = h("output", { class: "soft" });
-  private full = false; // it is not a draft
+  private full = false; // false for a draft
   private torque = 0;
   private index = -1;
   private width = 0;
@@ -97,11 +97,11 @@ export class LoadView extends AnswerView<Answer> {
   leave(): void {
     clearTimeout(this.rest);
   }
-  /** The spec rests: the draft gives way. */
+  /** When the changes of the spec stop, the full result replaces the draft. */
   private async finish(text: string): Promise<void> {
     if (bench.good?.text === text) await this.compute(text, "full");
   }
-  /** The full answer, though the tab is not open; a draft that is on its way ends in one by itself. */
+  /** Computes the full answer although the tab is not open. A draft in progress is followed by one anyway. */
   async judge(): Promise<void> {
     const { text } = bench;
     if (!this.wanted.endsWith(text) && !(this.shown === text && this.full)) await this.finish(text);

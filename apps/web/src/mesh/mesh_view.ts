@@ -1,8 +1,8 @@
-// The tab "mesh": the section at z = 0 that turns with its slider, the path of contact, circles by
-// name, and under the pointer the diameters there.
+// The tab "mesh": the section at z = 0 that turns with its slider, the path of contact, named
+// circles, and the diameters at the pointer.
 //
-// The engine draws the figure; here its gears are turned to the engine's poses. A view that has been
-// zoomed or moved is drawn anew, so that it is as sharp as the first and its circles have their names.
+// The engine draws the figure. Here its gears are turned to the poses of the engine. After zooming
+// or moving, the view is drawn again, so that it is sharp and its circles have their names.
 
 import type { Figure, MeshView as View } from "../../engine/engine";
 import { check, Choice, h, onNextFrame, svg } from "../elements";
@@ -49,13 +49,13 @@ export class MeshView implements Tab {
     ),
   );
   private frame: View["frame"] = "mesh";
-  /** What a user has zoomed or moved to, mm. */
+  /** The window to which the user has zoomed or moved, mm. */
   private window: View["window"] = null;
   private figure: Figure | undefined;
   private motion: Motion | null = null;
   private design = -1;
-  private drawn = ""; // the spec's text that the figure was made for
-  private placed = ""; // and the poses
+  private drawn = ""; // the text of the spec of the figure
+  private placed = ""; // the text of the spec of the poses
   shown = "";
 
   constructor() {
@@ -86,24 +86,25 @@ export class MeshView implements Tab {
     if (this.design !== bench.design) this.window = null;
     this.design = bench.design;
     if (!this.picture.clientWidth) return;
-    // Until the gears' places are there, those of the spec before it serve; the picture stays dimmed.
+    // Until the positions of the gears arrive, those of the previous spec are used. The picture
+    // stays dimmed.
     const { text } = solved;
     const motion = bench.about(bench.back, "motion", "motion", { text, n: 25 });
     await Promise.all([motion, this.draw()]);
     this.motion = (await motion) ?? this.motion;
     if (await motion) this.placed = text;
-    // A change of the room may have taken the figure's place in the queue.
+    // A change of the size may have replaced the figure in the queue.
     if (this.drawn !== text && bench.good?.text === text) await this.draw();
     this.settle();
   }
 
-  /** What is shown is what was drawn and placed last. */
+  /** The text for which the picture was last drawn and placed. */
   private settle(): void {
     if (this.drawn === this.placed) this.shown = this.drawn;
     this.repaint();
   }
 
-  /** Draws the figure for the room and the window of now. */
+  /** Draws the figure for the current size and window. */
   private async draw(): Promise<void> {
     const { clientWidth: width, clientHeight: height } = this.picture;
     if (!bench.good || !width || !height) return;
@@ -112,7 +113,7 @@ export class MeshView implements Tab {
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
       const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
-      // A view that has moved on meanwhile is drawn when it stands still.
+      // If the view has moved meanwhile, it is drawn when it stops.
       if (!figure || (view.window && this.viewBox !== before)) return;
       this.show(figure);
       this.drawn = text;
@@ -148,7 +149,7 @@ export class MeshView implements Tab {
     this.redraw();
   }
 
-  /** The part of the plane that is seen. */
+  /** The visible part of the plane. */
   private takeWindow(): void {
     const { plot } = this.slot;
     const box = plot?.closest("svg")?.viewBox.baseVal;
@@ -158,7 +159,7 @@ export class MeshView implements Tab {
     this.redraw();
   }
   private redraw(): void {
-    this.draw().catch(() => undefined); // the reason stands where the spec's own picture would be
+    this.draw().catch(() => undefined); // the reason is shown in place of the picture
   }
 
   private hover(x: number, y: number): void {
@@ -178,7 +179,7 @@ export class MeshView implements Tab {
     this.readout.textContent = (named ? named.name.replace("_", "") + "   " : "") + words.join("   ");
   }
 
-  /** Turns the gears to where they stand now, and moves the contact point with them. */
+  /** Turns the gears to their current positions and moves the contact point with them. */
   private paint(): void {
     this.turning.show(this.motion);
     const { plot } = this.slot;

@@ -1,5 +1,5 @@
-// The tab "rating": strength by ISO 6336. The safeties in the verdict's colours, and every factor
-// with its clause and the branch that was used, as in the report.
+// The tab "rating": strength by ISO 6336. It shows the safeties in the colours of the verdict, and
+// every factor with its clause and the formula branch that was used, as in the report.
 
 import type { Quantity } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
@@ -13,7 +13,7 @@ import { rowsOf, type Row } from "../quantity_table";
 import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
-/** Safeties, and the finding that the verdict has where one falls short. */
+/** Safeties, and the finding of the verdict for each that is too low. */
 const kSafeties: [key: string, code: string][] = [
   ["S_F", "root_safety"],
   ["S_H", "flank_safety"],

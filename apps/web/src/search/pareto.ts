@@ -1,4 +1,4 @@
-// The designs as points over two of their numbers: the engine's figure in the available size. A
+// The designs as points over two of their quantities: the engine's figure in the available size. A
 // click on a point chooses its design.
 
 import type { Quantity } from "../../engine/engine";
@@ -13,7 +13,7 @@ export interface Point {
   y: number;
   front: boolean;
 }
-/** What stands around the plot, px. */
+/** The space around the plot, px. */
 const kRoom = { across: 110, up: 84 };
 
 export class ParetoPicture {

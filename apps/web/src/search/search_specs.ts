@@ -1,11 +1,11 @@
-// Specs that the tab "search" makes: a search about the pair on screen, and the spec of an identified
-// gear.
+// Specs that the tab "search" makes: a search near the pair on screen, and the spec of an
+// identified gear.
 
 import type { Json } from "../engine_worker";
 import { at, bench } from "../workbench";
 import type { Design } from "./search_table";
 
-/** A search about the pair on screen. */
+/** A search near the pair on screen. */
 export function around(): string {
   const pair = bench.good?.result?.["pair"];
   const gears = (bench.good?.result?.["gears"] ?? []) as unknown as {
@@ -30,11 +30,12 @@ objective = ["contact_ratio", "sliding"]
 `;
 }
 
-/** Whether a gear is known by its readings. */
+/** True if a gear is given by its readings. */
 export function measured(spec: Json): boolean {
   return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
 }
-/** The spec of an identified gear: what of it a spec can hold, and the rest of the old gear 1. */
+/** The spec of an identified gear: its data that a spec can contain, and the remaining keys of the old
+ *  gear 1. */
 export function gearOf(candidate: Design): Json {
   const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
   const gear: Design = { ...old };

@@ -11,27 +11,27 @@ import { shownUnit, textOf } from "../numbers";
 export type Design = { [key: string]: Json };
 export interface Column {
   info: Quantity;
-  place: number | string; // of a list: index of the value; −1: the value itself; of a record: its
-                          // key
+  // in a list: index of the value, or −1 for the value itself; in a record: its key
+  place: number | string;
   words: string;
 }
 const kShown = 200;
-/** Of fewer designs every column is worth its room. */
+/** If there are fewer designs than this, every column is shown. */
 const kLeastForCommon = 3;
-/** Where in the region the shifts stand, as the report of a search calls it. */
+/** The position of the shifts in the region, in the words of the search report. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
-/** What distinguishes a column from the others of its list, and of the next search's. */
+/** Identifies a column in its list, also in the list of the next search. */
 export function idOf(column: Column): string {
   return `${column.info.key}.${column.place}`;
 }
-/** A value of a design as people read it. */
+/** A value of a design for users. */
 export function cellOf(design: Design, column: Column): string {
   const value = valueIn(design, column);
   const place = column.info.key === "point" && typeof value === "string" ? kPlaces[value] : undefined;
   return place ?? textOf(column.info, value);
 }
-/** Whether the designs differ in it. */
+/** True if the designs differ in it. */
 export function varies(designs: Design[], column: Column): boolean {
   const first = designs[0] && cellOf(designs[0], column);
   return designs.some((design) => cellOf(design, column) !== first);
@@ -43,7 +43,7 @@ export function valueIn(design: Design, column: Column): Json | undefined {
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
 
-/** The columns that have a value in some design. */
+/** The columns that have a value for at least one design. */
 export function columnsOf(designs: Design[]): Column[] {
   const columns: Column[] = [];
   for (const info of quantities("search.designs")?.quantities ?? []) {
@@ -75,8 +75,8 @@ export function columnsOf(designs: Design[]): Column[] {
   return columns;
 }
 
-/** Columns that read like another one, but for the sign, with that other; an objective is such a
- *  twin, never the one that stays. */
+/** Columns that have the same values as another one, except for the sign, paired with that other column.
+ *  If one of the two is an objective, it is the one that is omitted. */
 function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
   const read = new Map<string, Column>();
   const twins = new Map<Column, Column>();

@@ -17,7 +17,7 @@ import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design
 const kMostTrials = 1e7; // larger searches need the program
 const kAtOnce = 30_000; // smaller searches start without a button
 const kMostDesigns = 2000;
-/** Axes of the picture, the likeliest first; after them the catalogue's order. */
+/** Axes of the picture, the most useful first, followed by the order of the catalogue. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
 
 export class SearchView implements Tab {
@@ -64,7 +64,7 @@ export class SearchView implements Tab {
     this.picture,
   );
   private searched = ""; // the text whose designs are listed
-  private readonly of = new Set<string>(); // it, and those of its designs that were chosen
+  private readonly of = new Set<string>(); // the text and those of its designs that were chosen
   private designs: Design[] = [];
   private front: number[] = [];
   private taken = -1;
@@ -101,7 +101,7 @@ export class SearchView implements Tab {
         : "A search needs a pair, or a [search] table in the spec.";
   }
 
-  /** Another design was opened: what was found for the last one goes. */
+  /** If another design is opened, the results for the last one are removed. */
   private forget(): void {
     this.end();
     this.looked = "";
@@ -110,7 +110,7 @@ export class SearchView implements Tab {
     this.status.textContent = "";
     this.back.hidden = this.save.hidden = true;
   }
-  /** A search that runs is of another spec than the one on screen. */
+  /** True if the running search belongs to another spec than the one on screen. */
   private end(): void {
     if (this.running) bench.seek.cancel();
     this.rest();
@@ -120,7 +120,8 @@ export class SearchView implements Tab {
     this.stop.hidden = this.bar.hidden = true;
   }
 
-  /** A spec with a [search]: how many candidates, and off it goes where they are few. */
+  /** For a spec with a [search], shows the number of candidates. If it is small, the search starts
+   *  immediately. */
   private async offer(text: string): Promise<void> {
     try {
       const trials = await bench.seek.call("trials", { text });
@@ -179,7 +180,7 @@ export class SearchView implements Tab {
       }
     }
   }
-  /** The designs found for a text, so far or all of them. */
+  /** The designs found for a text, partly or completely. */
   private list(designs: Design[], front: number[], text: string): void {
     if (text !== this.searched) {
       this.searched = text;
@@ -245,8 +246,8 @@ export class SearchView implements Tab {
     }
   }
 
-  /** A spec whose gears are not complete: every branch of the fit, or every gear that the readings
-   *  of an unknown one allow. */
+  /** For a spec whose gears are incomplete, every branch of the fit. For the readings of an unknown
+   *  gear, every gear that matches them. */
   private async fit(text: string): Promise<void> {
     const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
     const list = verb === "fit" ? "branches" : "candidates";
@@ -274,7 +275,8 @@ export class SearchView implements Tab {
   private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
       const info = quantity(table, key);
-      const record = typeof value === "object" && !Array.isArray(value); // the spec itself, or nothing
+      // The spec itself, or nothing.
+      const record = typeof value === "object" && !Array.isArray(value);
       if (record || !info || info.type === "record") return [];
       const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(info, one)).join(" / ");
       return [h("dt", {}, info.words), h("dd", {}, `${texts} ${info.percent ? "%" : shownUnit(info.unit)}`)];
@@ -303,7 +305,7 @@ function real(value: Json | undefined): number {
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
 }
-/** What rejected most, when nothing is left. */
+/** If no design is left, the limit that rejected most. */
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {
   if (feasible > 0) return "";
   const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];

@@ -85,7 +85,7 @@ export class ShiftsView implements Tab {
     this.sentence.textContent = sentence;
   }
 
-  /** What the figure shows now, so that it stands still while the point is dragged. */
+  /** The range that the figure shows now. It does not change while the point is dragged. */
   private window(): [number, number, number, number] | null {
     const { plot } = this.slot;
     if (!plot) return null;
@@ -119,7 +119,7 @@ export class ShiftsView implements Tab {
     if (this.region) this.move(this.region.point[0] + across * step, this.region.point[1] + up * step);
   }
 
-  /** The point of the design in the figure, and what is to be said of it. */
+  /** Moves the point of the design in the figure and describes it in words. */
   private draw(): void {
     const { region } = this;
     if (!region) return;

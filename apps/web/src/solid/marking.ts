@@ -11,15 +11,15 @@ export interface Marking {
   set(raster: FlankRaster | null, thickness: number): void;
 }
 
-const kFar = 1e3; // mm: a gap for places where the mating gear never comes
+const kFar = 1e3; // mm, a gap for points that the mating gear never reaches
 
-/** The gear's colour, paler than on paper, so that light and shade have room. */
+/** The colour of the gear, paler than on paper, so that light and shade remain visible. */
 export function metal(gear: number): THREE.Color {
   return new THREE.Color(colour(`g${gear + 1}`)).lerp(new THREE.Color(colour(`g${gear + 1}-fill`)), 0.32);
 }
 
-/** Metal of a gear's colour with a marking on its working flanks. `side` is +1 where these look
- *  counter-clockwise about the gear's axis, −1 where they look clockwise. */
+/** A material in the colour of a gear with a marking on its working flanks. `side` is +1 if these face
+ *  counter-clockwise about the gear's axis, −1 if they face clockwise. */
 export function markedMaterial(
   gear: number,
   side: number,

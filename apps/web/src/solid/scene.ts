@@ -1,7 +1,7 @@
-// The scene of the tab "solid": both gears as the engine's meshes, light that moves with the
-// camera, a plane that cuts them, and the contact on their flanks.
+// The scene of the tab "solid": both gears as meshes of the engine, light that moves with the
+// camera, a cutting plane, and the contact on the flanks.
 //
-// Drawn only when something has changed.
+// The scene is drawn only if something has changed.
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -53,7 +53,7 @@ export class SolidScene {
     canvas.addEventListener("dblclick", () => this.look());
   }
 
-  /** New solids; the eye stays unless the size has changed much. */
+  /** Sets new solids. The camera stays unless the size has changed much. */
   setMeshes(meshes: Mesh[], internal: boolean[], driver: number): void {
     for (const gear of this.gears) {
       this.scene.remove(gear);
@@ -72,7 +72,7 @@ export class SolidScene {
       geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
       const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
       const { material, marking } = markedMaterial(i, side, this.cut);
-      // The cut shows the inside of the bodies: flat, like a section on a drawing.
+      // The cut shows the inside of the bodies in a flat colour, like a section on a drawing.
       const inside = new THREE.MeshBasicMaterial({
         color: colour(`g${i + 1}-fill`),
         side: THREE.BackSide,
@@ -88,7 +88,7 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** The colours of light or dark. */
+  /** Sets the colours for light or dark. */
   recolour(): void {
     this.gears.forEach((gear, i) => {
       const [outer, inner] = gear.children as THREE.Mesh[];
@@ -106,7 +106,7 @@ export class SolidScene {
     return this.markings[gear];
   }
 
-  /** Where a gear stands: 16 numbers, column by column. */
+  /** The pose of a gear: 16 numbers, column by column. */
   place(gear: number, pose: number[]): void {
     const group = this.gears[gear];
     if (!group) return;
@@ -115,7 +115,7 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** Cuts everything above z, mm; Infinity: nothing. */
+  /** Cuts away everything above z, mm. Infinity cuts nothing. */
   section(z: number): void {
     this.cut.constant = Number.isFinite(z) ? z : 1e9;
     this.repaint();
@@ -133,7 +133,7 @@ export class SolidScene {
     return box;
   }
 
-  /** Puts the eye where it sees everything, unless it does already. */
+  /** Moves the camera so that everything is visible, unless it already is. */
   frame(take: boolean): void {
     const sphere = this.bounds().getBoundingSphere(new THREE.Sphere());
     if (!take && Math.abs(sphere.radius - this.radius) < 0.25 * this.radius) return;

@@ -107,7 +107,7 @@ export class SolidView implements Tab {
     await this.paintPattern();
   }
 
-  /** Chords that the eye cannot see: a ten-thousandth of the size of the pair. */
+  /** Chord tolerance that is invisible, a ten-thousandth of the size of the pair. */
   private tolerance(): number {
     const pair = bench.good?.result?.["pair"];
     const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { tip_diameter_mm: number }[];
@@ -136,7 +136,8 @@ export class SolidView implements Tab {
     this.turning.show(motion);
     if (!scene || !motion) return;
     const apart = Number(this.apart.value);
-    // A pinion leaves its internal gear along the axis; other gears move away from each other.
+    // A pinion moves out of its internal gear along the axis. Other gears move away from each
+    // other.
     motion.places.forEach((_, gear) => {
       const pose = poseAt(motion, gear, this.turning.t);
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;

@@ -1,7 +1,7 @@
 // The spec as text: numbered lines, light colours, an error below its line.
 //
-// A textarea is used for editing, with the same text in colours behind it. Long texts have no
-// colours.
+// A textarea is used for editing, with the same coloured text behind it. Long texts are not
+// coloured.
 
 import { fill, h } from "../elements";
 import { bench } from "../workbench";
@@ -9,7 +9,7 @@ import { bench } from "../workbench";
 const kMostColoured = 60_000;
 const kLine = 20; // px, as in the style sheet
 
-/** Pieces of a line of TOML: table heads, keys, comments; the rest is values. */
+/** Pieces of a line of TOML: table headings, keys, comments. The rest are values. */
 function coloured(line: string): Node[] {
   const comment = commentAt(line);
   const code = line.slice(0, comment);
@@ -24,7 +24,7 @@ function coloured(line: string): Node[] {
     ...tail,
   ];
 }
-/** Where the comment of a line begins: the first # outside of quotes. */
+/** The position of the comment in a line: the first # outside of quotes. */
 function commentAt(line: string): number {
   let quote = "";
   for (let i = 0; i < line.length; ++i) {
