@@ -1,5 +1,5 @@
 // Laws of turns: quarter turns are exact, tooth n is tooth 0 bit for bit, and the point lies on the
-// circle as closely as rounding allows.
+// circle within rounding.
 //
 //   ε    2⁻⁵², the spacing of doubles at 1
 #include "gearwright/base/angle.hpp"
@@ -45,8 +45,8 @@ TEST(SincosTurn, ToothZIsToothZero) {
   }
 }
 
-// A fraction in lowest terms or not is the same turn: k/n = mk/(mn), here with m a power of two,
-// for which the quotient rounds alike.
+// A fraction that is not in lowest terms is the same turn: k/n = mk/(mn). Here m is a power of two, for
+// which the quotient rounds alike.
 TEST(SincosTurn, TheFractionIsWhatCounts) {
   for (long long n = 1; n <= 100; ++n) {
     for (long long k = 0; k < n; ++k) {
@@ -67,10 +67,10 @@ TEST(SincosTurn, LiesOnTheUnitCircle) {
   }
 }
 
-// Against the long double functions of 2πk/n unreduced. The reduced argument, at most π/4, carries
-// three roundings (quotient, constant, product), together below 1.5 ε relative, and the functions
-// 0.55 ε; x cot x <= 1 and x tan x <= 1 there: 2.05 ε relative. The reference's own argument, below
-// 2π, is wrong by 2⁻⁶² at most.
+// The reference is the long double functions of 2πk/n without reduction. The reduced argument is at
+// most π/4 and carries three roundings (quotient, constant, product), together below 1.5 ε relative,
+// and the functions add 0.55 ε. Because x cot x <= 1 and x tan x <= 1 there, the sum is 2.05 ε
+// relative. The reference's own argument, below 2π, has an error of 2⁻⁶² at most.
 TEST(SincosTurn, AgreesWithTheUnreducedAngle) {
   static_assert(std::numeric_limits<long double>::digits >= 64, "the reference needs more digits");
   std::mt19937_64 random(20240);
@@ -83,7 +83,7 @@ TEST(SincosTurn, AgreesWithTheUnreducedAngle) {
     const double floor = std::ldexp(1.0, -61);
     const auto sin = static_cast<double>(std::sin(turn));
     const auto cos = static_cast<double>(std::cos(turn));
-    // 0.5 ε more: the reference is rounded to double here.
+    // The limit is 0.5 ε larger, because the reference is rounded to double here.
     EXPECT_NEAR(s, sin, 2.55 * kEps * std::abs(sin) + floor) << k << " of " << n;
     EXPECT_NEAR(c, cos, 2.55 * kEps * std::abs(cos) + floor) << k << " of " << n;
   }
@@ -98,7 +98,7 @@ TEST(Angle, DegreesAndRadiansAreOneThing) {
   EXPECT_EQ(22.5_deg + 22.5_deg, 45_deg);
   EXPECT_LT(-(20_deg), 15_deg);
   for (int d = -720; d <= 720; ++d) {
-    // Two constants and two products round: 4 · ε/2 relative at most.
+    // The two constants and two products round by 4 · ε/2 relative at most, together.
     EXPECT_NEAR(Angle::degrees(d).deg(), d, 2 * kEps * std::abs(d)) << d;
   }
 }
@@ -111,7 +111,8 @@ TEST(Angle, degrees_of_ten_decimals_come_back_as_they_were_given) {
     }
   }
   EXPECT_EQ(Angle::degrees(60).deg(), 60);
-  // Others to the last bit but one, and what is no number of degrees stays what it is.
+  // Other values agree to the last bit but one. A value that is not a number of degrees is returned
+  // unchanged.
   EXPECT_NEAR(Angle::degrees(12.345678901234567).deg(), 12.345678901234567, 2e-15);
   EXPECT_TRUE(std::isnan(Angle::radians(std::nan("")).deg()));
   EXPECT_TRUE(std::signbit(Angle::radians(-0.0).deg()));

@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// A defect in Gearwright; what() contains the condition and its place, and requests a report.
+/// A defect in Gearwright. what() contains the condition and its place, and requests a report.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;

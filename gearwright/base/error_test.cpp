@@ -1,4 +1,5 @@
-// Errors read well: as many digits as a person uses, or as tell a value from its limit.
+// Values in errors have as many digits as a user needs, or as many as distinguish a value from its
+// limit.
 #include "gearwright/base/error.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST(Refused, tells_a_value_from_its_limits) {
   EXPECT_EQ(refused("teeth", 0, "must not be 0").message(), "teeth = 0: must not be 0");
 }
 
-// What is said to be allowed is allowed.
+// A value that the message names as allowed is allowed.
 TEST(Refused, does_not_round_a_limit_past_itself) {
   const double limit = 57.74956291590773;
   EXPECT_EQ(refused("a", 50.0, {limit}, "at least {}").rule, "at least 57.7496");

@@ -9,8 +9,8 @@
 namespace gearwright {
 
 /// The first error, with the others appended to its rule: "…; also missing: rating.quality (the
-/// accuracy grades …), …". Each field and each explanation occurs once. If one of them is another
-/// kind of error, that error is returned alone.
+/// accuracy grades …), …". Each field and each explanation occurs once. If one of them is an error of
+/// another kind, that error is returned alone.
 ///
 /// Domain    at least one (contract)
 Error all_missing(const std::vector<Error>& errors);

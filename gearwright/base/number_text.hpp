@@ -10,7 +10,7 @@ namespace gearwright {
 /// Domain    finite, decimals ≥ 0
 std::string fixed_decimals(double x, int decimals);
 
-/// The same without the zeros at its end: "1.5", "2".
+/// The same without trailing zeros: "1.5", "2".
 std::string short_decimals(double x, int most);
 
 inline constexpr int kUsualDigits = 6;  ///< in sentences
@@ -19,7 +19,7 @@ inline constexpr int kUsualDigits = 6;  ///< in sentences
 /// 0.100000.
 std::string with_digits(double x, int digits);
 
-/// Number of significant digits at which x and `other` read differently, at least six; six if they
+/// The number of significant digits that distinguishes x from `other`, at least six. It is six if they
 /// never differ.
 int digits_between(double x, double other);
 

@@ -1,4 +1,4 @@
-// Numbers that formulas name.
+// Constants used in formulas.
 #pragma once
 
 #include <limits>

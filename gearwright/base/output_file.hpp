@@ -18,7 +18,7 @@ class IoError : public std::runtime_error {
 };
 
 /// Writes `content` to `path`, completely or not at all.
-/// Throws    IoError naming the path and the system's reason; nothing is left behind then
+/// Throws    IoError naming the path and the system's reason; the temporary file is then removed
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// For writers that need a path (Parquet): calls `write` with a temporary path in the same folder,

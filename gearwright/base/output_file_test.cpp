@@ -1,4 +1,4 @@
-// Output files appear whole or not at all: after a failure the folder is as it was before.
+// Output files appear completely or not at all. After a failure the folder is unchanged.
 #include "gearwright/base/output_file.hpp"
 
 #include <fcntl.h>
@@ -55,7 +55,7 @@ TEST_F(OutputFile, HoldsEveryByte) {
   for (int i = 0; i < 3'000'000; ++i) bytes.push_back(static_cast<char>(i * 7 + i / 251));
   write_file(folder_ / "a.stl", bytes);
   EXPECT_EQ(content(folder_ / "a.stl"), bytes);
-  write_file(folder_ / "a.stl", "");  // an existing file is replaced whole
+  write_file(folder_ / "a.stl", "");  // an existing file is replaced completely
   EXPECT_EQ(content(folder_ / "a.stl"), "");
   EXPECT_EQ(names(), std::vector<std::string>{"a.stl"});
 }
@@ -105,7 +105,7 @@ TEST_F(OutputFile, AFolderIsRefused) {
   EXPECT_NE(message_of([&] { write_file(folder_, "solid"); }).find("directory"), std::string::npos);
 }
 
-// Root may write everywhere, so the writing is done by a child that is nobody.
+// Root may write everywhere, so a child process with the user id of nobody writes.
 TEST_F(OutputFile, NoPermissionIsAnIoError) {
   fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
                                fs::perms::others_exec);
@@ -150,7 +150,8 @@ TEST_F(OutputFile, AWriterGetsAPathBesideTheFile) {
     EXPECT_FALSE(fs::exists(path));
     std::ofstream(part) << "whole";
   });
-  EXPECT_EQ(seen.parent_path(), folder_);  // one file system: the rename cannot tear
+  EXPECT_EQ(seen.parent_path(),
+            folder_);  // the temporary file is on the same file system, so renaming is atomic
   EXPECT_EQ(content(path), "whole");
   EXPECT_EQ(names(), std::vector<std::string>{"a.step"});
 }

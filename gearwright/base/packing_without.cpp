@@ -1,5 +1,5 @@
-// Without zlib: a table of 256 remainders, and the compressor of stb_image_write.h (libstb-dev),
-// fixed Huffman codes over matches in 32 kB.
+// The version without zlib uses a table of 256 remainders, and the compressor of stb_image_write.h
+// (libstb-dev), fixed Huffman codes over matches in 32 kB.
 #include <array>
 #include <climits>
 #include <cstdlib>
@@ -17,9 +17,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kQuality = 8;  // candidates for a match; 5 is the minimum, larger values are slower
-constexpr std::size_t kZlibHeader = 2;   // before the deflate stream
-constexpr std::size_t kZlibTrailer = 4;  // Adler-32, after it
+constexpr int kQuality = 8;  // candidates for a match; at least 5, and larger values are slower
+constexpr std::size_t kZlibHeader = 2;   // bytes before the deflate stream
+constexpr std::size_t kZlibTrailer = 4;  // bytes of the Adler-32 checksum after it
 
 constexpr std::array<std::uint32_t, 256> remainders() {
   std::array<std::uint32_t, 256> table{};

@@ -6,7 +6,8 @@
 
 namespace gearwright {
 
-constexpr std::size_t kLongText = 400;  ///< most shown bytes of a title or a file name
+constexpr std::size_t kLongText =
+    400;  ///< longest part of a title or a file name that is shown, in bytes
 
 /// Escapes control characters (including those of ISO 6429 above 0x7F) and invalid UTF-8, so that a
 /// terminal shows them instead of executing them. The text is cut after the character at `most`

@@ -47,7 +47,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kAtOnce = std::size_t{1} << 30;  // of a call, whose count is an int
+constexpr std::size_t kAtOnce = std::size_t{1}
+                                << 30;  // longest block of one call, whose count is an int
 
 int open_file(const std::filesystem::path& path, int flags) {
   return ::_wopen(path.c_str(), flags | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);

@@ -43,7 +43,8 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
   }
 }
 
-// The twist of the body is in it: closed form against the printed part of the reference.
+// The compliance includes the twist of the body: the closed form is compared against the printed part
+// of the reference.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
   // A ring held outside: its turn summed up from the root, dφ = M/(2πG) dr/r³.
@@ -104,7 +105,7 @@ void expect_profile(double twist, double radius, double from, const std::vector<
                                   ComplianceAccuracy::full);
   ASSERT_TRUE(a) << a.error().message();
   for (std::size_t i = 0; i < at.size(); ++i) {
-    // Under the load the reference has no Hertz strip.
+    // The reference has no Hertz contact strip under the load.
     if (std::abs(at[i] - from - 0.25) < 0.9) continue;
     EXPECT_NEAR(a->profile[i] * kModule, want[i], share * a->own * kModule) << from << ' ' << at[i];
   }
@@ -194,7 +195,7 @@ TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
     EXPECT_EQ((c - c.transpose()).cwiseAbs().maxCoeff(), 0.0);
     EXPECT_GT(c.eigenvalues().real().minCoeff(), 0.0);
     EXPECT_GT(c.minCoeff(), 0.0);
-    // Neighbours read each other alike.
+    // Neighbouring teeth have equal mutual influence.
     const Eigen::MatrixXd to = table.other_tooth(1, line, line);
     const Eigen::MatrixXd from = table.other_tooth(-1, line, line);
     EXPECT_LT((to - from.transpose()).cwiseAbs().maxCoeff(), 1e-12 * c.maxCoeff());

@@ -76,7 +76,7 @@ TEST(Shaft, BearingsYieldByTheirReactions) {
 struct RandomShaft {
   Shaft shaft;
   ShaftLoad load;
-  std::vector<double> ends;  ///< between which nothing changes
+  std::vector<double> ends;  ///< between which section and load are constant
 };
 
 RandomShaft random_shaft(std::mt19937& random) {

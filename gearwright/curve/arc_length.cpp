@@ -9,14 +9,14 @@
 namespace gearwright {
 namespace {
 
-constexpr int kDeepest = 10;  // halvings: 1024 panels at worst
+constexpr int kDeepest = 10;  // halvings, which give 1024 panels at most
 
 // Relative to the size of the curve. Rounding causes errors of about 1e-16 in a coefficient of the
 // points and, after differentiation (degree² = 256), 3e-14 in one of the speed. Both limits are
 // well above these values.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
-// Two spacings of doubles at 1, of a panel's own parameter −1 … 1: Newton's last step.
+// Newton's last step: two spacings of doubles at 1, in the panel's own parameter −1 … 1.
 constexpr double kLastStep = 4e-16;
 
 }  // namespace

@@ -26,7 +26,7 @@ namespace gearwright {
 
 class ArcLength {
  public:
-  /// Domain    t0 ≠ t1 (contract); t1 < t0 walks the curve backwards, s still grows from 0
+  /// Domain    t0 ≠ t1 (contract); if t1 < t0, the curve is walked backwards and s still grows from 0
   /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves analytic on [t0, t1], cusps at an end
   ///           included; otherwise error_estimate() returns the remaining error. At most 1024
   ///           panels.
@@ -52,8 +52,8 @@ class ArcLength {
   struct Panel {
     double t_begin;
     double t_end;
-    double s_begin;    ///< mm before this panel
-    double s_end;      ///< mm to its end
+    double s_begin;    ///< arc length before this panel, mm
+    double s_end;      ///< arc length to its end, mm
     Series speed;      ///< |dW/dx|, x in [−1, 1] over the panel, mm
     Series travelled;  ///< its integral from x = −1, mm
   };

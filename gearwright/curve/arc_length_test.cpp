@@ -32,7 +32,8 @@ struct Cusp final : Curve {
   CurvePoint at(double t) const override { return {point(t), 0.0, 0.0}; }
 };
 
-// Straight, but run at the speed 1/√t of its parameter: no polynomial series converges quickly.
+// A straight line with the speed 1/√t of its parameter, for which no polynomial series converges
+// quickly.
 struct SlowLine final : Curve {
   Vec2 point(double t) const override { return {std::sqrt(t), 0.0}; }
   CurvePoint at(double t) const override { return {point(t), 0.0, 0.0}; }
@@ -83,7 +84,7 @@ TEST(ArcLength, ThereAndBack) {  // laws 2, 3
 }
 
 TEST(ArcLength, EqualLengthsAreEqualSteps) {
-  // Chords of equal pieces of a fine division are equal up to the second order of the turn.
+  // The chords of pieces of equal length are equal up to second order in the turn of the tangent.
   const Ellipse ellipse(5.0, 2.0);
   const ArcLength arc(ellipse, 0.0, 1.5);
   const int n = 4000;

@@ -1,5 +1,4 @@
-// The five parts of half a tooth, root to tip (ISO 21771): each arc of a cutter generates one of
-// them.
+// The five parts of half a tooth, root to tip (ISO 21771). Each arc of a cutter generates one of them.
 #pragma once
 
 #include <string_view>

@@ -31,8 +31,8 @@ class AxisCircle final : public Curve {
 /// [T2.4]
 ///
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) curvature radius r_b ξ
-/// Domain  any ξ; ξ > 0 is the flank of an external tooth. The branch behind the cusp, ξ < 0, is
-///         that of an internal gear's tooth: its half angle ψ_b + inv α grows outward
+/// Domain  any ξ; ξ > 0 is the flank of an external tooth. The branch behind the cusp, ξ < 0, is the
+///         flank of an internal gear's tooth, whose half angle ψ_b + inv α grows outward
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
@@ -82,7 +82,7 @@ class OffsetCircle final : public Curve {
   double direction() const { return direction_; }
   double radius() const { return radius_; }
   /// cos(t − γ) = −r/D: where the ray from the axis touches the circle and the polar angle turns,
-  /// as a distance from γ; none if the axis lies inside the circle.
+  /// as a distance from γ; there is none if the axis lies inside the circle.
   std::optional<double> tangent_ray() const;
 
  private:

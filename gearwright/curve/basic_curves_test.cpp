@@ -16,8 +16,8 @@ namespace {
 
 using testing::kEps;
 
-// Tangent angle and curvature from points alone: central differences of step h err by h² W‴/6 and
-// by 2 ε |W|/h²; both are below 1e-6 for the curves here.
+// Tangent angle and curvature are computed from points alone. Central differences of step h err by h²
+// W‴/6 and by 2 ε |W|/h²; both are below 1e-6 for the curves here.
 void expect_tangent_and_curvature(const Curve& curve, double t) {
   const double h = 1e-4;
   const Vec2 before = curve.point(t - h), here = curve.point(t), after = curve.point(t + h);
@@ -57,7 +57,8 @@ TEST(Involute, laws_of_the_header) {
   }
 }
 
-// The line from a point along its normal touches the base circle: the string of the involute.
+// The line from a point along its normal touches the base circle, because an involute is unwound from
+// it.
 TEST(Involute, normals_touch_the_base_circle) {
   const Involute curve(20.0, 0.12);
   for (const double xi : {0.05, 0.4, 1.0}) {
@@ -81,7 +82,7 @@ TEST(Involute, parameter_at_radius_is_closed) {
   }
 }
 
-// A curve that knows nothing but its points: the base class does the rest with a bracket.
+// A curve that provides only its points: the base class solves for the rest with a bracket.
 class Spiral final : public Curve {
  public:
   Vec2 point(double t) const override { return {(1 + t) * std::cos(t), (1 + t) * std::sin(t)}; }
@@ -97,7 +98,7 @@ TEST(Curve, solves_for_a_radius_either_way_round) {
   EXPECT_NEAR(spiral.polar_angle(0.5), 0.5, 4 * kEps);
 }
 
-// A curve is asked for as one kind and is that or not; the spiral is none that is known.
+// A curve can be queried for its class. The spiral is of none of the known classes.
 TEST(Curve, says_of_which_kind_it_is) {
   const Involute involute(10.0, 0.1);
   const AxisCircle circle(10.0);

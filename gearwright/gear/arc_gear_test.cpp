@@ -1,5 +1,4 @@
-// Gears with circular-arc teeth from their specs: what they have, what they do not, flags and
-// refusals.
+// Gears with circular-arc teeth from their specs: the data that they have and lack, flags and errors.
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/base/testing/violation.hpp"
 #include "gearwright/gear/testing/made.hpp"
@@ -76,7 +75,8 @@ TEST(ArcGear, thickness_on_the_reference_cylinder) {
   }
 }
 
-// Convex, step and concave are flank all three; the usable one runs from the lowest to the highest.
+// The convex arc, the step and the concave arc all belong to the flank. The usable flank extends from
+// the lowest to the highest.
 TEST(ArcGear, double_arcs_have_three_flank_arcs) {
   const Gear gear = made(double_spec(25));
   EXPECT_EQ(names(gear), (std::vector{ArcName::root_fillet, ArcName::flank, ArcName::flank,
@@ -105,7 +105,7 @@ TEST(ArcGear, flags_say_what_happened) {
   EXPECT_FALSE(made(small).exists());
 }
 
-// Where both flanks meet is what the pointed tooth ends at, whatever the blank.
+// The height at which both flanks meet ends the pointed tooth, for any blank.
 TEST(ArcGear, pointed_diameter) {
   CylindricalSpec s = spec_of(Cutter::F, 20);
   const Gear gear = made(s);
@@ -116,7 +116,7 @@ TEST(ArcGear, pointed_diameter) {
   }
 }
 
-// A land at the end of the arcs tops the tooth below a blank that is too large.
+// If the blank is too large, the land at the end of the arcs ends the tooth.
 TEST(ArcGear, the_arcs_end_tops_the_tooth) {
   CylindricalSpec s = spec_of(Cutter::P, 60);
   s.tip_diameter = made(s).reference_diameter + 4.0;
@@ -147,7 +147,7 @@ TEST(ArcGear, errors_name_their_key) {
             "rack.addendum");
 }
 
-// Hands mirror the twist and leave the section.
+// The opposite hand mirrors the twist and does not change the section.
 TEST(ArcGear, left_and_right_hand_share_the_section) {
   CylindricalSpec s = spec_of(Cutter::F, 20);
   const Gear right = made(s);

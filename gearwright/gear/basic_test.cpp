@@ -1,4 +1,4 @@
-// A gear as itself and under the names of its racks; the rack that leaves a root.
+// A gear described by its base cylinder and by different racks, and the rack that cuts a given root.
 #include "gearwright/gear/basic.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(BaseGear, as_its_own_rack_is_what_it_was) {
   EXPECT_EQ(as_rack(base_gear(20, reference_geometry(gear(20, 0, 0))), 0.3).helix_angle, 0.0);
 }
 
-// Through another rack and back: the flanks are the same.
+// Conversion to another rack and back leaves the flanks unchanged.
 TEST(BaseGear, another_rack_has_the_same_flanks) {
   const auto first = reference_geometry(gear(17, 25.0, 0.4));
   const auto other = as_rack(base_gear(17, first), 14.5 * kDegree);
@@ -57,7 +57,7 @@ CylindricalSpec spec(int teeth, double x) {
   return s;
 }
 
-// What the generated tooth has, asked for again, gives its rack.
+// The root of the generated tooth, given as input again, yields its rack.
 TEST(RackLeavingRoot, gives_back_the_rack_that_cut_it) {
   for (const double radius : {0.0, 0.2, 0.38}) {
     CylindricalSpec s = spec(40, 0.1);

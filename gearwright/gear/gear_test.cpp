@@ -23,7 +23,7 @@ using testing::warns;
 
 using namespace literals;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
 static_assert(!std::is_constructible_v<Gear, CylindricalSpec>);
 static_assert(!std::is_aggregate_v<Gear>);
 
@@ -64,7 +64,7 @@ TEST(MakeGear, lead_has_the_sign_of_the_hand) {
               1e-12 * right.lead);
 }
 
-// An allowance thins the tooth: flanks and root with x_E, the tip with x.
+// An allowance thins the tooth. Flanks and root follow from x_E, the tip follows from x.
 TEST(MakeGear, allowance_moves_the_root_and_not_the_tip) {
   CylindricalSpec s = spec(30);
   s.thickness_allowance = -0.1;
@@ -121,7 +121,7 @@ TEST(MakeGear, tip_thickness_is_that_of_the_finished_tooth) {
   EXPECT_LT(*made(round).tip_tooth_thickness_normal, *gear.tip_tooth_thickness_normal - 0.1);
 }
 
-// A blank turned to the base circle: the tip may come out an ulp inside it.
+// If the blank is turned to the base circle, the computed tip may lie an ulp inside it.
 TEST(MakeGear, tip_on_the_base_circle) {
   for (int teeth = 60; teeth < 160; ++teeth) {
     CylindricalSpec s = spec(teeth);
@@ -191,7 +191,7 @@ TEST(MakeGear, errors_name_their_key) {
               s.tip_diameter = 50.0;
             }),
             "tip_diameter");
-  // An internal gear whose teeth would reach past its axis.
+  // The teeth of this internal gear would extend beyond its axis.
   EXPECT_EQ(key([](CylindricalSpec& s) {
               s.teeth = -4;
               s.profile_shift = 2.0;

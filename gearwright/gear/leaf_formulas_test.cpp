@@ -1,4 +1,4 @@
-// Leaf formulas against the reference geometry, which goes other ways to the same numbers.
+// Leaf formulas against the reference geometry, which computes the same numbers with other formulas.
 #include "gearwright/gear/leaf_formulas.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using testing::kDegree;
 using testing::kEps;
 
-// tan β_b from sin β, as lanes have it, and as the angle of the reference geometry.
+// tan β_b from sin β, as in the lanes, and from the angle of the reference geometry.
 TEST(LeafFormulas, base_helix_without_an_angle) {
   for (const double alpha : {14.5, 20.0, 30.0}) {
     for (double beta = -85.0; beta <= 85.0; beta += 5.0) {
@@ -30,7 +30,7 @@ TEST(LeafFormulas, base_helix_without_an_angle) {
   }
 }
 
-// A flank begins on the base circle, where undercut does.
+// The flank begins on the base circle at the limit of undercut.
 TEST(LeafFormulas, undercut_begins_where_the_flank_does_on_the_base_circle) {
   for (const int z : {1, 5, 17, 40}) {
     const double sin_t = std::sin(21.0 * kDegree);
@@ -48,7 +48,7 @@ TEST(LeafFormulas, inside_the_base_circle) {
   EXPECT_TRUE(std::isnan(leaf::curvature(4.0, 5.0)));
 }
 
-// Instruction sets give the second operand where either is no number; numbers do as they do.
+// Vector instructions return the second operand if either is NaN, and the scalar functions do the same.
 TEST(LeafFormulas, no_number_gives_the_second) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(leaf::max_of(nan, 1.0), 1.0);

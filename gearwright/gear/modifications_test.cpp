@@ -18,7 +18,7 @@ using P = Field::Parameter;
 
 // 17 teeth, m_n 2.5 on 20°: base circle 39.935 mm, usable flank from 41 to 47.5 mm diameter.
 const FlankExtent kGear{19.9676, 20.5, 23.75, 25.0};
-const FlankExtent kArcs{0.0, 20.5, 23.75, 25.0};   // no involute: along the radius
+const FlankExtent kArcs{0.0, 20.5, 23.75, 25.0};   // not an involute, so the place is the radius
 const FlankExtent kRing{60.14, 66.0, 62.0, 30.0};  // tip inside
 const FlankExtent kFromBase{20.0, 20.0, 23.0, 25.0};
 
@@ -41,7 +41,7 @@ FlankModifications everything(const FlankExtent& e, ReliefShape shape) {
 
 Long roll(const FlankExtent& e, Long rho) { return std::sqrt(rho * rho - Long(e.r0) * e.r0); }
 
-// What stands at the head of modifications.hpp, once more.
+// The formulas at the head of modifications.hpp, written a second time.
 Long removed(const FlankModifications& m, const FlankExtent& e, Long u, Long z,
              const Field::Piece& p) {
   const Long L = roll(e, std::exp(u));
@@ -68,7 +68,7 @@ Long removed(const FlankModifications& m, const FlankExtent& e, Long u, Long z,
 }
 
 // Second-order differences, Richardson's step once: the error is h⁴ times the fifth or sixth
-// derivative. Second derivatives want longer steps than first ones, for their rounding.
+// derivative. Second derivatives need longer steps than first ones, for their rounding.
 template <class F>
 Removal differences(const F& f, Long u, Long z) {
   const auto best = [](const auto& d, Long h) {
@@ -110,7 +110,7 @@ constexpr Tolerance kClosedForm{1e-15, 1e-13, 2e-9};
 
 TEST(RemovalField, is_its_formulas_and_their_derivatives) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> unit(-0.2, 1.2);  // of a cell: beyond its borders too
+  std::uniform_real_distribution<double> unit(-0.2, 1.2);  // of a cell, also beyond its borders
   for (const FlankExtent& e : {kGear, kArcs, kRing}) {
     for (const ReliefShape shape : {ReliefShape::linear, ReliefShape::parabolic}) {
       const FlankModifications m = everything(e, shape);
@@ -151,7 +151,7 @@ TEST(RemovalField, is_the_sum_of_amounts_times_derivatives) {
   }
 }
 
-// The signs and places of a drawing, written out.
+// The signs and places of a drawing, as explicit numbers.
 TEST(RemovalField, has_the_values_of_the_drawing_at_the_ends) {
   for (const FlankExtent& e : {kGear, kArcs, kRing, kFromBase}) {
     const FlankModifications m = everything(e, ReliefShape::linear);
@@ -166,9 +166,9 @@ TEST(RemovalField, has_the_values_of_the_drawing_at_the_ends) {
     const auto unit = [&](P p, double u, double z) {
       return field->derivative(p, u, z, field->piece_at(u, z)).c;
     };
-    // u, its logarithm and exponential and the step inside are rounded by 3e-15 together. A flank
-    // that begins on its base circle has L wrong there by half of 1e-6 of the greatest; nothing
-    // here falls faster than 4 over the whole L.
+    // u, its logarithm and exponential and the step inside are rounded by 3e-15 together. If a flank
+    // begins on its base circle, its L has an error there of half of 1e-6 of the greatest L. No
+    // function here changes by more than 4 over the whole L.
     const auto expect = [&](P p, double u, double value) {
       const bool on_base = e.rho_root_form == e.r0 && u < middle;
       const double slope = field->derivative(p, u, 0.0, field->piece_at(u, 0.0)).c_u;
@@ -224,7 +224,7 @@ TEST(RemovalField, pieces_tile_the_flank) {
         EXPECT_EQ(field->piece_at(u, z), c.piece);
       }
       EXPECT_EQ(owners, 1);
-      // Which reliefs are at work follows from the drawing alone.
+      // The drawing alone determines which reliefs apply.
       const double rho = std::exp(u);
       const double x = (rho - e.rho_root_form) / (e.rho_tip_form - e.rho_root_form);
       const Field::Piece expected{x > 0.6, x < 0.3, z<3.0 - half, z> half - 3.0};
@@ -284,7 +284,7 @@ TEST(RemovalField, goes_on_below_an_involute) {
       EXPECT_NEAR((hi.c_u - lo.c_u) / (2 * h), r.c_uu, 1e-5 * std::abs(r.c_uu) + 1e-6);
     }
   }
-  // Where the formulas change, L = L0/2, nothing jumps up to the second derivative.
+  // At L = L0/2, where the formulas change, the function is continuous up to the second derivative.
   const FlankExtent e{20.0, 20.2, 23.0, 25.0};
   const auto field = make_removal_field(m, e);
   ASSERT_TRUE(field);
@@ -360,7 +360,7 @@ TEST(RemovalField, has_no_slivers) {
   const auto shared = make_removal_field(m, kGear);
   ASSERT_TRUE(shared);
   EXPECT_EQ(shared->kinks_u().size(), 1u);
-  m.root_relief.reach = 46.0;  // both at work between 44 and 46
+  m.root_relief.reach = 46.0;  // both apply between 44 and 46
   const auto overlapping = make_removal_field(m, kGear);
   ASSERT_TRUE(overlapping);
   EXPECT_EQ(overlapping->pieces()[2].piece, (Field::Piece{true, true, true, false}));

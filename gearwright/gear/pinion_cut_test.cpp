@@ -1,5 +1,5 @@
-// A gear cut by a gear: distance and shift are one number, hand and data follow from the cutter,
-// and refusals name what would do.
+// A gear cut by a gear: the distance determines the shift, hand and data follow from the cutter, and
+// errors name a value that is allowed.
 #include "gearwright/gear/pinion_cut.hpp"
 
 #include <gtest/gtest.h>
@@ -58,8 +58,8 @@ bool warns_of_topping(const Gear& gear) {
                      [](const Warning& w) { return w.code == WarningCode::tip_cut_by_rack; });
 }
 
-// A tip that nobody gave is what the cutter leaves: nothing tops it, whatever the lengths are
-// multiplied by. 17:−62 cut by 31 was topped with all lengths times 7.3.
+// The default tip is the one that the cutter leaves, so it is never truncated, whatever factor
+// multiplies all lengths. 17:−62 cut by 31 was once truncated with all lengths times 7.3.
 TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
   testing::Draw random(20261123);
   std::vector<double> scales{1.0, 7.3};
@@ -74,7 +74,7 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         const Gear gear = cut(cutter, {teeth, distance(cutter, teeth, 0.05), 20.0 * scale, {}});
         EXPECT_FALSE(gear.tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x_0;
         EXPECT_FALSE(warns_of_topping(gear));
-        // A blank that is larger by any amount is topped, one that is smaller is not.
+        // The cutter truncates a blank that is larger by any amount, but not a smaller one.
         const double side = teeth > 0 ? 1.0 : -1.0;
         PinionCutSpec blank{teeth, gear.cut_by->distance, 20.0 * scale, gear.tip_diameter};
         *blank.tip_diameter += side * 0.001 * scale;
@@ -93,7 +93,8 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         s.straight_rack().tip_fillet_radius = 0.0;
         s.straight_rack().tool_addendum = 1.0;
         EXPECT_FALSE(made(s).tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x;
-        s.thickness_allowance = -0.05 * scale;  // the cutter goes deeper, the blank stays
+        s.thickness_allowance =
+            -0.05 * scale;  // the cutter goes deeper, and the blank is unchanged
         EXPECT_TRUE(made(s).tooth->tip_cut_by_rack);
       }
     }
@@ -110,7 +111,7 @@ TEST(GeneratingDistance, gives_the_shift_back) {
           const auto e = generating_distance(cutter, teeth, x);
           if (!e) continue;  // no working pressure angle
           const auto gear = make_pinion_cut_gear(cutter, {teeth, *e, 20.0, std::nullopt});
-          if (!gear) continue;  // what the tooth looks like is another question
+          if (!gear) continue;  // the shape of the tooth is not tested here
           ++gears;
           EXPECT_NEAR(gear->spec.profile_shift, x, 1e-11) << teeth << " " << x_0;
         }
@@ -120,7 +121,7 @@ TEST(GeneratingDistance, gives_the_shift_back) {
   EXPECT_GT(gears, 70);
 }
 
-// Together without shift they roll on their reference circles; the allowance counts as shift.
+// Without shift, the two roll on their reference circles; the allowance counts as shift.
 TEST(GeneratingDistance, reference_circles_touch_without_shift) {
   EXPECT_NEAR(distance(made(cutter_spec(20, 0.0)), 45, 0.0), 65.0, 1e-13);
   EXPECT_NEAR(distance(made(cutter_spec(20, 0.0)), -60, 0.0), 40.0, 1e-13);
@@ -140,7 +141,7 @@ TEST(GeneratingDistance, grows_with_the_shift_and_falls_on_a_ring) {
   }
 }
 
-// The limit that a refusal names is sharp.
+// The limit that an error names is exact.
 TEST(GeneratingDistance, refuses_a_shift_without_a_working_angle) {
   const Gear cutter = made(cutter_spec(20, 0.0));
   const auto refusal = [&](int teeth) {
@@ -200,7 +201,7 @@ TEST(PinionCut, takes_module_angles_and_hand_from_the_cutter) {
   }
 }
 
-// Tip by default what the cutter's root leaves, root what its tip cuts.
+// The default tip is the one that the cutter's root leaves, and the root is the one that its tip cuts.
 TEST(PinionCut, default_tip_and_root) {
   const Gear cutter = made(two_teeth());
   const Gear gear = cut(cutter, {60, 61.106, 20.0, std::nullopt});
@@ -266,7 +267,7 @@ TEST(PinionCut, refusals_name_their_key) {
   EXPECT_EQ(key({45, least * (1 + 1e-3), 20.0, std::nullopt}), "made");
 }
 
-// The smallest internal gear that its refusal names can be asked for.
+// The smallest internal gear that the error names is accepted.
 TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
   const Gear cutter = made(cutter_spec(20, 0.0));
   const auto error = generating_distance(cutter, -18, 0.0);
@@ -279,15 +280,17 @@ TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
   EXPECT_NE(error.error().message().find("at most 17"), std::string::npos);
 }
 
-// The cutter of profile C has a rounding that begins at its tip circle, a branch of no height: of
-// 13, 15, 17, 26, 27 and 34 to 36 teeth it was taken for the end of the tooth.
+// The cutter of profile C has a rounding that begins at its tip circle, which makes a branch of no
+// height. With 13, 15, 17, 26, 27 and 34 to 36 teeth, that branch was once taken for the end of the
+// tooth.
 TEST(DefaultCutter, cuts_internal_gears_of_every_named_rack) {
   for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
     for (int z = 10; z <= 60; ++z) {
       CylindricalSpec ring = cutter_spec(-z, 0.0);
       ring.rack = *iso53_rack(name);
       const auto cut = cut_by_default(made(ring));
-      EXPECT_EQ(cut.has_value(), z >= 38) << name << " " << z;  // of fewer the flanks are too short
+      EXPECT_EQ(cut.has_value(), z >= 38)
+          << name << " " << z;  // with fewer teeth the flanks are too short
       EXPECT_EQ(cut.has_value(), cut && cut->tooth);
     }
   }

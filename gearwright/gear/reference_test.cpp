@@ -48,7 +48,8 @@ TEST(Reference, base_cylinder_does_not_know_the_shift) {
   EXPECT_EQ(a.base_pitch_transverse, b.base_pitch_transverse);
 }
 
-// An allowance is a shift of the cutter: x_E alone makes the same tooth.
+// An allowance is a shift of the cutter, so a gear with the shift x_E and no allowance has the same
+// tooth.
 TEST(Reference, allowance_is_a_shift) {
   ReferenceInput<double> allowed = helical();
   allowed.thickness_allowance = -0.12;
@@ -60,7 +61,8 @@ TEST(Reference, allowance_is_a_shift) {
   EXPECT_EQ(reference_geometry(helical()).generating_profile_shift, 0.3);
 }
 
-// An internal gear's space is its pinion's tooth: s_bt + the external gear's is the pitch at x = 0.
+// The space of an internal gear equals the tooth of its pinion: s_bt + the external gear's is the pitch
+// at x = 0.
 TEST(Reference, ring_and_pinion_of_the_same_numbers_fill_the_pitch) {
   ReferenceInput<double> in = helical();
   in.profile_shift = 0.0;

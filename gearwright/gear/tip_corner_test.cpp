@@ -1,5 +1,5 @@
-// Rounded tip corners, and the ring that a cutter with such corners leaves: its root, swept by brute
-// force.
+// Rounded tip corners, and the internal gear cut by a cutter with such corners, whose root is swept by
+// brute force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ CylindricalSpec cutter_spec(int teeth, double module, double radius, double x = 
 }
 
 // (1) it ends on the tip circle, tangent to it   (2) it begins on the flank, tangent to it
-// (3) its curvature is that of its radius        (4) the land is what is left of the tip
+// (3) its curvature is that of its radius        (4) the land is the rest of the tip
 TEST(TipCorner, touches_flank_and_tip_circle) {
   for (const int teeth : {20, 25, 80}) {
     for (const double x : {-0.1, 0.0, 0.2}) {
@@ -62,7 +62,8 @@ TEST(TipCorner, touches_flank_and_tip_circle) {
   }
 }
 
-// The greatest radius leaves no land: the circular tip fillet that is centred on the tooth.
+// The greatest radius leaves no land. It is the circular tip fillet with its centre on the centre line
+// of the tooth.
 TEST(TipCorner, is_refused_where_it_does_not_fit) {
   const CylindricalSpec big = cutter_spec(25, 2.5, 3.0);
   const auto gear = make_gear(big);
@@ -115,24 +116,25 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
   return points;
 }
 
-// Where the cutter's tooth has been: the greatest polar angle that it reaches on the circle of the
+// The region swept by the cutter's tooth: the greatest polar angle that it reaches on the circle of the
 // radius ρ about the ring's axis, on its way through the space about the x axis.
 double swept_angle(const std::vector<Vec2>& cutter, double distance, double ratio, double rho) {
   double best = -1e300;
-  const auto reach = [&](double turned) {  // of the ring; the cutter turns by `ratio` as much
-    const double c = std::cos(turned * ratio), s = std::sin(turned * ratio);
-    double angle = -1e300, before = 0.0, polar_before = 0.0;
-    for (std::size_t i = 0; i < cutter.size(); ++i) {
-      const Vec2 p(distance + c * cutter[i].x() - s * cutter[i].y(),
-                   s * cutter[i].x() + c * cutter[i].y());
-      const double r = p.norm(), polar = std::atan2(p.y(), p.x()) - turned;
-      if (i > 0 && (r - rho) * (before - rho) <= 0.0 && r != before)
-        angle =
-            std::max(angle, polar_before + (polar - polar_before) * (rho - before) / (r - before));
-      before = r, polar_before = polar;
-    }
-    return angle;
-  };
+  const auto reach =
+      [&](double turned) {  // rotation of the ring; that of the cutter is `ratio` times as large
+        const double c = std::cos(turned * ratio), s = std::sin(turned * ratio);
+        double angle = -1e300, before = 0.0, polar_before = 0.0;
+        for (std::size_t i = 0; i < cutter.size(); ++i) {
+          const Vec2 p(distance + c * cutter[i].x() - s * cutter[i].y(),
+                       s * cutter[i].x() + c * cutter[i].y());
+          const double r = p.norm(), polar = std::atan2(p.y(), p.x()) - turned;
+          if (i > 0 && (r - rho) * (before - rho) <= 0.0 && r != before)
+            angle = std::max(angle,
+                             polar_before + (polar - polar_before) * (rho - before) / (r - before));
+          before = r, polar_before = polar;
+        }
+        return angle;
+      };
   constexpr int kSteps = 1500;
   double at = 0.0;
   const double far = 0.25;  // rad of the ring
@@ -173,8 +175,8 @@ TEST(TipCorner, cuts_the_root_of_a_ring_as_a_swept_outline_does) {
       }
     }
     EXPECT_GE(compared, 26);
-    // The flank of the ring begins where the cutter's begins to be rounded: with sharp corners it
-    // reaches deeper.
+    // The flank of the ring begins where the rounding of the cutter begins. With sharp corners it
+    // extends deeper.
     const Gear sharp = made(cutter_spec(k.z_0, m, 0.0, k.x_0));
     const Gear deeper = testing::taken(make_pinion_cut_gear(sharp, {k.z, e, 20.0, tip}));
     EXPECT_GT(*deeper.tooth->form_radius, *ring.tooth->form_radius);

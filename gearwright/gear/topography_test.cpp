@@ -100,7 +100,7 @@ TEST(Topography, is_the_not_a_knot_spline) {
   }
 }
 
-// Crowning to the edge, twist and all: what a natural spline would bend straight.
+// Crowning and twist are reproduced up to the edge, where a natural spline would be straight.
 TEST(Topography, gives_back_cubics_beyond_the_edge_too) {
   std::mt19937 random(11);
   const auto f = [](double d, double z) {
@@ -138,7 +138,8 @@ TEST(Topography, two_points_are_a_line_and_three_a_parabola) {
   EXPECT_NEAR(got.zz, 2 * 82.0, 1e-11);
 }
 
-// Curvature does not jump from cell to cell, the grid's points are met to the last bit but one.
+// Curvature is continuous from cell to cell, and the surface passes through the grid's points to the
+// last bit but one.
 TEST(Topography, is_smooth_to_the_second_derivative) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> value(-1.0, 1.0);

@@ -1,4 +1,4 @@
-// What of a flank the mating gear touches, by the handbook's formula.
+// The part of a flank that the mating gear touches, by the handbook's formula.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ TEST(ActiveFlank, of_a_ring_and_its_pinion) {
 }
 
 TEST(ActiveFlank, ends_where_the_flank_itself_ends) {
-  // Undercut: contact cannot begin below d_Ff, though the mating tip reaches below.
+  // On an undercut gear, contact cannot begin below d_Ff, although the mating tip reaches below it.
   const auto pair =
       testing::taken(mount_as<ParallelPair>(gear_of(9, 0, -0.1), gear_of(80, 0, 0.0), {}));
   const auto one = active_flank(pair, 1), two = active_flank(pair, 2);

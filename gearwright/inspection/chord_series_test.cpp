@@ -199,7 +199,7 @@ TEST(ChordSeries, greatest_errors_over_all_helix_angles) {
         if (error > chord) chord = error, worst_psi = psi / kDegree;
         height = std::max(height, std::abs(by_hand.height / exact.height - 1.0));
       }
-      // The page prints two digits.
+      // The theory page gives two digits.
       EXPECT_NEAR(chord / row.chord[n - 1], 1.0, 0.05) << row.theta_t << " " << n;
       EXPECT_NEAR(height / row.height[n - 1], 1.0, 0.05) << row.theta_t << " " << n;
       if (n > 1) {

@@ -129,7 +129,7 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
   testing::Draw random(20250201);
   int steep = 0, thick = 0;
   for (int i = 0; i < 200; ++i) {
-    // Every third one a worm: one thread takes nearly half of the circumference.
+    // Every third gear is a worm, whose thread takes nearly half of the circumference.
     const bool worm = i % 3 == 0;
     const double psi = (i % 2 == 0 ? 1 : -1) *
                        (worm ? random.uniform(50, 88.5) : random.uniform(0.5, 50)) * kDegree;
@@ -235,7 +235,7 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
     EXPECT_EQ(c.caliper_angle, 0.0);
     EXPECT_NEAR(c.height, 17.3 * (1 - std::cos(theta)), 1e-15 * 17.3);
   }
-  // And nearly so is nearly the same: no division by tan ψ anywhere.
+  // A gear that is nearly a spur gear has nearly the same chord, because no formula divides by tan ψ.
   const auto a = shortest_chord(ToothArc<double>{0.2, 1e-160, 17.3, 20.0});
   EXPECT_DOUBLE_EQ(a.chord, 2 * 17.3 * std::sin(0.2));
   // The other end: a helix all but along the circumference leaves the axial thickness
@@ -349,7 +349,7 @@ TEST(ChordalThickness, says_what_is_allowed) {
     expect_refused(gear, d, "d_Fa");
   }
   expect_refused(made(spec_of(-60, 2, 0, 0)), 130, "root diameter");
-  // Pointed: the flank ends where the flanks meet, and there the chord is nothing.
+  // Pointed: the flank ends where the flanks meet, and there the chord is 0.
   auto pointed = spec_of(12, 2, 0, 0.9);
   pointed.tip_diameter = 40;
   const Gear sharp = made(pointed);
@@ -364,7 +364,7 @@ TEST(ChordalThickness, says_what_is_allowed) {
   const Gear ring = made(thin_ring);
   ASSERT_TRUE(ring.pointed());
   expect_refused(ring, *ring.pointed_diameter - 0.01, "flanks meet");
-  // A tooth that has been cut off has no flank.
+  // A tooth that the cutter has removed has no flank.
   const Gear severed = made(spec_of(4, 2, 0, -0.9));
   ASSERT_TRUE(!severed.exists() || !severed.root_form_radius());
   expect_refused(severed, 8, "no usable flank");
@@ -381,7 +381,7 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   const double d = 2 * *gear.root_form_radius() * 1.0001;
   ASSERT_GT(tooth_arc(gear, d).half_angle, kPi / 2);
   expect_refused(gear, d, "too much for a calliper");
-  // The thread of a worm of the same width is no trouble.
+  // The thread of a worm of the same width is accepted.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);
   const auto c = chordal_thickness(thread, thread.reference_diameter);

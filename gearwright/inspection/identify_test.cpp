@@ -1,4 +1,4 @@
-// Unknown gears: the worked story, and synthetic ones whose readings scatter as a workshop's do.
+// Unknown gears: the worked example, and synthetic gears whose readings scatter as in a workshop.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -136,8 +136,8 @@ struct Counted {
   double slowest_ms = 0.0, total_ms = 0.0;
 };
 
-// A gear whose exact readings the candidate has too, within the uncertainty of each, cannot be told
-// from it.
+// If the exact readings of a candidate agree with those of the gear within the uncertainty of each, the
+// two cannot be distinguished.
 bool has_the_readings(const IdentifiedGear& c, const IdentifyProblem& exact, double lead) {
   CylindricalSpec s = testing::plain_spec({.teeth = c.teeth,
                                            .module = c.normal_module,

@@ -35,7 +35,7 @@ LongPoint cross(const LongPoint& a, const LongPoint& b) {
 }
 Real norm(const LongPoint& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
-// Numbers of the drawing, on their own.
+// The numbers of the drawing, independent of the library.
 struct Drawing {
   int z;
   Real m, alpha, beta, x, allowance;
@@ -266,7 +266,7 @@ TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
   EXPECT_GE(steep, 10);
 }
 
-// The theory's example of three legitimate readings.
+// The theory's example of three valid readings.
 TEST(Pins, have_three_readings_on_a_helical_gear_of_odd_teeth) {
   const Gear gear = made({17, 3, 20 * kLongPi / 180, 20 * kLongPi / 180, 0.3L, 0});
   const auto seat = ball_in_space(gear, 5);
@@ -349,7 +349,7 @@ TEST(Span, that_no_anvils_reach_is_refused_with_those_that_they_do) {
   EXPECT_FALSE(span_over(made({-60, 2, 20 * kLongPi / 180, 0.2L, 0, 0}), 6));
   EXPECT_EQ(usual_span(gear)->teeth, 3);
   EXPECT_EQ(usable_spans(gear, 31).size(), 4u);
-  // On a face narrower than W sin β_b one anvil has nothing to touch.
+  // On a face narrower than W sin β_b one anvil does not touch the flank.
   auto narrow = made({40, 2, 20 * kLongPi / 180, 30 * kLongPi / 180, 0, 0}).spec;
   narrow.face_width = 5;
   const Gear thin = testing::taken(make_gear(narrow));

@@ -1,4 +1,4 @@
-// Poses: the letters cancel, the inverse undoes, lengths stay.
+// Poses: the letters cancel, a pose times its inverse is the identity, and lengths are preserved.
 #include "gearwright/kinematics/pose.hpp"
 
 #include <gtest/gtest.h>

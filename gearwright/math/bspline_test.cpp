@@ -120,7 +120,7 @@ TEST(BSplineBasis, DerivativesAgreeWithTheFunction) {
     EXPECT_NEAR(basis.derivative(poles, u, 1)(1), std::exp(u), 1e-8);
   }
   EXPECT_EQ(basis.derivative(poles, 0.3, 8).norm(), 0.0);
-  // A quintic is its own spline: all derivatives exact up to rounding.
+  // A spline of degree 5 reproduces a quintic, so all derivatives are exact up to rounding.
   const BSplineBasis five(5, 9);
   const Eigen::MatrixXd q = five.interpolate(sample_at_greville(five, quintic, cube));
   for (double u : {0.0, 0.21, 0.5, 1.0}) EXPECT_NEAR(five.derivative(q, u, 3)(1), 6.0, 1e-10);

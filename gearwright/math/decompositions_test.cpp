@@ -1,4 +1,4 @@
-// Each answer put back into the problem that it answers.
+// Each solution is inserted into the problem that it solves.
 #include "gearwright/math/decompositions.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(Decompositions, solve_linear_solves) {
   std::mt19937 engine(12);
   for (int n = 1; n <= 4; ++n) {
     for (int i = 0; i < 50; ++i) {
-      // The diagonal outweighs the rest of its row twice, so that no entry of x exceeds 1.
+      // Each diagonal entry is twice the sum of the rest of its row, so that no entry of x exceeds 1.
       const Eigen::MatrixXd a =
           random_matrix(engine, n, n) + 2.0 * n * Eigen::MatrixXd::Identity(n, n);
       const Eigen::VectorXd b = random_matrix(engine, n, 1);
@@ -70,7 +70,7 @@ TEST(Decompositions, least_squares_leaves_a_residual_across_the_columns) {
 }
 
 TEST(Decompositions, least_squares_takes_the_shortest) {
-  // One equation x + y = 2 twice: (1, 1) is the nearest to the origin.
+  // The equation x + y = 2 is given twice, and (1, 1) is its solution nearest to the origin.
   const Eigen::MatrixXd a = Eigen::MatrixXd::Ones(2, 2);
   const Eigen::VectorXd x = least_squares(a, Eigen::Vector2d(2.0, 2.0));
   EXPECT_NEAR(x[0], 1.0, 8 * kEps);

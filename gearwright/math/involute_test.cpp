@@ -22,7 +22,7 @@ struct Known {
 };
 
 TEST(Involute, known_values) {
-  // tan and the subtraction lose 3ε/α² above the series' end at 0.46: 14 ε there.
+  // Above the end of the series at 0.46, tan and the subtraction lose 3ε/α², which is 14 ε there.
   for (const auto& [alpha, inv] : {Known{0.000017453292519943296, 1.7721923116185322917e-15},
                                    {0.0087266462599716479, 2.2153078714144991774e-7},
                                    {0.25307274153917778865, 0.0055448428167124932231},
@@ -31,7 +31,7 @@ TEST(Involute, known_values) {
                                    {0.47123889803846898577, 0.038286551455959824744},
                                    {0.78539816339744830962, 0.21460183660255169038},
                                    {1.3962634015954636615, 4.2750184180222458695}}) {
-    // The last line's input is rounded too: relative condition α tan²α/inv α ≤ 11.
+    // The input of the last line is rounded too. Its relative condition is α tan²α/inv α ≤ 11.
     EXPECT_NEAR(involute(alpha), inv, 16 * kEps * inv) << alpha;
     EXPECT_EQ(involute(-alpha), -involute(alpha));
   }
@@ -74,8 +74,8 @@ TEST(Involute, inverse_known_values) {
   EXPECT_EQ(inverse_involute(0.0), 0.0);
 }
 
-// α → inv α → α: the way back divides by inv'/… = tan²α, so what inv rounds by 16 ε comes back as
-// 16 ε inv/(tan²α) ≤ 16 ε α/3 · … for small α, less above.
+// α → inv α → α: the inverse divides by inv'/… = tan²α, so an error of 16 ε in inv becomes 16 ε
+// inv/(tan²α) ≤ 16 ε α/3 · … for small α, and less above.
 TEST(Involute, inverse_undoes_it) {
   for (double alpha = 1e-8; alpha < 1.55; alpha *= 1.07) {
     EXPECT_NEAR(inverse_involute(involute(alpha)), alpha, 16 * kEps * alpha) << alpha;

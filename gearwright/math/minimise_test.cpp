@@ -1,4 +1,4 @@
-// What a function that is minimised throws reaches who called, through the library's C.
+// An exception thrown by the minimised function passes through the C library to the caller.
 #include "gearwright/math/minimise.hpp"
 
 #include <gtest/gtest.h>

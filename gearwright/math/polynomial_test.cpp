@@ -1,4 +1,4 @@
-// Roots of polynomials that were made from their roots.
+// Roots of polynomials that were constructed from known roots.
 #include "gearwright/math/polynomial.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Polynomial, finds_all_roots_in_order) {
   const std::vector<double> found = polynomial_roots(from_roots(wanted), -1.0, 1.0);
   ASSERT_EQ(found.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    // Conditioning: Σ|c_i||x|^i ε/|p'|; the closest two are 1/8 apart, p' ≥ 0.04.
+    // The conditioning is Σ|c_i||x|^i ε/|p'|. The closest two are 1/8 apart, p' ≥ 0.04.
     EXPECT_NEAR(found[i], wanted[i], 100 * std::numeric_limits<double>::epsilon());
   }
 }
@@ -62,7 +62,8 @@ TEST(Polynomial, degenerate_ones) {
             std::vector<double>{0.5});
 }
 
-// Bisected until two neighbouring doubles bracket it: the value changes its sign within one ulp.
+// Bisection ends when two neighbouring doubles bracket the root, so the value changes its sign within
+// one ulp.
 TEST(Polynomial, brackets_to_neighbouring_doubles) {
   const std::vector<double> c{-2.0, 0.0, 1.0};  // √2
   const std::vector<double> found = polynomial_roots(c, 0.0, 2.0);

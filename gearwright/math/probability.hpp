@@ -29,7 +29,7 @@ double beta_cdf(double x, double p, double q);
 /// B⁻¹(u; p, q).
 ///
 /// Domain    p > 0, q > 0, 0 ≤ u ≤ 1 (contract)
-/// Accuracy  |I_x(p, q) − u| < 1e-11 u, but for the rounding of an x near 1
+/// Accuracy  |I_x(p, q) − u| < 1e-11 u, except for the rounding of an x near 1
 double beta_quantile(double u, double p, double q);
 
 /// t_ν(u).

@@ -1,4 +1,5 @@
-// A solver that says why it stopped: every reason, and what each costs.
+// The solver returns its reason for stopping. The tests cover each reason and its number of
+// evaluations.
 #include "gearwright/math/root.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ TEST(Root, closes_its_bracket_on_a_simple_root) {
   EXPECT_LE(std::abs(root.residual), 4 * std::numeric_limits<double>::epsilon());
 }
 
-// Work counter: TOMS 748 needs 6 to 9 evaluations for a smooth root, and two ends twice.
+// TOMS 748 needs 6 to 9 evaluations for a smooth root, and both ends are evaluated twice.
 TEST(Root, work_on_smooth_functions) {
   int calls = 0;
   const Root root = find_root([&](double x) { return ++calls, std::exp(x) - 2.0; }, 0.0, 1.0);
@@ -48,7 +49,7 @@ TEST(Root, without_a_bracket_it_solves_nothing_and_says_so) {
   EXPECT_EQ(root.residual, 1.25);
 }
 
-// Flat at the root: the bracket closes where rounding has taken the sign.
+// The function is flat at the root, so the bracket closes where rounding determines the sign.
 TEST(Root, a_triple_root_ends_all_the_same) {
   const Root root = find_root([](double x) { return (x - 0.3) * (x - 0.3) * (x - 0.3); }, 0.0, 1.0);
   EXPECT_TRUE(root.found());
@@ -56,7 +57,7 @@ TEST(Root, a_triple_root_ends_all_the_same) {
   EXPECT_LE(root.evaluations, 260);
 }
 
-// TOMS 748 alone circles here, two ulp from an end of its bracket.
+// TOMS 748 alone cycles here, two ulp from an end of its bracket.
 TEST(Root, closes_the_last_ulps_by_halving) {
   const double sigma = std::acos(-1.0) / 4;
   int found = 0;

@@ -78,7 +78,7 @@ std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
 double unit_interval(std::uint32_t bits) { return (bits + 0.5) / 4294967296.0; }
 
 double random_unit(std::uint64_t key, std::uint64_t n) {
-  // The last of 53 bits is set, so the results are neither 0 nor 1 after rounding.
+  // The last of the 53 bits is set, so the results are neither 0 nor 1 after rounding.
   return (static_cast<double>(hash64(key ^ n) >> 12U) + 0.5) * 0x1p-52;
 }
 

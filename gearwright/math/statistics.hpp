@@ -22,14 +22,15 @@ struct Moments {
 /// Domain    n ≥ 1 (contract)
 Moments moments(std::span<const double> samples);
 
-/// The value below which a share p of the sorted samples lies, between two of them by a straight line.
+/// The value below which a share p of the sorted samples lies, interpolated linearly between two of
+/// them.
 ///
 /// Formula   at the place 1 + p (n − 1), type 7 of Hyndman and Fan
 /// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
 double quantile(std::span<const double> sorted, double p);
 
-/// Ranks of sorted samples, from 1 on, between which the p-quantile lies. None: the samples are too
-/// few for a bound on that side.
+/// Ranks of sorted samples, from 1 on, between which the p-quantile lies. There is none if the samples
+/// are too few for a bound on that side.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
@@ -70,7 +71,7 @@ struct SobolIndices {
 };
 
 /// Jansen's estimates from n evaluations each of f at A, at B, and at A with the columns of each group
-/// from B. None: the variance is at most `least_variance`, or a value is not a number.
+/// from B. There are none if the variance is at most `least_variance` or a value is not a number.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, as many in each (contract)

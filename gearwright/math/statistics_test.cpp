@@ -1,6 +1,6 @@
-// Golden: tests/oracle/sampling.json and closed forms. Laws: (1) moments do not change where a constant
-// is added, but for the mean   (2) one replicate has no error   (3) an additive function has first and
-// total indices that are equal.
+// Golden: tests/oracle/sampling.json and closed forms. Laws: (1) adding a constant changes no moment
+// except the mean (2) one replicate has no error   (3) an additive function has first and total indices
+// that are equal.
 #include "gearwright/math/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,8 @@ TEST(Statistics, RanksAreThoseOfTheBinomialDistribution) {
     EXPECT_EQ(*ranks.lower, c["expected"]["ranks"][i][0]);
     EXPECT_EQ(*ranks.upper, c["expected"]["ranks"][i][1]);
   }
-  // 0.95^72 < 0.025 < 0.95^71: only from 72 samples on does one lie above the 95 % point for sure.
+  // 0.95^72 < 0.025 < 0.95^71: only with 72 samples or more does one lie above the 95 % point with that
+  // confidence.
   EXPECT_FALSE(quantile_ranks(71, 0.95, 0.95).upper);
   EXPECT_TRUE(quantile_ranks(72, 0.95, 0.95).upper);
   EXPECT_FALSE(quantile_ranks(71, 0.05, 0.95).lower);
@@ -71,7 +72,7 @@ TEST(Statistics, ReplicatesGiveTheError) {
   EXPECT_FALSE(estimate(std::vector{2.0}).standard_error);
 }
 
-// f of n scrambled points at A, B and A with one column of B each; one replicate.
+// Evaluates f at n scrambled points of A, of B, and of A with one column of B each, in one replicate.
 template <class F>
 std::optional<SobolIndices> indices_of(const F& f, std::uint32_t n, int replicate) {
   constexpr int d = 3;
@@ -104,7 +105,8 @@ TEST(Statistics, IndicesOfIshigamisFunction) {
     return std::sin(at(0)) + 7 * std::sin(at(1)) * std::sin(at(1)) +
            0.1 * x3 * x3 * std::sin(at(0));
   };
-  // Of theory page 14: n = 4096, 8 replicates, the same points and estimators by another program.
+  // The values are from theory page 14: n = 4096, 8 replicates, with the same points and estimators in
+  // another program.
   const std::array<double, 3> first{0.31337, 0.44010, -0.00177}, total{0.55817, 0.44227, 0.24428};
   for (int j = 0; j < 3; ++j) {
     std::vector<double> s, s_t;

@@ -1,4 +1,5 @@
-// The closed forms of a circular-arc contact: laws that no table has. Values: tests/golden.
+// The closed forms of a circular-arc contact: laws that no table contains. tests/golden compares
+// values.
 #include "gearwright/pair/arc_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ ArcMeshInput mesh(double change = 0.0) {
   return in;
 }
 
-// [T7.9]: at the reference distance sin θ = (b_P − b_F)/(ρ_P − ρ_F), and nothing is ahead.
+// [T7.9]: at the reference distance sin θ = (b_P − b_F)/(ρ_P − ρ_F), and neither gear is ahead.
 TEST(ArcContact, nominal) {
   const ArcMeshInput in = mesh();
   const auto theta = contact_angle(in);
@@ -55,7 +56,8 @@ TEST(ArcContact, parallel_surfaces_touch_alike) {
   }
 }
 
-// Both centres moved along the datum line: the contact comes so much earlier, nothing else.
+// If both centres move along the datum line, the contact comes earlier by that amount and is otherwise
+// unchanged.
 TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   ArcMeshInput in = mesh(0.05);
   const ArcContact at = arc_contact(in, *contact_angle(in));
@@ -64,11 +66,11 @@ TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   const ArcContact moved = arc_contact(in, *contact_angle(in));
   EXPECT_EQ(moved.theta, at.theta);
   EXPECT_NEAR(at.point.z() - moved.point.z(), 0.3 / std::cos(in.lead_angle.rad()), 1e-12);
-  // The hollow flank follows by its own pitch: what one gear is late the other is too.
+  // The concave flank follows by its own pitch, so both gears are late by the same amount.
   EXPECT_NEAR(moved.rotation_offset.rad(), at.rotation_offset.rad(), 1e-15);
 }
 
-// [T7.17] is what the exact angle tends to.
+// The exact angle tends to [T7.17].
 TEST(ArcContact, small_changes_are_of_first_order) {
   for (const double change : {1e-4, -1e-4, 1e-6}) {
     const ArcMeshInput in = mesh(change);
@@ -85,7 +87,7 @@ TEST(ArcContact, there_is_none_where_the_arcs_have_no_common_normal) {
 }
 
 // Two gears cut by one and the same rack are in line contact: their transverse profiles obey the
-// Euler-Savary equation [T7.10], and across the line the surfaces part.
+// Euler-Savary equation [T7.10], and across the line the surfaces separate.
 TEST(ArcContact, one_rack_for_both_gears_means_line_contact) {
   for (const double b : {-0.5, 0.0, 0.9, 2.4}) {
     for (const double theta : {0.2, 0.5, 0.9}) {
@@ -106,7 +108,7 @@ TEST(ArcContact, one_rack_for_both_gears_means_line_contact) {
   }
 }
 
-// K is that of the surface: differences of normals along it.
+// K equals the curvature of the surface, computed by differences of its normals.
 TEST(ArcContact, curvature_is_the_change_of_the_normal) {
   const double rho = 7.0, b = 1.2, a = 2.0, lambda = 70 * kDegree, r = 53.0;
   const double s = std::sin(lambda), c = std::cos(lambda);

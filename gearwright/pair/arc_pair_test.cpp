@@ -1,5 +1,5 @@
 // Mounted circular-arc pairs: contacts that lie on both gears, roles and hands exchanged,
-// clearances, and what keeps two gears apart.
+// clearances, and the reasons why two gears cannot mesh.
 #include "gearwright/pair/arc_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ ArcPair mounted(const CylindricalSpec& s_1, const CylindricalSpec& s_2,
   return testing::taken(mount_arcs(made(s_1), made(s_2), a));
 }
 
-// How far a point of the housing is from the gear's leading flank that holds the normal angle θ, at
-// rotation `turned`: the flank's own point at θ, on whichever tooth is nearest.
+// The distance of a point of the housing from the gear's leading flank that holds the normal angle θ,
+// at rotation `turned`: the flank's own point at θ, on whichever tooth is nearest.
 double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContact& contact,
                          double turned) {
   const Gear& gear = pair.gears[i];
@@ -121,7 +121,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_NEAR(pair.tip_clearance[1], 0.30 * 4, 1e-12);
   EXPECT_NEAR(pair.backlash_normal, 0.0, 1e-12);
   EXPECT_TRUE(pair.warnings.empty());
-  // Thinner teeth have play: each allowance along the datum line, its normal part at θ.
+  // Thinner teeth cause backlash: each allowance along the datum line, its normal part at θ.
   auto F = spec_of(rack_of(Cutter::F), 15, 18);
   auto P = spec_of(rack_of(Cutter::P), 40, -18);
   F.thickness_allowance = -0.06;
@@ -129,7 +129,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_NEAR(mounted(F, P).backlash_normal, 0.10 * std::cos(kPi / 6), 1e-5);
 }
 
-// Two points on each tooth: a face that is too narrow for one of them is wide enough for both.
+// With two points on each tooth, a face that is too narrow for one point alone is wide enough for both.
 TEST(ArcPair, double_arcs_need_less_face) {
   const DoubleArcRack rack = *gbt12759_rack(4.0);
   auto s_1 = spec_of(rack, 18, 22), s_2 = spec_of(rack, 50, -22);
@@ -215,8 +215,8 @@ TEST(ArcPair, the_range_of_centre_distances_named_is_the_range) {
   EXPECT_FALSE(mount_arcs(made(F), made(P), a_d + to_end + 1e-3));
 }
 
-// Gears of one lead: the least gap of their sections is that of the point of contact, which closed
-// forms give.
+// If the gears have equal leads, the least gap of their sections is that of the contact point, which
+// has a closed form.
 TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
   for (const double more : {-0.02, 0.0, 0.01, 0.03}) {
     CylindricalSpec one = spec_of(rack_of(Cutter::F), 12, 15.0);
@@ -234,7 +234,7 @@ TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
   }
 }
 
-// A tip that reaches into the mating fillet above its root circle has no name of its own.
+// If a tip enters the mating fillet above its root circle, the collision has no name of its own.
 TEST(ArcPair, an_overlap_is_said) {
   int overlaps = 0;
   for (double longer = 0.0; longer < 4.0; longer += 0.05) {

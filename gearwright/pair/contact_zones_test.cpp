@@ -1,4 +1,5 @@
-// Zones follow each other without a gap; their pairs are the contact ratio, rounded either way.
+// Zones follow each other without a gap. The number of pairs in each is the contact ratio rounded up or
+// down.
 #include "gearwright/pair/contact_zones.hpp"
 
 #include <gtest/gtest.h>

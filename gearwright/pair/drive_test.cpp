@@ -1,5 +1,6 @@
-// What a drive asks of its housing: the axial force against the force along the contact normal, the
-// face for a contact ratio and the growth of the backlash against the pair mounted so.
+// The requirements of a drive on its housing. The axial force is compared with the force along the
+// contact normal, and the face width for a contact ratio and the growth of the backlash are compared
+// with a pair mounted in that way.
 #include "gearwright/pair/drive.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   }
 }
 
-// [T6.14]: with that face the total contact ratio is the one asked for.
+// [T6.14]: with that face the total contact ratio is the requested one.
 TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
   auto sample = testing::involutes(20, 41, 15);
   const double total = 2.7;

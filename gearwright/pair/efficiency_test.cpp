@@ -1,4 +1,5 @@
-// Efficiency against the textbook's loss factor, against plain quadrature, and where screws lock.
+// Efficiency against the textbook's loss factor, against plain quadrature, and the limit of
+// self-locking.
 #include "gearwright/pair/efficiency.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,8 @@ TEST(Efficiency, closed_integrals_are_the_integrals) {
     }
     const double v_n = in.gears[0].radius * std::cos(in.gears[0].helix_angle);
     const SlidingShares s = sliding_shares(in, m);
-    // A spur pair's sliding turns about at C: the midpoint rule misses a jump within one step.
+    // The sliding of a spur pair changes its sign at C, and the midpoint rule misses a jump within one
+    // step.
     const double tolerance = m.crossed ? 1e-7 : 3e-5;
     EXPECT_NEAR(s.first, sum[0] / weight / v_n, tolerance);
     EXPECT_NEAR(s.second, sum[1] / weight / v_n, tolerance);
@@ -75,7 +77,7 @@ TEST(Efficiency, closed_integrals_are_the_integrals) {
 }
 
 // Close to the textbook's screw formula cos(β_2 + ρ′) cos β_1/(cos(β_1 − ρ′) cos β_2), tan ρ′ =
-// μ/cos α_n, which looks at the pitch point alone.
+// μ/cos α_n, which considers the pitch point alone.
 TEST(Efficiency, of_screws_is_near_the_pitch_points) {
   const auto in = screws(0.9, 0.6, 9, 15);
   const auto e = efficiency(sliding_shares(in, mesh_of(in)), 0.05);

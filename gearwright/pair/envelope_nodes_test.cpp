@@ -1,4 +1,4 @@
-// Nodes of envelopes whose radius is written down.
+// Nodes of envelopes whose radius is given by a formula.
 #include "gearwright/pair/envelope_nodes.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 std::vector<EnvelopeNode> list(const EnvelopeNodes& nodes) { return {nodes.begin(), nodes.end()}; }
 
-// Between nodes that are joined the radius runs one way; how often it turns is the test's to say.
+// Between joined nodes the radius is monotone. Each test gives the number of its extremes.
 template <class At>
 void expect_one_way(const At& at, const std::vector<EnvelopeNode>& nodes) {
   constexpr int kLooks = 200;
@@ -44,7 +44,7 @@ TEST(EnvelopeNodes, end_where_the_envelope_ends_and_stand_where_it_turns) {
   EXPECT_NEAR(nodes[6].u, kEnd, 1e-13);
 }
 
-// All of it within an eighth of the arc, at whose ends there is none.
+// The whole envelope lies within an eighth of the arc, and there is none at the ends of that eighth.
 TEST(EnvelopeNodes, find_an_envelope_between_two_looks) {
   const auto at = [](double u) {
     const double off = u - 0.31;

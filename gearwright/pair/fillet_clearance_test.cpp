@@ -50,7 +50,7 @@ double scanned(const ParallelPair& p) {
     for (const double side : {-1.0, 1.0}) {
       const double angle = std::numbers::pi + turn_2 + side * theta;
       const Vec2 c(p.center_distance + rho * std::cos(angle), rho * std::sin(angle));
-      // Into the frame of gear 1's tooth that stands half a pitch beside the space.
+      // Into the frame of gear 1's tooth that is half a pitch beside the space.
       const double back = -turn_1 + std::numbers::pi / z1;
       const Vec2 q(c.x() * std::cos(back) - c.y() * std::sin(back),
                    c.x() * std::sin(back) + c.y() * std::cos(back));
@@ -86,7 +86,7 @@ TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
   EXPECT_LT(last, 0.0);
 }
 
-// Two equal gears: what one does to the other, the other does to the one.
+// With two equal gears, both clearances are equal.
 TEST(FilletClearance, equal_gears_have_equal_clearances) {
   const ParallelPair p = mounted(filleted(30, 0.1), filleted(30, 0.1), 60.3);
   EXPECT_EQ(*fillet_clearance(p, 1), *fillet_clearance(p, 2));

@@ -1,4 +1,4 @@
-// How fast the contact runs over each flank, against the velocities of the turning gears at the
+// The speed of the contact over each flank, compared with the velocities of the turning gears at the
 // point.
 #include <gtest/gtest.h>
 
@@ -26,9 +26,8 @@ InvolutePair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double 
   return testing::taken(mount_as<InvolutePair>(*one, *two, place));
 }
 
-// The contact moves along the common normal n with v_n, the material of gear i with ω_i × r: what
-// the flank sees is the difference. Gear 1 turns clockwise by one radian, gear 2 about its own
-// axis.
+// The contact moves along the common normal n with v_n, the material of gear i with ω_i × r. The speed
+// over the flank is the difference. Gear 1 turns clockwise by one radian, gear 2 about its own axis.
 TEST(FlankSpeeds, are_those_of_the_contact_over_the_turning_gears) {
   struct Case {
     int z1, z2;

@@ -1,5 +1,5 @@
-// The gap of two outlines: half the backlash where involutes meet involutes, and what juts out
-// where something does.
+// The gap of two outlines: half the backlash where involutes meet involutes, and the gap of a
+// projecting part if there is one.
 #include "gearwright/pair/outline_gap.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ OutlineGap gap_at_backlash_free_distance(const Gear& one, const Gear& two) {
   return gap_of(mounted(one, two, *p.backlash_free_center_distance));
 }
 
-// The path of contact is that of involutes, and nothing else comes nearer.
+// The path of contact is that of the involutes, and no other part comes nearer.
 TEST(OutlineGap, is_half_the_backlash_of_involutes) {
   const double m = 2.0;
   struct Case {
@@ -71,8 +71,8 @@ TEST(OutlineGap, is_half_the_backlash_of_involutes) {
   }
 }
 
-// The tip fillet of a wheel cut by a pinion of ten teeth stands out beyond its involute, since
-// those teeth are undercut; along the circle of the flank of gear 1 that is 8.54 and 39.95 µm.
+// The tip fillet of a wheel cut by a pinion of ten teeth projects beyond its involute, since those
+// teeth are undercut; along the circle of the flank of gear 1 that is 8.54 and 39.95 µm.
 TEST(OutlineGap, a_tip_that_bulges_overlaps_the_flank) {
   for (const auto& [shift, depth] : {std::pair{0.0, 8.0247e-3}, {-0.3, 37.538e-3}}) {
     CylindricalSpec cutter = spec(10, 2.5, shift);
@@ -107,7 +107,8 @@ TEST(OutlineGap, a_ring_whose_cutter_was_undercut_overlaps_its_pinion) {
               1e-6);
 }
 
-// Free in the middle of the play, not at its ends: of 22.6 µm on each side 2.2 are none.
+// The gears are free in the middle of the play, but not at its ends: 2.2 of the 22.6 µm on each side
+// are not usable.
 TEST(OutlineGap, the_true_play_is_less_than_that_of_the_flanks) {
   CylindricalSpec one = spec(22, 0.5, -0.01, -12.0);
   one.normal_pressure_angle = Angle::degrees(22.5);
@@ -143,8 +144,8 @@ TEST(OutlineGap, a_wheel_cut_by_its_pinion_and_mounted_further_apart_has_less_pl
   EXPECT_EQ(least->places[1].arc, ArcName::tip_fillet);
 }
 
-// A gear that its mating gear has cut touches it everywhere, at no play: nothing less, nothing
-// more.
+// A gear that its mating gear has cut touches it everywhere without backlash, and no gap is smaller or
+// larger.
 TEST(OutlineGap, a_gear_touches_what_it_has_cut) {
   const Gear cutter = made(spec(20, 2.5, 0.2));
   const auto distance = generating_distance(cutter, 33, 0.1);
@@ -153,7 +154,7 @@ TEST(OutlineGap, a_gear_touches_what_it_has_cut) {
   EXPECT_NEAR(gap.least()->gap, 0.0, 1e-12);
 }
 
-// What is not asked for costs nothing: the gaps below the limit are the same.
+// The limit saves work, and the gaps below it are unchanged.
 TEST(OutlineGap, the_limit_leaves_what_lies_below_it) {
   CylindricalSpec cutter = spec(10, 2.5);
   cutter.straight_rack().addendum = 1.25;
@@ -163,7 +164,7 @@ TEST(OutlineGap, the_limit_leaves_what_lies_below_it) {
   EXPECT_LT(some.evaluations, all.evaluations);
 }
 
-// Work of a plain pair: the numbers of gaps asked, which no machine changes.
+// The number of gaps evaluated for a plain pair, which is equal on every machine.
 TEST(OutlineGap, a_plain_pair_asks_for_few_gaps) {
   const InvolutePair p = mounted(made(spec(20, 2.0)), made(spec(40, 2.0)), 60.1);
   EXPECT_LE(gap_of(p, half_play(p)).evaluations, 250);

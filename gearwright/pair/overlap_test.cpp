@@ -1,5 +1,5 @@
-// Overlap, contact beyond the flanks and the free play of mounted pairs: what names of circles and
-// corners did not see, and what they cried though nothing overlapped.
+// Overlap, contact beyond the flanks and the free play of mounted pairs, including collisions that the
+// tests of circles and corners miss and false alarms of those tests.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   EXPECT_EQ(p.interference[0].code, WarningCode::overlap);
   EXPECT_TRUE(warns(p, WarningCode::overlap));
   EXPECT_LT(p.free_play->rad(), 0.0);
-  // The remedy that is named helps.
+  // The named remedy removes the collision.
   CylindricalSpec cutter = spec(10, 2.5);
   cutter.straight_rack().addendum = 1.25;
   const Gear shorter = cut(made(cutter), 60, 0.0, wheel.tip_bulge->from_diameter);
@@ -61,7 +61,7 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   EXPECT_TRUE(mounted(made(spec(20, 2.5)), shorter, 100.0).overlap->empty());
 }
 
-// With its own cutter the same tip meets nothing but what it was made for.
+// With its own cutter as mating gear, the same tip does not collide.
 TEST(Overlap, a_wheel_runs_with_the_pinion_that_cut_it) {
   CylindricalSpec one = spec(20, 2.5, 0.6);
   one.straight_rack().protuberance = 0.02;
@@ -72,7 +72,7 @@ TEST(Overlap, a_wheel_runs_with_the_pinion_that_cut_it) {
   const InvolutePair p = mounted(pinion, wheel, e);
   EXPECT_TRUE(p.overlap->empty());
   EXPECT_TRUE(p.beyond_flank.empty());
-  // Further apart there is play, but the tip strikes before the flanks do.
+  // At a greater distance there is backlash, but the tip touches before the flanks do.
   const InvolutePair apart = mounted(pinion, wheel, 61.0);
   EXPECT_TRUE(apart.overlap->empty());
   ASSERT_EQ(apart.beyond_flank.size(), 1U);

@@ -1,4 +1,4 @@
-// Any two gears mounted: of which kind the pair is, and what does not go together.
+// Mounting any two gears: the kind of the pair, and combinations that are rejected.
 #include "gearwright/pair/pair.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 using namespace literals;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
 static_assert(!std::is_constructible_v<InvolutePair, MountedGears>);
 static_assert(!std::is_constructible_v<ArcPair, MountedGears>);
 static_assert(!std::is_constructible_v<ParallelPair, InvolutePair>);
@@ -30,8 +30,8 @@ static_assert(!std::is_constructible_v<CrossedPair, InvolutePair>);
 static_assert(!std::is_constructible_v<MountedGears, double>);
 static_assert(!std::is_constructible_v<Pair, Gear>);
 
-// Kinds are types. What is about parallel axes alone takes no other pair, and a number without a
-// unit is no angle: {.shaft_angle = 90} does not compile.
+// Kinds are types. A function for parallel axes accepts no other pair. A number without a unit is not
+// an angle, so {.shaft_angle = 90} does not compile.
 static_assert(std::is_invocable_v<decltype(axial_force), const ParallelPair&>);
 static_assert(!std::is_invocable_v<decltype(axial_force), const CrossedPair&>);
 static_assert(!std::is_invocable_v<decltype(face_width_needed), const CrossedPair&>);
@@ -87,12 +87,13 @@ TEST(Mount, two_involute_gears_are_an_involute_pair) {
   EXPECT_EQ(pair->gear(2).spec.teeth, 40);
   EXPECT_EQ(pair->gear_ratio(), 2.0);
   EXPECT_EQ(pair->contact_ratio(), pair->involute()->contact_ratio());
-  // No distance given: free of backlash.
+  // Without a given distance, the pair is free of backlash.
   EXPECT_NEAR(pair->center_distance(), *pair->involute()->backlash_free_center_distance, 1e-12);
   EXPECT_NEAR(pair->involute()->mesh.backlash.normal, 0.0, 1e-12);
 }
 
-// No place given, and no parallel axes possible: that of the least distance.
+// Without a given place, and if parallel axes are impossible, the pair has the shaft angle of the least
+// distance.
 TEST(Mount, helices_of_one_hand_cross) {
   const auto pair = mount(gear(20, StraightRack{}, 45_deg), gear(30, StraightRack{}, 45_deg));
   ASSERT_TRUE(pair) << pair.error().message();

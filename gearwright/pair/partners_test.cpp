@@ -1,4 +1,4 @@
-// Who meshes with whom, and what is said when they do not.
+// Which gears can mesh, and the error message if they cannot.
 #include "gearwright/pair/partners.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
@@ -35,7 +35,7 @@ TEST(Partners, crossed_axes_need_an_angle_within_reach) {
   EXPECT_EQ(refused(spec(20, -45_deg), spec(30, -45_deg), -90_deg), "");
   EXPECT_TRUE(has(refused(spec(20, 45_deg), spec(30, -45_deg), 90_deg), "parallel"));
   EXPECT_TRUE(has(refused(spec(20, 45_deg), spec(30, 45_deg), 0_deg), "-45"));
-  // A spur gear goes with a helical one, at that one's helix.
+  // A spur gear meshes with a helical gear at a shaft angle equal to its helix angle.
   EXPECT_EQ(refused(spec(20, 0_deg), spec(30, 30_deg), 30_deg), "");
   EXPECT_TRUE(has(refused(spec(20, 0_deg), spec(30, 0_deg), 30_deg), "0 is allowed"));
 }

@@ -138,8 +138,8 @@ TEST(MinDistanceSeries, golden_values) {
   }
 }
 
-// The least distance itself by halving, from nothing but sin α_t = sin α_n/cos β_b and the sum of
-// the involutes; shaft angle and distance of the pitch cylinders follow.
+// The least distance itself by halving, from sin α_t = sin α_n/cos β_b and the sum of the involutes;
+// shaft angle and distance of the pitch cylinders follow.
 template <class T>
 struct Solved {
   T alpha, a, Sigma;
@@ -243,7 +243,7 @@ TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
         EXPECT_NEAR(order(a[n - 1][0], a[n - 1][1]), n + 2, 0.01) << what << n;
       if (crossed) {
         EXPECT_NEAR(order(Sigma[0], Sigma[1]), 2, 0.01) << what;
-      } else {  // parallel axes stay so
+      } else {  // parallel axes stay parallel
         EXPECT_EQ(Sigma[0], 0) << what;
       }
       if (shape.beta1 == 0) {  // the virtual pair is the pair
@@ -328,7 +328,7 @@ TEST(MinDistanceSeries, no_virtual_pair_without_backlash_is_nothing) {
 }
 
 // (1) doubling the module doubles the distance and leaves the angles, exactly
-// (2) the mirror image has the opposite shaft angle and nothing else new
+// (2) the mirror image has the opposite shaft angle and otherwise the same values
 // (3) the gears may change places
 TEST(MinDistanceSeries, laws) {
   for (const Golden& g : golden()) {

@@ -1,4 +1,4 @@
-// Shifts and centre distance: each follows from the other, and back.
+// Shifts and centre distance: each is computed from the other and back.
 #include "gearwright/pair/shift.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,8 @@ TEST(Shift, more_shift_moves_external_axes_apart_and_internal_ones_together) {
     EXPECT_LT(tight_center_distance(17, -43, 2.0, kAlpha, kAlpha, 1.0, sum), 26.0);
     EXPECT_EQ(extended_center_distance(17, 43, 2.0, 1.0, sum), 60.0 + 2.0 * sum);
     EXPECT_EQ(extended_center_distance(17, -43, 2.0, 1.0, sum), 26.0 - 2.0 * sum);
-    // Free of backlash they stand closer than the racks would: the tip clearance shrinks.
+    // Free of backlash, the gears are closer than their racks would be, so the tip clearance is
+    // smaller.
     EXPECT_LT(tight_center_distance(17, 43, 2.0, kAlpha, kAlpha, 1.0, sum), 60.0 + 2.0 * sum);
   }
 }
@@ -83,7 +84,8 @@ TEST(Shift, one_shift_follows_from_the_distance) {
   EXPECT_NEAR(solved(other).x1, 0.2, 1e-15 * 10);
 }
 
-// Both wanted: Eq. 11 gives the pinion the more of it; it is symmetric in the two gears.
+// If both shifts are computed, Eq. 11 gives the larger share to the pinion. It is symmetric in the two
+// gears.
 TEST(Shift, both_follow_from_the_distance) {
   ShiftProblem p = spur_problem(17, 43);
   p.center_distance = 61.0;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kDeg = std::numbers::pi / 180;
 
 // Example 1 of Litvin and Tsay, inch: pitch radii from a lead angle of 65°, teeth from one of 75°,
-// as the paper's numbers have it.
+// as in the paper's numbers.
 ArcMeshInput example_1() {
   ArcMeshInput in{};
   in.convex = {0.7, 0.21121778264910707, 0.12194664367009782};
@@ -36,7 +36,7 @@ TEST(ToolSetting, example_1_of_the_paper) {
   EXPECT_NEAR(exact, -0.0209789493999995, 1e-14);
   displaced.convex.b += exact;
   EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0, 1e-10);
-  // The paper's first order misses by this much.
+  // The error of the paper's first-order formula.
   displaced.convex.b = in.convex.b - 0.021;
   EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0185, 5e-5);
 }
@@ -71,13 +71,13 @@ TEST(ToolSetting, thickness_is_that_of_the_moved_arc) {
   EXPECT_GT(thickness_change(arc, Angle::radians(theta), delta), 0.0);  // less b, thicker
 }
 
-// [T8.23]: how far gear 2 is ahead with changed settings, exactly, and its backlash to the first
-// order, which depends on Δb_F − Δb_P + ΔC alone.
+// [T8.23]: the exact lead of gear 2 with changed settings, and its backlash to first order, which
+// depends on Δb_F − Δb_P + ΔC alone.
 TEST(ToolSetting, what_changed_settings_do) {
   const ArcMeshInput in = example_1();
   const double r_2 = in.pitch_radius_concave, c_0 = in.center_distance;
   const double sin_lambda = std::sin(in.lead_angle.rad()), tan_0 = std::tan(30 * kDeg);
-  // The teeth of the example are not quite of its pitch radii: what is ahead before any change.
+  // The teeth of the example do not quite match its pitch radii. This is the lead before any change.
   const Angle before = arc_contact(in, *contact_angle(in)).rotation_offset;
   for (const double b_f : {-2e-4, 0.0, 3e-4}) {
     for (const double b_p : {-1e-4, 2e-4}) {

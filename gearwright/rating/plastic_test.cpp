@@ -1,6 +1,6 @@
 // Plastics by VDI 2736, by hand: a spur pair of module 1 whose numbers follow from a few lines.
-// Laws: (1) doubled torque doubles σ_F and the warmth; (2) gears exchanged, the same numbers; (3) warm
-// teeth bear less.
+// Laws: (1) doubled torque doubles σ_F and the warmth; (2) exchanging the gears does not change the
+// numbers; (3) warm teeth have less strength.
 #include "gearwright/rating/plastic.hpp"
 
 #include <gtest/gtest.h>

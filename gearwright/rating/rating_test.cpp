@@ -16,7 +16,7 @@ namespace {
 using testing::case_hardened;
 using testing::printed_pair;
 
-// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
 static_assert(!std::is_constructible_v<Rating, RatingEdition>);
 static_assert(!std::is_constructible_v<RatedPair, std::array<RatedGear, 2>>);
 
@@ -306,7 +306,7 @@ TEST(RatingLaws, ExchangedGearsHaveTheSameNumbers) {
   EXPECT_NEAR(a.K_v.value, b.K_v.value, 1e-12);
 }
 
-// More load, more life, rougher flanks, coarser teeth: never safer.
+// More load, longer life, rougher flanks or coarser teeth never increase a safety.
 TEST(RatingLaws, SafetiesFallWithEveryBurden) {
   const RatedPair pair = testing::helical_24_95();
   const RatingInput base = testing::helical_24_95_load();
@@ -339,7 +339,7 @@ TEST(RatingLaws, SafetiesFallWithEveryBurden) {
   no_safer(in);
 }
 
-// What is given is used and said so.
+// Given factors are used, and the result marks them as given.
 TEST(Rating, GivenFactorsStand) {
   RatingInput in = testing::helical_24_95_load();
   in.dynamic_factor = 1.2;

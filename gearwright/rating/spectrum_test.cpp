@@ -1,4 +1,4 @@
-// Load spectra: the plain rating in one step, and what cutting and adding steps may change.
+// Load spectra: the plain rating in one step, and the permitted effect of splitting and adding steps.
 #include "gearwright/rating/spectrum.hpp"
 
 #include <gtest/gtest.h>

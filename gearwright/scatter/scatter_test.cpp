@@ -229,7 +229,7 @@ TEST(Scatter, RandomSamplesHaveRankIntervals) {
   ScatterTask task = task_of({testing::distance(0.02)}, 2, 32, 2);
   task.sampling = Sampling::random;
   const Scatter s = done(setup, task);
-  // 64 samples: too few for an upper bound of the 95 % point.
+  // 64 samples are too few for an upper bound of the 95 % point.
   const auto& p = spread(s, Q::least_play).percentiles;
   EXPECT_FALSE(p[2].upper);
   EXPECT_TRUE(p[2].lower && p[1].lower && p[1].upper);

@@ -1,4 +1,4 @@
-// Many write into one folder at once, and any of them may be killed at any moment.
+// Many processes write into one folder at once, and any of them may be killed at any moment.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

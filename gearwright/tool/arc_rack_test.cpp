@@ -1,4 +1,4 @@
-// The racks F and P by their numbers; the values of the case file are compared in tests/golden.
+// The racks F and P, given by their numbers. tests/golden compares the values of the case file.
 #include "gearwright/tool/arc_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -31,18 +31,19 @@ std::string key_of(const ArcRack& rack) {
   return arcs.error().field;
 }
 
-// Where the two racks touch they share point and normal: F's material ends where P's begins.
+// Where the two racks touch, they share point and normal, so the material of F ends where that of P
+// begins.
 TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   const Angle psi = Angle::degrees(30);
   const RackOfArcs F = *arcs_of(rack_of(Cutter::F)), P = *arcs_of(rack_of(Cutter::P));
   const Vec2 on_F = point_at(F.arcs.back(), psi), on_P = point_at(P.arcs.back(), psi);
   EXPECT_NEAR(on_F.x(), -on_P.x(), 1e-15);           // heights from one pitch plane
-  EXPECT_NEAR(on_F.y(), kPi / 2 - on_P.y(), 1e-15);  // a tooth stands in a space
+  EXPECT_NEAR(on_F.y(), kPi / 2 - on_P.y(), 1e-15);  // a tooth lies in a space
   // The normals of both sides meet on the pitch plane, in the middle.
   EXPECT_NEAR(on_F.y(), on_F.x() / std::tan(psi.rad()), 1e-15);
 }
 
-// With the greatest rounding both sides of the cutter's tip meet, and more does not fit.
+// With the greatest rounding both sides of the cutter's tip meet, and a larger one is rejected.
 TEST(ArcRack, full_radius) {
   for (const Cutter cutter : {Cutter::F, Cutter::P}) {
     ArcRack rack = rack_of(cutter);
@@ -55,7 +56,7 @@ TEST(ArcRack, full_radius) {
   }
 }
 
-// The message names the height at which both flank arcs meet: that addendum is the greatest.
+// The message names the height at which both flank arcs meet, which is the greatest addendum.
 TEST(ArcRack, the_limits_named_are_the_limits) {
   ArcRack F = rack_of(Cutter::F);
   const double top = std::sqrt(F.arc_radius * F.arc_radius - F.center_a * F.center_a) - F.center_b;

@@ -51,7 +51,7 @@ struct DoubleArcDerived {
   Angle concave_end;             ///< δ_2
 };
 
-/// Errors    `rack.step_depth` and so on: the number that allows no such rack
+/// Errors    `rack.step_depth` and so on, naming the number that makes the rack impossible
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
 /// Full-radius tip, concave arc, step, and convex arc up to the point where both sides meet.

@@ -1,4 +1,4 @@
-// Double circular-arc racks: the standard's table closes on itself.
+// Double circular-arc racks: the standard's table is consistent.
 #include "gearwright/tool/double_arc_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 namespace gearwright {
 namespace {
 
-// GB/T 12759-1991, basic rack parameters: the numbers of its table that follow from the others.
+// GB/T 12759-1991, basic rack parameters: those numbers of its table that can be derived from the
+// others.
 struct Row {
   double module, concave_offset, root_radius, step_radius, concave_end_deg;
   double convex_begin_deg;  // 0: not known
@@ -19,11 +20,11 @@ constexpr Row kRows[] = {{2.0, 0.7086, 0.4030, 0.5049, 9 + 25.0 / 60 + 31.0 / 36
                          {12.0, 0.6820, 0.3663, 0.4877, 9 + 0.0 / 60 + 59.0 / 3600, 0.0},
                          {40.0, 0.6455, 0.3520, 0.4858, 8 + 35.0 / 60 + 1.0 / 3600, 0.0}};
 
-// Printed lengths have four decimals, angles seconds; both were rounded from rounded inputs.
+// Printed lengths have four decimals, angles have seconds, and both were computed from rounded inputs.
 constexpr double kPrinted = 1.5e-4;
 constexpr double kPrintedAngle = 2e-3;  // degrees
-// The root radius moves by l_f/(ρ_f − x_f − h_f), 2.6 to 2.8, times the rounding of l_f, 5e-5, and
-// by as much again with those of ρ_f and x_f.
+// The root radius moves by l_f/(ρ_f − x_f − h_f), 2.6 to 2.8, times the rounding of l_f, 5e-5, and by
+// the same amount for the rounding of ρ_f and x_f.
 constexpr double kPrintedRoot = 3e-4;
 
 TEST(DoubleArcRack, the_standards_table_closes) {
@@ -63,7 +64,7 @@ TEST(DoubleArcRack, arcs_follow_each_other) {
     EXPECT_NEAR(point_at(arcs->arcs[1], arcs->arcs[1].end).x(), -rack.step_depth, 1e-15);
     EXPECT_NEAR(point_at(arcs->arcs[3], arcs->arcs[3].begin).x(), rack.step_height, 1e-15);
     EXPECT_NEAR(point_at(arcs->arcs[3], arcs->arcs[3].end).y(), 0.0, 1e-15);
-    // The contact is touched where the table says: same pressure angle on both arcs.
+    // The contact point lies where the table gives it, with the same pressure angle on both arcs.
     const auto d = derived(rack);
     const Vec2 convex = point_at(arcs->arcs[3], rack.pressure_angle);
     const Vec2 concave = point_at(arcs->arcs[1], rack.pressure_angle);

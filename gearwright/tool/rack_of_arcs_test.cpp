@@ -1,5 +1,5 @@
-// Edges of arcs: the laws of cutter_edge.hpp over racks of every kind, joints and corners, and what
-// no edge can be.
+// Edges of arcs: the laws of cutter_edge.hpp for racks of every kind, for joints and corners, and the
+// impossible edges.
 #include "gearwright/tool/rack_of_arcs.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
           const Vec2 begin = on(c, begin_tau), end = on(c, end_tau);
           EXPECT_NEAR((begin - last).norm(), 0.0, 4e-15 * m);  // (1)
           EXPECT_EQ(arc.smooth_start, std::abs(begin_tau - last_tau) < 1e-12);
-          if (!arc.smooth_start) {  // a corner that bulges has its arc
+          if (!arc.smooth_start) {  // a convex corner has an arc
             EXPECT_GT(begin_tau, last_tau);
           }
           EXPECT_GT(end_tau, 0.0);  // (2)
@@ -108,8 +108,8 @@ TEST(RackOfArcs, allowance_thins_the_tooth) {
   EXPECT_NEAR(thin->tip_land_end, full->tip_land_end - 0.05, 1e-15);
 }
 
-// Ends that a drawing rounds are joined; corners of the cutter that bulge get an arc of radius 0,
-// hollow ones none.
+// Ends that differ by the rounding of a drawing are joined. Convex corners of the cutter get an arc of
+// radius 0, concave ones get none.
 TEST(RackOfArcs, joints_and_corners) {
   const auto deg = [](double v) { return Angle::degrees(v); };
   RackOfArcs rack{0.0, 1.0, {}};
@@ -122,7 +122,7 @@ TEST(RackOfArcs, joints_and_corners) {
   rack.arcs = {first, second};
   const auto edge = make_edge(rack, 1.0, 0.0);
   ASSERT_TRUE(edge) << edge.error().message();
-  // The tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
+  // The arcs are the tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
   ASSERT_EQ(edge->arcs.size(), 4u);
   EXPECT_EQ(circle_of(edge->arcs[0]).q, 0.0);
   EXPECT_EQ(edge->arcs[0].cuts, ArcName::root_fillet);
@@ -141,7 +141,7 @@ TEST(RackOfArcs, joints_and_corners) {
 }
 
 TEST(RackOfArcs, half_thickness_where_an_arc_crosses_the_datum_line) {
-  // ρ cos θ − a with sin θ = b/ρ, and from the space's middle for P.
+  // ρ cos θ − a with sin θ = b/ρ, measured from the middle of the space for P.
   EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_F())), std::sqrt(1.4 * 1.4 - 0.0625) - 0.43,
               1e-15);
   EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_P())),
@@ -174,7 +174,7 @@ TEST(RackOfArcs, what_is_no_edge_is_named) {
   EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[1].end = Angle::degrees(100); }), "rack.arcs[2]");
   EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[0].begin = Angle::degrees(0); }), "rack.arcs[1]");
   EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[0].radius = 1e300; }), "rack.arcs[1]");
-  // Both sides overlap: at the cutter's tip, and in the gear's tooth.
+  // The two sides overlap, once at the cutter's tip and once in the gear's tooth.
   EXPECT_EQ(key([](RackOfArcs& r) {
               for (RackArc& arc : r.arcs) arc.center_offset += 0.5;
             }),

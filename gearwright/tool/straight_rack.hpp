@@ -16,13 +16,14 @@
 namespace gearwright {
 
 struct StraightRack {
-  double addendum = 1.0;                      ///< h_aP*  of the gear tooth above the datum line
-  double dedendum = 1.25;                     ///< h_fP*  depth of the cutter
-  double root_fillet_radius = 0.38;           ///< ρ_fP*  the cutter's tip rounding
-  double tip_fillet_radius = 0.0;             ///< ρ_1*   the cutter's bottom rounding
-  std::optional<double> tool_addendum{};      ///< end of the straight flank above the datum line
-  std::optional<Angle> semi_topping_angle{};  ///< pressure angle of a ramp instead of the rounding
-  double protuberance = 0.0;                  ///< pr_P*
+  double addendum = 1.0;                  ///< h_aP*  of the gear tooth above the datum line
+  double dedendum = 1.25;                 ///< h_fP*  depth of the cutter
+  double root_fillet_radius = 0.38;       ///< ρ_fP*  the cutter's tip rounding
+  double tip_fillet_radius = 0.0;         ///< ρ_1*   the cutter's bottom rounding
+  std::optional<double> tool_addendum{};  ///< end of the straight flank above the datum line
+  std::optional<Angle>
+      semi_topping_angle{};   ///< pressure angle of a ramp that replaces the rounding
+  double protuberance = 0.0;  ///< pr_P*
   Angle protuberance_angle = Angle::degrees(10);  ///< α_pr
   bool named = false;  ///< true for ISO 53: a radius that does not fit becomes the full one
 };

@@ -1,5 +1,5 @@
-// The edge of a rack by its numbers: the laws of cutter_edge.hpp over many racks, and every way of
-// being impossible named by its key.
+// The edge of a rack given by its numbers: the laws of cutter_edge.hpp for many racks, and every reason
+// for an impossible edge with the key that causes it.
 #include "gearwright/tool/straight_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -108,8 +108,8 @@ TEST(StraightRack, flank_starts_where_iso_says) {
   EXPECT_FALSE(iso53_rack("iso53-a"));
 }
 
-// The rounding is full when its centre is in the middle of the cutter's tooth: then h_f, α and ρ
-// obey the known formula, and one that is a trifle smaller leaves a tip land.
+// The rounding is a full radius if its centre is in the middle of the cutter's tooth. Then h_f, α and ρ
+// obey the known formula, and a slightly smaller radius leaves a tip land.
 TEST(StraightRack, full_radius) {
   StraightRack rack;
   const double full = full_radius(rack, 20_deg);
@@ -130,8 +130,8 @@ TEST(StraightRack, a_named_radius_that_does_not_fit_becomes_full) {
   EXPECT_EQ(made->edge.tip_land_end, kPi / 2);
 }
 
-// Protuberance: the tip stands proud of the prolonged flank by pr where its normal is that of the
-// flank, whether the proud part is a line or all rounding.
+// The protuberance: the tip projects beyond the extended flank by pr where its normal is that of the
+// flank, whether the projecting part is a line or only the rounding.
 TEST(StraightRack, protuberance_stands_proud) {
   for (const double pr : {0.002, 0.05}) {
     StraightRack rack;
@@ -179,7 +179,8 @@ TEST(StraightRack, what_is_impossible_is_named) {
               r.protuberance_angle = 25_deg;
             }),
             "rack.protuberance_angle");
-  // The proud line of an angle close to the flank's runs past the flank's end.
+  // If the angle of the protuberance is close to that of the flank, its line extends past the end of
+  // the flank.
   EXPECT_EQ(key([](StraightRack& r) {
               r.protuberance = 0.1;
               r.protuberance_angle = 19.5_deg;
@@ -199,7 +200,7 @@ TEST(StraightRack, what_is_impossible_is_named) {
             "rack.semi_topping_angle");
 }
 
-// The greatest value that an error names is one that works.
+// The greatest value that an error names is accepted.
 TEST(StraightRack, the_limits_named_are_the_limits) {
   StraightRack rack;
   rack.root_fillet_radius = full_radius(rack, 20_deg);

@@ -44,7 +44,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << words;
   EXPECT_EQ(severity_of({WarningCode::transverse_contact_ratio, "", 0}), Severity::note);
 
-  // At the width itself contact never stops, a hundredth below it does.
+  // Contact is continuous at this width, but not at a width smaller by 0.01 mm.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
   const ParallelPair narrow = testing::two_and_sixty(3.45);
   ASSERT_LT(narrow.contact_ratio_true(), 1.0);
@@ -56,7 +56,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << too_narrow;
 
   EXPECT_FALSE(face_width_needed(helical_pair()));
-  EXPECT_FALSE(face_width_needed(undercut_pair()));  // spur: no width helps
+  EXPECT_FALSE(face_width_needed(undercut_pair()));  // on a spur pair no width helps
 }
 
 TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
@@ -133,7 +133,7 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
   }
 }
 
-// A clearance of nanometres is no 0.0000 mm.
+// A clearance of nanometres is not printed as 0.0000 mm.
 TEST(Verdict, says_small_clearances_in_micrometres) {
   ParallelPair pair = helical_pair();
   pair.fillet_clearance[0] = 21e-6;

@@ -1,4 +1,5 @@
-// Seeded numbers, the same with every compiler and library: distributions of the standard differ.
+// Seeded random numbers that are the same with every compiler and library, because the standard's
+// distributions differ.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// A limit as a refusal names it: with six digits from afar, with more from near by, and sharp.
+// The limit that an error message names: six digits if the value is far from it, and more if the value
+// is close.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,9 +17,9 @@ inline double number_after(const std::string& text, const std::string& words) {
   return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
 }
 
-/// `refusal(x)` is the sentence that refuses x, empty where x is allowed. What is named from
-/// `beyond` is allowed as it is said, and the limit lies within its six digits; asked from 1e-9
-/// beyond, the sentence has the digits for that. The limit itself, to 1e-12.
+/// `refusal(x)` is the message that rejects x, and it is empty if x is allowed. The value that the
+/// message names when x is `beyond` must be allowed, and it agrees with the limit to six digits. When x
+/// is 1e-9 beyond the limit, the message has enough digits to show that. Returns the limit, to 1e-12.
 inline double named_limit(const std::function<std::string(double)>& refusal, double beyond,
                           const std::string& words) {
   const double limit = number_after(refusal(beyond), words);

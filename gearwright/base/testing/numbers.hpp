@@ -1,4 +1,4 @@
-// Numbers that the tests of many rooms name.
+// Constants used by the tests of many rooms.
 #pragma once
 
 #include <limits>
@@ -10,7 +10,7 @@ namespace gearwright::testing {
 inline constexpr double kDegree = kPi / 180;  ///< rad
 inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 
-/// In digits, since pi_v<long double> of libc++ 14 has a double's bits.
+/// The constant is written in digits, because pi_v<long double> of libc++ 14 has a double's bits.
 inline constexpr long double kLongPi = 3.14159265358979323846264338327950288L;
 
 }  // namespace gearwright::testing

@@ -19,7 +19,7 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code error;  // a test may have taken the right to write from it
+  std::error_code error;  // a test may have removed the write permission
   fs::permissions(path_, fs::perms::owner_all, error);
   fs::remove_all(path_, error);
 }

@@ -1,4 +1,4 @@
-// A folder of a test's own, gone with it: two builds may be tested at once.
+// A temporary folder of one test, removed when the test ends, so that two builds can be tested at once.
 #pragma once
 
 #include <filesystem>

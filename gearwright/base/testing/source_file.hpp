@@ -1,7 +1,7 @@
 // Files of the source tree that tests read: golden cases, tables of oracles, documents.
 //
-// One object knows where the sources lie. No other depends on the folder, so that compilations of
-// two copies of the tree are the same.
+// Only one object file contains the path of the sources, so that compilations of two copies of the tree
+// are the same.
 #pragma once
 
 #include <string>

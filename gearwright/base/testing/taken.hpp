@@ -1,4 +1,4 @@
-// What a Result holds: the test fails with the reason where there is none.
+// Returns the value of a Result. If there is none, the test fails with the reason.
 #pragma once
 
 #include <gtest/gtest.h>

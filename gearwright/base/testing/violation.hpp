@@ -1,5 +1,5 @@
-// A statement that violates a contract: thrown, or in a build that stops at violations the end of a
-// child process.
+// Expects a statement to violate a contract. The violation is thrown, or, in a build that stops at
+// violations, it ends a child process.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The gear of a spec: the test fails with the reason where there is none.
+// Makes the gear of a spec. If there is none, the test fails with the reason.
 #pragma once
 
 #include "gearwright/base/testing/taken.hpp"

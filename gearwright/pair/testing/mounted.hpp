@@ -1,4 +1,4 @@
-// Gears of 20 mm face width, also such as a gear cuts, and involute pairs of them.
+// Gears of 20 mm face width, also gears cut by a pinion cutter, and involute pairs of them.
 #pragma once
 
 #include <optional>
