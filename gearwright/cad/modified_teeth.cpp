@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/cad/walls.hpp"
 
 namespace gearwright {
 
@@ -33,6 +35,7 @@ Vec2 turned_by(const Vec2& v, double angle) {
 Error obstacle(const std::string& why) { return {"modifications", "", why}; }
 
 bool round_land(const Arc& arc) {
+  if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
   const double radius = arc.begin_point.norm();
   for (const double u : {0.25, 0.5, 0.75, 1.0})
     if (std::abs(arc.point(u).norm() - radius) > kRoundLand_mm) return false;
@@ -54,10 +57,27 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   if (first == arcs.begin() || (first - 1)->name != ArcName::root_fillet)
     return obstacle("there is no root fillet that could follow the flank");
   if (beyond == arcs.end()) return obstacle("the teeth are pointed");
-  for (auto arc = beyond; arc != arcs.end(); ++arc)
-    if (arc->name == ArcName::tip_land && !round_land(*arc))
-      return obstacle("the tip is no cylinder");
+  if (std::abs(outline.teeth) == 1) return obstacle("a land of one tooth spans a whole turn");
   return std::nullopt;
+}
+
+// The outline without slivers, its ends on the middles of space and tooth to the last bit.
+Outline tidied(const Outline& outline) {
+  Outline tidy{outline.teeth, {}};
+  Vec2 cursor = outline.arcs.front().begin_point;
+  for (const Arc& arc : outline.arcs) {
+    const Vec2 middle = arc.point(0.5);
+    if ((middle - arc.begin_point).norm() + (arc.end_point - middle).norm() < kShortestArc_mm)
+      continue;
+    tidy.arcs.push_back(arc);
+    tidy.arcs.back().begin_point = cursor;
+    cursor = arc.end_point;
+  }
+  const SinCos space = sincos_turn(1, 2LL * std::abs(outline.teeth));
+  Vec2 &root = tidy.arcs.front().begin_point, &tip = tidy.arcs.back().end_point;
+  root = root.norm() * Vec2(space.cos, space.sin);
+  tip = {tip.norm(), 0.0};
+  return tidy;
 }
 
 // The starts of reliefs as radii, growing.
@@ -100,13 +120,11 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
   while (arcs[first_].name != ArcName::flank) ++first_;
   last_ = first_;
   while (arcs[last_ + 1].name == ArcName::flank) ++last_;
-  has_edge_ = arcs[last_ + 1].name == ArcName::tip_land;
-}
-
-ModifiedSide::Role ModifiedSide::role(std::size_t arc) const {
-  if (arc >= first_ && arc <= last_) return Role::flank;
-  const ArcName name = outline_->arcs[arc].name;
-  return name == ArcName::root_land || name == ArcName::tip_land ? Role::land : Role::fade;
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+    roles_.push_back(i >= first_ && i <= last_ ? Role::flank
+                     : round_land(arcs[i])     ? Role::land
+                                               : Role::fade);
+  has_edge_ = roles_[last_ + 1] == Role::land;
 }
 
 // Beyond its end, where the moved flank still has to reach the tip cylinder, the arc goes on with
@@ -231,9 +249,10 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
 
 Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
   GW_EXPECTS(body.removal[0] && body.removal[1]);
-  if (auto error = obstacle_of(body.outline)) return *error;
+  const Outline tidy = tidied(body.outline);
+  if (auto error = obstacle_of(tidy)) return *error;
   Outline divided{body.outline.teeth, {}};
-  for (const Arc& arc : body.outline.arcs) {
+  for (const Arc& arc : tidy.arcs) {
     if (arc.name == ArcName::flank) {
       append_divided(arc, starts(body.removal), divided.arcs);
     } else {

@@ -61,7 +61,7 @@ class ModifiedSide {
   /// The point at u in [0, 1] of an arc, mm, in the frame of the side.
   Vec3 point(std::size_t arc, double u, const Row& row) const;
 
-  Role role(std::size_t arc) const;
+  Role role(std::size_t arc) const { return roles_[arc]; }
   /// True if the last flank arc ends on a tip land.
   bool has_edge() const { return has_edge_; }
   std::size_t first_flank() const { return first_; }
@@ -87,6 +87,7 @@ class ModifiedSide {
   std::shared_ptr<const Outline> outline_;
   double twist_;
   std::shared_ptr<const RemovalField> field_;
+  std::vector<Role> roles_;           // of the arcs
   std::size_t first_ = 0, last_ = 0;  // flank arcs
   bool has_edge_ = false;
 };

@@ -95,7 +95,7 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
   StepDocument document = std::move(made).take();
   return JobFile{path, fmt::format("STEP, {}", to_string(options.step_schema)),
                  document.report.max_deviation_mm,
-                 fmt::format("{} faces", document.report.face_count) + drawn_as_cut(bodies),
+                 fmt::format("{} faces", document.report.face_count) + without_modifications(bodies),
                  std::move(document.text)};
 }
 
