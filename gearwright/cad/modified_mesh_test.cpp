@@ -210,23 +210,21 @@ TEST(ModifiedMesh, teeth_that_cannot_be_modified_say_why) {
   Gear gear = external(17, 0.0);
   FlankModifications m;
   m.tip_relief = {0.02, gear.tip_diameter - 2.0, ReliefShape::linear};
-  auto body = gear_body(gear, "gear");
-  ASSERT_TRUE(body);
+  ToothedBody body = gear_body(gear, "gear").value();
   // A whole circle of land is no face of a solid.
   const auto one = make_gear(testing::plain_spec(
       {.teeth = 1, .module = 2.0, .beta_deg = 60.0, .x = 0.9, .face_width = 10.0}));
   if (one && one->exists() && one->root_form_radius()) {
     FlankModifications crowned;
     crowned.lead_crowning = 0.01;
-    auto made = gear_body(*one, "one");
-    ASSERT_TRUE(made);
-    EXPECT_FALSE(modify(*made, *one, {crowned, crowned}));
-    EXPECT_FALSE(made->modified());
-    EXPECT_FALSE(made->unmodified.empty());
+    ToothedBody made = gear_body(*one, "one").value();
+    EXPECT_FALSE(modify(made, *one, {crowned, crowned}));
+    EXPECT_FALSE(made.modified());
+    EXPECT_FALSE(made.unmodified.empty());
   }
   FlankModifications off = m;
   off.tip_relief.reach = gear.tip_diameter + 1;
-  const auto error = modify(*body, gear, {off, m});
+  const auto error = modify(body, gear, {off, m});
   ASSERT_TRUE(error);
   EXPECT_EQ(error->field, "modifications.right.tip_relief.reach");
 }

@@ -56,11 +56,11 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
         if (surface.IsNull()) continue;
         double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
         surface->Bounds(u0, u1, v0, v1);
-        // The face of a fillet has its middle below the form diameter.
+        // The faces that follow a flank have their middle beyond one of its form diameters.
+        // Teeth are turned copies, of which those near the x axis are measured.
         const gp_Pnt m = surface->Value((u0 + u1) / 2, (v0 + v1) / 2);
-        const double rho = std::hypot(m.X(), m.Y());
-        const bool below = (rho < *g.gear.root_form_radius()) == (g.gear.spec.teeth > 0);
-        if (below) continue;
+        const double foot = read_flank(g, {m.X(), m.Y(), m.Z()}).foot;
+        if (foot < 0.0 || foot > 1.0 || std::abs(std::atan2(m.Y(), m.X())) > 0.4) continue;
         for (int i = 0; i < 40; ++i) {
           for (int j = 0; j < 40; ++j) {
             const gp_Pnt p = surface->Value(u0 + (u1 - u0) * (i + 0.382) / 40,
@@ -78,8 +78,15 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
   }
 }
 
+// Spur, helical, internal: a kernel takes seconds to check one.
+std::vector<ModifiedGear> solid_gears() {
+  std::vector<ModifiedGear> all = modified_gears(4.0);
+  all.erase(all.begin() + 2, all.begin() + 4);
+  return all;
+}
+
 TEST(StepModified, solids_are_valid_closed_and_of_the_computed_volume) {
-  for (const ModifiedGear& g : modified_gears(4.0)) {
+  for (const ModifiedGear& g : solid_gears()) {
     const Read r = read(g);
     ASSERT_EQ(r.step.refusals, 0) << g.name;
     ASSERT_EQ(r.step.solids.size(), 1u) << g.name;
@@ -106,7 +113,7 @@ TEST(StepModified, solids_are_valid_closed_and_of_the_computed_volume) {
 }
 
 TEST(StepModified, edges_lie_on_their_faces) {
-  for (const ModifiedGear& g : modified_gears(4.0)) {
+  for (const ModifiedGear& g : solid_gears()) {
     const Read r = read(g);
     double worst = 0.0;
     int looked = 0;
