@@ -44,13 +44,16 @@ class GridMaker {
                                                            width * (j / (kProbes - 1.0) - 0.5))));
     }
     tolerance_ = std::min((1 - kCutShare) * tolerance, kVisibleShare * greatest);
+    for (int j = 0; j < kProbes; ++j)
+      for (const bool left : {false, true})
+        rows_.push_back({left, teeth.side(left).plane(width * (j / (kProbes - 1.0) - 0.5))});
   }
 
   std::vector<SectionPoint> section(const std::vector<SectionPoint>& half) const {
     std::vector<SectionPoint> all{half.front()};
     for (std::size_t i = 1; i < half.size(); ++i) {
       const Segment s = segment(half[i - 1], half[i]);
-      if (flank(s.arc)) divide(s, kHalvings, all);
+      if (teeth_.side(false).role(s.arc) != ModifiedSide::Role::land) divide(s, kHalvings, all);
       all.push_back(half[i]);
     }
     return all;
@@ -85,21 +88,31 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  void divide(const Segment& s, int depth, std::vector<SectionPoint>& all) const {
+  // What the middle of a segment misses by, at most, apart from the curvature of the arc as cut.
+  double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
-    bool fine = depth == 0;
-    if (!fine) {
-      fine = true;
-      for (int j = 0; j < kProbes && fine; ++j) {
-        const double z = width_ * (j / (kProbes - 1.0) - 0.5);
-        for (const bool left : {false, true}) {
-          const double mean =
-              0.5 * (removed(left, s.arc, s.u_0, z) + removed(left, s.arc, s.u_1, z));
-          fine = fine && std::abs(removed(left, s.arc, middle, z) - mean) <= 0.5 * tolerance_;
-        }
+    double worst = 0.0;
+    for (const ProbedRow& row : rows_) {
+      if (flank(s.arc)) {
+        const double mean = 0.5 * (removed(row.left, s.arc, s.u_0, row.row.z) +
+                                   removed(row.left, s.arc, s.u_1, row.row.z));
+        worst = std::max(worst, std::abs(removed(row.left, s.arc, middle, row.row.z) - mean));
+      } else {
+        const auto shift = [&](double u) {
+          const ModifiedSide& side = teeth_.side(row.left);
+          const Vec2 moved =
+              turned(side.point(s.arc, u, row.row).head<2>(), turn_of(-side.twist() * row.row.z));
+          return Vec2(moved - teeth_.outline().arcs[s.arc].point(u));
+        };
+        worst = std::max(worst, (shift(middle) - 0.5 * (shift(s.u_0) + shift(s.u_1))).norm());
       }
     }
-    if (fine) return;
+    return worst;
+  }
+
+  void divide(const Segment& s, int depth, std::vector<SectionPoint>& all) const {
+    const double middle = 0.5 * (s.u_0 + s.u_1);
+    if (depth == 0 || missed(s) <= 0.5 * tolerance_) return;
     divide({s.arc, s.u_0, middle}, depth - 1, all);
     const Arc& arc = teeth_.outline().arcs[s.arc];
     const double angle = arc.at(middle).tangent_angle;
@@ -130,6 +143,11 @@ class GridMaker {
 
   const ModifiedTeeth& teeth_;
   double width_, tolerance_;
+  struct ProbedRow {
+    bool left;
+    ModifiedSide::Row row;
+  };
+  std::vector<ProbedRow> rows_;  // heights at which segments are examined
 };
 
 // The rows at, below and above a level, for the normals there.
