@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "gearwright/cad/modified_teeth.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/pair/rack_outline.hpp"
 
 namespace gearwright {
@@ -30,6 +32,26 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
   body.face_width = gear.spec.face_width;
   body.bore = bore;
   return body;
+}
+
+std::optional<Error> modify(ToothedBody& body, const Gear& gear,
+                            const std::array<FlankModifications, 2>& flanks) {
+  if (!any_modification(flanks)) return std::nullopt;
+  if (!gear.root_form_radius()) {
+    body.unmodified = "the gear has no usable flank";
+    return std::nullopt;
+  }
+  for (const std::size_t side : {0U, 1U}) {
+    auto field = make_removal_field(flanks[side], flank_extent(gear));
+    if (!field)
+      return within(side == 0 ? "modifications.right" : "modifications.left", field.error());
+    body.removal[side] = std::make_shared<const RemovalField>(std::move(field).take());
+  }
+  if (const auto teeth = ModifiedTeeth::of(body); !teeth) {
+    body.unmodified = teeth.error().rule;
+    body.removal = {};
+  }
+  return std::nullopt;
 }
 
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name) {

@@ -1,6 +1,7 @@
 // A gear or a rack in the form that the writers of files need.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -19,8 +20,14 @@ namespace gearwright {
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore = {});
 
-/// Returns the rack in its own frame (pair/rack_outline.hpp). Its place is
-/// `rack_pair.pose_2().isometry()`.
+/// Gives the body of a gear the modifications of its right and its left flank. If its teeth cannot
+/// be made with them, they stay as cut and `unmodified` says why.
+///
+/// Errors    `modifications.right.…`, `modifications.left.…` as make_removal_field
+std::optional<Error> modify(ToothedBody& body, const Gear& gear,
+                            const std::array<FlankModifications, 2>& flanks);
+
+/// The rack in its own frame (pair/rack_outline.hpp); its place is `rack_pair.pose_2().isometry()`.
 ///
 /// Errors    `gear2.teeth` or `gear2.height` if the rack has none, or if its back lies above the
 ///           roots, with the least height that leaves material; those of rack_outline()

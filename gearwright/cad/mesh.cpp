@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "gearwright/cad/bore_loop.hpp"
 #include "gearwright/cad/flat_cap.hpp"
 #include "gearwright/cad/mesh_builder.hpp"
+#include "gearwright/cad/modified_mesh.hpp"
 #include "gearwright/cad/rack_mesh.hpp"
 #include "gearwright/cad/section_points.hpp"
 
@@ -71,10 +73,8 @@ std::vector<Column> circle_columns(double radius, int q, int copies) {
 
 // Triangles of one half pitch of a cap, by local corner: 0 … n the half section from root to tip,
 // n + 1 … n + 1 + q the circle from the tooth's centre line to the middle of the space.
-std::optional<std::vector<Triangle>> half_pitch_cap(const std::vector<SectionPoint>& half,
+std::optional<std::vector<Triangle>> half_pitch_cap(std::vector<Vec2> corners,
                                                     const std::vector<Column>& circle, bool ring) {
-  std::vector<Vec2> corners;
-  for (const SectionPoint& p : half) corners.push_back(p.point);
   for (std::size_t j = circle.size() / 2 + 1; j-- > 0;) {
     corners.push_back(mirrored(circle[j].point));
   }
@@ -90,10 +90,18 @@ std::optional<std::vector<Triangle>> half_pitch_cap(const std::vector<SectionPoi
   return triangles;
 }
 
-// The part of a cap between the outline of the teeth and the circle: each half pitch and its mirror
-// image.
-void add_tooth_caps(MeshBuilder& builder, const std::vector<Triangle>& half_cap, int copies,
-                    std::size_t n, std::size_t q, std::uint32_t outline, std::uint32_t circle) {
+std::vector<Vec2> points_of(const std::vector<SectionPoint>& half) {
+  std::vector<Vec2> points;
+  for (const SectionPoint& p : half) points.push_back(p.point);
+  return points;
+}
+
+// Triangles of a half pitch of a cap: of the lower halves of the teeth, of the upper ones.
+using HalfCaps = std::array<std::vector<Triangle>, 2>;
+
+// The part of a cap between the teeth's outline and the circle.
+void add_tooth_caps(MeshBuilder& builder, const HalfCaps& half_caps, int copies, std::size_t n,
+                    std::size_t q, std::uint32_t outline, std::uint32_t circle) {
   const std::size_t z = static_cast<std::size_t>(copies);
   for (std::size_t k = 0; k < z; ++k) {
     const auto left = [&](std::uint32_t corner) {
@@ -105,9 +113,11 @@ void add_tooth_caps(MeshBuilder& builder, const std::vector<Triangle>& half_cap,
       const std::size_t i = corner <= n ? k * 2 * n + corner : k * 2 * q + q - (corner - n - 1);
       return static_cast<std::uint32_t>((corner <= n ? outline : circle) + i);
     };
-    for (const Triangle& t : half_cap) {
+    const auto& [lower, upper] = half_caps;
+    for (std::size_t i = 0; i < upper.size(); ++i) {
+      const Triangle &t = upper[i], &u = lower[i];
       builder.add_cap_triangle(left(t[0]), left(t[1]), left(t[2]));
-      builder.add_cap_triangle(right(t[0]), right(t[2]), right(t[1]));
+      builder.add_cap_triangle(right(u[0]), right(u[2]), right(u[1]));
     }
   }
 }
@@ -173,8 +183,16 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
                                  : std::nullopt;
   if (error) return *error;
   const double reach = body.bore ? bore_reach(*body.bore) : 0.0;
-  const double chord =
+  const double given =
       std::min(options.chord_tolerance_mm, kWallShare * std::abs(root.norm() - reach));
+  std::optional<ModifiedTeeth> modified;
+  if (body.modified()) {
+    auto made = ModifiedTeeth::of(body);
+    if (!made) return made.error();
+    modified = std::move(made).take();
+  }
+  const Outline& cut = modified ? modified->outline() : body.outline;
+  const double chord = modified ? kCutShare * given : given;
 
   // Levels along the face.
   const double radius_max =
@@ -193,11 +211,18 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
                                    std::abs(body.twist) * body.face_width / steps, radius_max};
 
   // The section.
-  const std::vector<SectionPoint> half =
-      section_points(body.outline, tolerance, kHalfPointsMax + 1);
+  std::vector<SectionPoint> half = section_points(cut, tolerance, kHalfPointsMax + 1);
+  if (half.size() > kHalfPointsMax + 1) return too_fine();
+  std::optional<ModifiedGrid> grid;
+  if (modified) {
+    grid =
+        modified_grid(*modified, std::move(half), body.face_width, body.face_width / steps, given);
+    half = grid->half;
+  }
   const std::size_t n = half.size() - 1;
+  const double rings = grid ? static_cast<double>(grid->levels.size()) : steps + 1.0;
   if (n > kHalfPointsMax) return too_fine();
-  if (2.0 * static_cast<double>(n) * copies * (steps + 1.0) > kVerticesMax) return too_fine();
+  if (2.0 * static_cast<double>(n) * copies * rings > kVerticesMax) return too_fine();
   for (std::size_t i = 1; i < n; ++i) {
     if (!(half[i].point.y() > 0.0)) return not_a_body(teeth, "the flanks of a tooth cross");
   }
@@ -206,12 +231,32 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
       ring ? rim_circle(radius_max, copies, tolerance) : hub_circle(reach, room, copies);
   const std::size_t q = static_cast<std::size_t>(circle.q);
   const std::vector<Column> circle_part = circle_columns(circle.radius, circle.q, copies);
-  const auto half_cap = half_pitch_cap(half, circle_part, ring);
-  if (!half_cap) return not_a_body(teeth, "the flanks of a space cross");
+  std::array<HalfCaps, 2> half_caps;  // of the lower and the upper end
+  for (std::size_t end = 0; end < 2; ++end) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (!modified && end + side > 0) {
+        half_caps[end][side] = half_caps[0][0];
+        continue;
+      }
+      auto cap = half_pitch_cap(modified ? modified_half(modified->side(side == 1), *grid,
+                                                         levels.z(end == 1 ? levels.steps : 0))
+                                         : points_of(half),
+                                circle_part, ring);
+      if (!cap) return not_a_body(teeth, "the flanks of a space cross");
+      half_caps[end][side] = *std::move(cap);
+    }
+  }
 
   // Walls.
   MeshBuilder builder;
-  const WallEnds outline = builder.add_wall(pitch_columns(half, copies), copies, levels, ring);
+  WallEnds outline{};
+  if (modified) {
+    WallEdges edges = edges_of(pitch_columns(half, copies), copies, levels);
+    crease_at_reliefs(*modified, *grid, edges);
+    outline = builder.add_wall(modified_rings(*modified, *grid, copies), edges, copies, ring);
+  } else {
+    outline = builder.add_wall(pitch_columns(half, copies), copies, levels, ring);
+  }
   WallEnds rim{};
   WallEnds bore{};
   std::vector<Column> bore_part;
@@ -237,7 +282,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
     }
     builder.use_in_cap(outline_first, outline_count);
     builder.use_in_cap(circle_first, circle_count);
-    add_tooth_caps(builder, *half_cap, copies, n, q, outline_first, circle_first);
+    add_tooth_caps(builder, half_caps[up ? 1 : 0], copies, n, q, outline_first, circle_first);
     if (ring) continue;
     if (body.bore) {
       const std::uint32_t bore_first = up ? bore.top : bore.bottom;

@@ -13,8 +13,10 @@
 // over a triangle with legs a and h errs by at most (a²|C_uu| + 2ah|C_uζ| + h²|C_ζζ|)/8 (Filip,
 // Magedson and Markot, 1986), where C_uu = 0, |C_uζ| = |τ|, |C_ζζ| ≤ ρτ². Both diagonals obey (M1).
 //
-// One half tooth is meshed. Mirrored and turned by sincos_turn, it gives the others, so that tooth
-// k is tooth 0 turned, bit for bit, and time and size are proportional to |z|.
+// Flanks with modifications are grids on the modified surface (cad/modified_mesh.hpp).
+//
+// One half tooth is meshed; mirrored and turned by sincos_turn it makes the others, so that tooth k
+// is the turned tooth 0 bit for bit, and time and size grow in proportion to |z|.
 #pragma once
 
 #include <Eigen/Geometry>

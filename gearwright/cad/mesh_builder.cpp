@@ -52,13 +52,41 @@ std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
   return rising;
 }
 
+// The columns at one level of a screw.
+Ring screw_ring(const std::vector<Column>& part, const std::vector<char>& crease, double twist,
+                double z) {
+  const SinCos screw = sincos(twist * z);
+  const auto screwed = [&](const Vec2& p, const Vec2& n) {
+    const Vec3 normal = screw_normal(p, n, twist);
+    const Vec2 plane = turned(normal.head<2>(), screw);
+    return Vec3(plane.x(), plane.y(), normal.z());
+  };
+  Ring ring{z, {}};
+  ring.points.reserve(part.size());
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Column& column = part[i];
+    const Vec2 smooth = (column.before + column.after).normalized();
+    ring.points.push_back({turned(column.point, screw),
+                           screwed(column.point, crease[i] != 0 ? column.before : smooth),
+                           screwed(column.point, crease[i] != 0 ? column.after : smooth)});
+  }
+  return ring;
+}
+
 }  // namespace
 
-MeshBuilder::Shades MeshBuilder::shades(const std::vector<Column>& part) {
+WallEdges edges_of(const std::vector<Column>& part, int copies, const Levels& levels) {
+  WallEdges edges;
+  for (const Column& column : part) edges.crease.push_back(is_crease(column) ? 1 : 0);
+  edges.rising = rising_diagonals(part, copies, levels);
+  return edges;
+}
+
+MeshBuilder::Shades MeshBuilder::shades(const std::vector<char>& crease) {
   Shades result;
-  for (const Column& column : part) {
+  for (const char sharp : crease) {
     result.before.push_back(result.count);
-    if (is_crease(column)) ++result.count;
+    if (sharp != 0) ++result.count;
     result.after.push_back(result.count++);
   }
   return result;
@@ -69,43 +97,21 @@ void MeshBuilder::add_shaded(std::uint32_t vertex, const Vec3& normal) {
   mesh_.normals.push_back(normal);
 }
 
-void MeshBuilder::add_rings(const std::vector<Column>& part, int copies, const Levels& levels) {
-  for (int level = 0; level <= levels.steps; ++level) {
-    const double z = levels.z(level);
-    const SinCos screw = sincos(levels.twist * z);
-    // The level of copy 0 is followed by its turned copies.
-    struct Placed {
-      Vec2 point;
-      Vec3 before, after;
-      bool crease;
+// A level of copy 0, followed by its turned copies.
+void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, int copies) {
+  for (int k = 0; k < copies; ++k) {
+    const SinCos tooth = sincos_turn(k, copies);
+    const auto copied = [&](const Vec3& v) {
+      const Vec2 plane = turned(v.head<2>(), tooth);
+      return Vec3(plane.x(), plane.y(), v.z());
     };
-    std::vector<Placed> ring;
-    ring.reserve(part.size());
-    const auto screwed = [&](const Vec2& p, const Vec2& n) {
-      const Vec3 normal = screw_normal(p, n, levels.twist);
-      const Vec2 plane = turned(normal.head<2>(), screw);
-      return Vec3(plane.x(), plane.y(), normal.z());
-    };
-    for (const Column& column : part) {
-      const bool crease = is_crease(column);
-      const Vec2 smooth = (column.before + column.after).normalized();
-      ring.push_back({turned(column.point, screw),
-                      screwed(column.point, crease ? column.before : smooth),
-                      screwed(column.point, crease ? column.after : smooth), crease});
-    }
-    for (int k = 0; k < copies; ++k) {
-      const SinCos tooth = sincos_turn(k, copies);
-      const auto copied = [&](const Vec3& v) {
-        const Vec2 plane = turned(v.head<2>(), tooth);
-        return Vec3(plane.x(), plane.y(), v.z());
-      };
-      for (const Placed& placed : ring) {
-        const std::uint32_t vertex = next_vertex();
-        const Vec2 p = turned(placed.point, tooth);
-        mesh_.vertices.emplace_back(p.x(), p.y(), z);
-        add_shaded(vertex, copied(placed.before));
-        if (placed.crease) add_shaded(vertex, copied(placed.after));
-      }
+    for (std::size_t i = 0; i < ring.points.size(); ++i) {
+      const RingPoint& placed = ring.points[i];
+      const std::uint32_t vertex = next_vertex();
+      const Vec2 p = turned(placed.point, tooth);
+      mesh_.vertices.emplace_back(p.x(), p.y(), ring.z);
+      add_shaded(vertex, copied(placed.before));
+      if (crease[i] != 0) add_shaded(vertex, copied(placed.after));
     }
   }
 }
@@ -113,17 +119,34 @@ void MeshBuilder::add_rings(const std::vector<Column>& part, int copies, const L
 WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, const Levels& levels,
                                bool inward) {
   GW_EXPECTS(!part.empty() && copies >= 1 && levels.steps >= 1);
-  const std::size_t columns = part.size();
-  const std::size_t ring = columns * static_cast<std::size_t>(copies);
   const std::size_t first = mesh_.vertices.size();
   const std::size_t first_shaded = mesh_.shaded_vertices.size();
-  add_rings(part, copies, levels);
+  const WallEdges edges = edges_of(part, copies, levels);
+  for (int level = 0; level <= levels.steps; ++level)
+    add_ring(screw_ring(part, edges.crease, levels.twist, levels.z(level)), edges.crease, copies);
+  return add_quads(first, first_shaded, levels.steps, edges, copies, inward);
+}
 
-  const Shades shade_of = shades(part);
+WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,
+                               bool inward) {
+  GW_EXPECTS(rings.size() >= 2 && copies >= 1);
+  const std::size_t first = mesh_.vertices.size();
+  const std::size_t first_shaded = mesh_.shaded_vertices.size();
+  for (const Ring& ring : rings) {
+    GW_EXPECTS(ring.points.size() == edges.crease.size());
+    add_ring(ring, edges.crease, copies);
+  }
+  return add_quads(first, first_shaded, static_cast<int>(rings.size()) - 1, edges, copies, inward);
+}
+
+WallEnds MeshBuilder::add_quads(std::size_t first, std::size_t first_shaded, int steps,
+                                const WallEdges& edges, int copies, bool inward) {
+  const std::size_t columns = edges.crease.size();
+  const std::size_t ring = columns * static_cast<std::size_t>(copies);
+  const Shades shade_of = shades(edges.crease);
   const std::size_t ring_shaded = shade_of.count * static_cast<std::size_t>(copies);
-  const std::vector<char> rising = rising_diagonals(part, copies, levels);
   const auto index = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
-  for (int step = 0; step < levels.steps; ++step) {
+  for (int step = 0; step < steps; ++step) {
     const std::size_t low = first + ring * static_cast<std::size_t>(step);
     const std::size_t low_shaded = first_shaded + ring_shaded * static_cast<std::size_t>(step);
     for (std::size_t k = 0; k < static_cast<std::size_t>(copies); ++k) {
@@ -138,11 +161,11 @@ WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, cons
         add_quad({index(here), index(next), index(next + ring), index(here + ring)},
                  {index(shade), index(shade_next), index(shade_next + ring_shaded),
                   index(shade + ring_shaded)},
-                 rising[i] != 0, inward);
+                 edges.rising[i] != 0, inward);
       }
     }
   }
-  return {index(first), index(first + ring * static_cast<std::size_t>(levels.steps))};
+  return {index(first), index(first + ring * static_cast<std::size_t>(steps))};
 }
 
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,

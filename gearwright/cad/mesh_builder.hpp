@@ -32,6 +32,27 @@ struct Levels {
   double z(int level) const { return width * (2 * level - steps) / (2.0 * steps); }
 };
 
+/// A column at one level, in place.
+struct RingPoint {
+  Vec2 point;          ///< mm
+  Vec3 before, after;  ///< unit normals out of the material
+};
+
+/// A level of a wall that is no screw: the columns of its first copy.
+struct Ring {
+  double z;  ///< mm
+  std::vector<RingPoint> points;
+};
+
+/// The edges of the quads of a wall: creases between them, and their diagonals.
+struct WallEdges {
+  std::vector<char> crease;  ///< of each column
+  std::vector<char> rising;  ///< of the quad after each column: its diagonal leads up to the next
+};
+
+/// Those of a wall in a screw motion.
+WallEdges edges_of(const std::vector<Column>& part, int copies, const Levels& levels);
+
 /// The end rings of a wall: column i of copy k is vertex `bottom` (or `top`) + k·columns + i.
 struct WallEnds {
   std::uint32_t bottom;
@@ -48,8 +69,13 @@ class MeshBuilder {
   /// k is copy 0 turned by sincos_turn(k, copies), bit for bit.
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward);
 
-  /// Adds vertices inside a cap, `copies` turned copies of `part`, and returns the index of the
-  /// first one.
+  /// The same of a wall given level by level, from below.
+  ///
+  /// Domain    two rings or more, each with a point for every column (contract)
+  WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,
+                    bool inward);
+
+  /// Vertices inside a cap, `copies` turned copies of `part`; returns the first one's index.
   std::uint32_t add_points(const std::vector<Vec2>& part, int copies, double z);
 
   /// Begins a cap that faces up (+z) or down.
@@ -75,8 +101,10 @@ class MeshBuilder {
     std::uint32_t count = 0;
   };
 
-  static Shades shades(const std::vector<Column>& part);
-  void add_rings(const std::vector<Column>& part, int copies, const Levels& levels);
+  static Shades shades(const std::vector<char>& crease);
+  void add_ring(const Ring& ring, const std::vector<char>& crease, int copies);
+  WallEnds add_quads(std::size_t first, std::size_t first_shaded, int steps, const WallEdges& edges,
+                     int copies, bool inward);
   void add_shaded(std::uint32_t vertex, const Vec3& normal);
   void add_quad(const std::array<std::uint32_t, 4>& corners,
                 const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward);

@@ -111,7 +111,8 @@ std::vector<SectionPoint> section_points(const Outline& outline, const SectionTo
   const double side = outline.side();  // arcs run clockwise, with the material on their right
 
   std::vector<SectionPoint> points;
-  for (const Arc& arc : outline.arcs) {
+  for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
+    const Arc& arc = outline.arcs[i];
     const std::vector<double> parameters = place(arc, tolerance, most);
     for (const double u : parameters) {
       const double angle = arc.at(u).tangent_angle;
@@ -119,7 +120,7 @@ std::vector<SectionPoint> section_points(const Outline& outline, const SectionTo
       if (u == 0.0 && !points.empty()) {
         points.back().tip_normal = normal;
       } else {
-        points.push_back({arc.point(u), normal, normal});
+        points.push_back({arc.point(u), normal, normal, i, u});
       }
     }
     if (points.size() > most) return points;

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/brep.hpp"
+#include "gearwright/cad/modified_brep.hpp"
 #include "gearwright/cad/part21.hpp"
 #include "gearwright/cad/products.hpp"
 #include "gearwright/cad/rack_brep.hpp"
@@ -55,8 +57,8 @@ void add_half_tooth(std::vector<StepFace>& faces, const BodyWalls& walls, std::s
   }
 }
 
-void add_counts(StepReport& report, const ToothedBody& body, const Brep& brep) {
-  report.volume_mm3 += metal_area(body) * body.face_width;
+void add_counts(StepReport& report, double volume, const Brep& brep) {
+  report.volume_mm3 += volume;
   report.face_count += brep.face_count;
   report.edge_count += brep.edge_count;
 }
@@ -67,6 +69,37 @@ Error too_many(std::size_t faces, int slices) {
       fmt::format("the STEP solid would have {} faces; the limit is {}; fewer teeth{} would "
                   "help",
                   faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
+}
+
+// The arcs of half a tooth with modifications, each by the worst of its faces.
+void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
+                       const ModifiedFit& fit, std::size_t body) {
+  const auto& arcs = teeth.outline().arcs;
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    StepFace face{arcs[arc].name, body, 0, 0, 0, 0, 0.0};
+    for (const std::size_t side : {0U, 1U}) {
+      for (std::size_t layer = 0; layer < fit.faces[side].size(); ++layer) {
+        const ModifiedFace& part = fit.faces[side][layer][arc];
+        if (part.poles.empty()) continue;
+        face.degree_u = fit.along_u[side][arc].degree;
+        face.degree_v = std::max(face.degree_v, fit.along_v[layer].degree);
+        face.poles_u = std::max(face.poles_u, static_cast<int>(part.poles.size()));
+        face.poles_v = std::max(face.poles_v, static_cast<int>(part.poles.front().size()));
+        face.max_deviation_mm = std::max(face.max_deviation_mm, part.deviation_mm);
+      }
+    }
+    faces.push_back(face);
+  }
+}
+
+// The number of faces of the modified teeth, or a little more.
+std::size_t modified_face_count(const WallLoop& loop, const ModifiedTeeth& teeth,
+                                std::size_t planes) {
+  const std::size_t kinks =
+      teeth.side(false).field().kinks_z().size() + teeth.side(true).field().kinks_z().size();
+  const std::size_t walls = 2 * teeth.outline().arcs.size();
+  const std::size_t copies = static_cast<std::size_t>(std::abs(teeth.outline().teeth));
+  return std::max(loop.walls.size(), walls * copies) * (planes - 1 + kinks);
 }
 
 }  // namespace
@@ -80,10 +113,12 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
   StepReport report;
   Part21 file(header(protocol, file_name));
   std::vector<StepPart> parts;
+  std::vector<double> volumes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
+    volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_area(body) * body.face_width);
     if (body.same_as) {
-      report.volume_mm3 += metal_area(body) * body.face_width;
+      report.volume_mm3 += volumes.back();
       parts.push_back(
           {body.name, body.pose, parts[*body.same_as].solid, body.colour, body.same_as});
       continue;
@@ -94,18 +129,33 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
       const Brep brep = add_rack_brep(file, body);
       for (const Arc& arc : body.outline.arcs)
         report.faces.push_back({arc.name, i, 0, 0, 0, 0, 0.0});
-      add_counts(report, body, brep);
+      add_counts(report, volumes.back(), brep);
       parts.push_back({body.name, body.pose, brep.solid, body.colour});
       continue;
     }
     const auto walls = make_walls(body);
     if (!walls) return within(body.name, walls.error());
     const WallLoop& teeth = walls->teeth;
+    if (body.modified()) {
+      const auto modified = ModifiedTeeth::of(body);
+      if (!modified) return within(body.name, modified.error());
+      const std::vector<double> planes = modified_planes(*modified, teeth, body.face_width);
+      const std::size_t n = modified_face_count(teeth, *modified, planes.size());
+      if (n > kMaxStepFaces) return within(body.name, too_many(n, teeth.slices));
+      const auto fit = fit_modified(*modified, planes);
+      if (!fit) return within(body.name, fit.error());
+      volumes.back() -= modified->removed_volume(body.face_width);
+      const Brep brep = add_modified_brep(file, body, *walls, *modified, *fit);
+      add_modified_half(report.faces, *modified, *fit, i);
+      add_counts(report, volumes.back(), brep);
+      parts.push_back({body.name, body.pose, brep.solid, body.colour});
+      continue;
+    }
     const std::size_t faces = teeth.walls.size() * static_cast<std::size_t>(teeth.slices);
     if (faces > kMaxStepFaces) return within(body.name, too_many(faces, teeth.slices));
     const Brep brep = add_brep(file, body, *walls);
     add_half_tooth(report.faces, *walls, i);
-    add_counts(report, body, brep);
+    add_counts(report, volumes.back(), brep);
     parts.push_back({body.name, body.pose, brep.solid, body.colour});
   }
   for (const StepFace& face : report.faces)

@@ -1,11 +1,11 @@
 // STEP (ISO 10303-242): toothed bodies as exact solids, for CAD systems.
 //
-// Each body becomes one named, coloured solid. Tip land, root land and bore are true cylinders.
-// Every other face is a B-spline within kSectionTarget_mm of the screw surface
-// (cad/screw_spline.hpp), and neighbouring faces share their edges. One body in its own frame is
-// written as a part. Several bodies, or one with a pose, are written as an assembly of parts placed
-// by their poses. No CAD kernel is needed, because both the surfaces and the text (cad/part21.hpp)
-// are computed here.
+// One named, coloured solid per body. Tip land, root land and bore are true cylinders, everything else
+// is a B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
+// faces share their edges. Flanks with modifications, and the fillets beside them, are B-splines within
+// the same limits (cad/modified_fit.hpp). One body in its own frame is written as a part; several bodies, or one with
+// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: both the surfaces
+// and the text (cad/part21.hpp) are computed here.
 //
 //   Laws  (1) the same bodies and file name give the same bytes, because the header's time is fixed
 //         (2) hand and pose change neither the number of faces nor the volume
@@ -47,9 +47,10 @@ struct StepFace {
 struct StepReport {
   std::vector<StepFace> faces;    ///< root to tip of one half tooth, body by body
   double max_deviation_mm = 0.0;  ///< greatest of all faces
-  double volume_mm3 = 0.0;        ///< exact: section area times face width, all bodies
-  std::size_t face_count = 0;     ///< of all solids; each shape counts once
-  std::size_t edge_count = 0;     ///< each shared edge counts once
+  double volume_mm3 = 0.0;        ///< of all bodies: section area times face width, exact,
+                                  ///< less what modifications remove, to 1e-6 of that
+  std::size_t face_count = 0;     ///< of all solids, each shape once
+  std::size_t edge_count = 0;     ///< each shared edge once
 };
 
 inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< of one solid: 30 MB of text

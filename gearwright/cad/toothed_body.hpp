@@ -6,18 +6,22 @@
 //
 // The section at height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
 //
-// A rack is a bar with straight teeth. Its section at height z is that of z = 0 with the teeth
+// Flank modifications move the flanks of this solid along their normals.
+//
+// A rack is a bar, whose teeth are straight: the section at height z is that of z = 0 with the teeth
 // shifted by z tan β along y, between two ends that are perpendicular to y (`RackBlock`).
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/gear/bore.hpp"
+#include "gearwright/gear/modifications.hpp"
 #include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
@@ -41,9 +45,15 @@ struct ToothedBody {
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
-  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its index among the bodies
-  std::optional<std::size_t> same_as{};  ///< an earlier body of the same file with the same shape
-  std::optional<RackBlock> rack{};  ///< the data of a rack, which has no bore and ignores the twist
+  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
+  std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
+  std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
+  /// What is removed from the right and the left flank of every tooth (cad/modified_teeth.hpp);
+  /// null if the teeth are as cut. Drawings show the outline as cut.
+  std::array<std::shared_ptr<const RemovalField>, 2> removal{};
+  std::string unmodified{};  ///< why modifications of the gear are left out; empty if none are
+
+  bool modified() const { return removal[0] && removal[1]; }
 };
 
 /// Colours that distinguish gears in contact in every viewer. The values are linear RGB, far apart

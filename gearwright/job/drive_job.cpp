@@ -9,6 +9,7 @@
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/cad/gear_body.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_rating.hpp"
@@ -42,7 +43,7 @@ std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange&
 }
 
 // The first body with this shape among the bodies of the drive's gears.
-ToothedBody body_of(const DriveJob& job, const PlacedGear& placed) {
+Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
   const DriveGear& named = job.drive.graph.gears[placed.gear];
   const Gear& gear = *job.drive.geometry.gears[placed.gear];
   const int count = job.drive.graph.bodies[named.body].count;
@@ -52,6 +53,7 @@ ToothedBody body_of(const DriveJob& job, const PlacedGear& placed) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear) : gear.bore,
                    Eigen::Isometry3d::Identity()};
+  if (auto error = modify(body, gear, named.modifications)) return within(named.name, *error);
   body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
   body.pose.rotate(Eigen::AngleAxisd(placed.angle, Vec3::UnitZ()));
   body.colour = named.body;
@@ -176,7 +178,9 @@ Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
                    fmt::format("{} has no outline: {}", name,
                                gear.tooth ? gear.warnings.back().message
                                           : std::string("no default cutter generates it"))};
-    ToothedBody body = body_of(job, placed);
+    auto made = body_of(job, placed);
+    if (!made) return made.error();
+    ToothedBody body = std::move(made).take();
     if (first[placed.gear]) {
       body.same_as = first[placed.gear];
     } else {

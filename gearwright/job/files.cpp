@@ -42,6 +42,23 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
+// What a file of solids or meshes says about modifications that its teeth do not have.
+std::string without_modifications(const std::vector<ToothedBody>& bodies) {
+  std::string note;
+  for (const ToothedBody& body : bodies)
+    if (!body.same_as && !body.unmodified.empty())
+      note += fmt::format("; {} without its flank modifications, because {}", body.name,
+                          body.unmodified);
+  return note;
+}
+
+// The same of a drawing, which shows the section as cut.
+std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
+  for (const ToothedBody& body : bodies)
+    if (body.modified() || !body.unmodified.empty()) return "; without flank modifications";
+  return "";
+}
+
 Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const fs::path& path, const FileOptions& options) {
   std::vector<MeshPart> parts;
@@ -61,7 +78,8 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
   std::string bytes = kind == FileKind::stl   ? stl_bytes(parts)
                       : kind == FileKind::glb ? glb_bytes(parts)
                                               : threemf_bytes(parts);
-  return JobFile{path, what, options.mesh_tolerance_mm, fmt::format("{} triangles", triangles),
+  return JobFile{path, what, options.mesh_tolerance_mm,
+                 fmt::format("{} triangles", triangles) + without_modifications(bodies),
                  std::move(bytes)};
 }
 
@@ -77,7 +95,8 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
   StepDocument document = std::move(made).take();
   return JobFile{path, fmt::format("STEP, {}", to_string(options.step_schema)),
                  document.report.max_deviation_mm,
-                 fmt::format("{} faces", document.report.face_count), std::move(document.text)};
+                 fmt::format("{} faces", document.report.face_count) + without_modifications(bodies),
+                 std::move(document.text)};
 }
 
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -98,7 +117,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
   const char* what = kind == FileKind::svg     ? "SVG outline"
                      : options.drawing_splines ? "DXF, splines"
                                                : "DXF, arcs";
-  return JobFile{path, what, drawing.deviation_mm, fmt::format("{} segments", drawing.segments),
+  return JobFile{path, what, drawing.deviation_mm,
+                 fmt::format("{} segments", drawing.segments) + drawn_as_cut(bodies),
                  std::move(drawing.text)};
 }
 
@@ -223,6 +243,8 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear) : gear.bore,
                    Eigen::Isometry3d::Identity()};
+  if (auto error = modify(body, gear, job.completed.gear(which).modifications))
+    return within(name, *std::move(error));
   if (in_place && job.pair) {
     body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();
   }

@@ -1,0 +1,278 @@
+#include "gearwright/cad/brep_shell.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright::brep {
+
+namespace {
+
+const char* word(Side side) { return side == Side::along ? ".T." : ".F."; }
+
+Vec3 along(const Wall& wall, Complex turn) {
+  const Complex way = (wall.end - wall.begin) * turn;
+  return Vec3(way.real(), way.imag(), 0.0).normalized();
+}
+
+}  // namespace
+
+std::string spline_curve(const Ids& poles, const WallKnots& knots) {
+  std::string text = fmt::format("B_SPLINE_CURVE_WITH_KNOTS('',{},", knots.degree);
+  append_ids(text, poles);
+  text += ",.UNSPECIFIED.,.F.,.F.,";
+  append_integers(text, knots.multiplicity);
+  text += ',';
+  append_reals(text, knots.distinct);
+  return text + ",.UNSPECIFIED.)";
+}
+
+std::string spline_surface(const std::vector<Ids>& rows, const WallKnots& u, const WallKnots& v) {
+  std::string text = fmt::format("B_SPLINE_SURFACE_WITH_KNOTS('',{},{},", u.degree, v.degree);
+  char separator = '(';
+  for (const Ids& row : rows) {
+    text += separator;
+    append_ids(text, row);
+    separator = ',';
+  }
+  text += "),.UNSPECIFIED.,.F.,.F.,.F.,";
+  append_integers(text, u.multiplicity);
+  text += ',';
+  append_integers(text, v.multiplicity);
+  text += ',';
+  append_reals(text, u.distinct);
+  text += ',';
+  append_reals(text, v.distinct);
+  return text + ",.UNSPECIFIED.)";
+}
+
+Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width,
+                            Side side) {
+  const std::vector<WallLevel> levels = levels_of(loop, face_width);
+  Corners below = corners(loop, levels.front());
+  Edges floor = level_edges(loop, levels.front(), below);
+  Rims rims{floor, {}};
+  for (std::size_t s = 0; s + 1 < levels.size(); ++s) {
+    const WallSlice slice = slice_between(levels[s], levels[s + 1], helix);
+    Corners above = corners(loop, slice.high);
+    Edges ceiling = level_edges(loop, slice.high, above);
+    const Edges uprights = upright_edges(loop, slice, below, above);
+    const std::size_t n = loop.walls.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Sides sides{floor[i], uprights[(i + 1) % n], ceiling[i], uprights[i]};
+      const Id bound = wall_bound(sides);
+      add_face({bound}, wall_surface(loop.walls[i], slice, sides, below[i]), side);
+    }
+    below = std::move(above);
+    floor = std::move(ceiling);
+  }
+  rims.top = std::move(floor);
+  return rims;
+}
+
+Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth) {
+  const bool ring = body.outline.teeth < 0;
+  const double b = body.face_width;
+  std::optional<Rims> bore;
+  if (walls.bore)
+    bore = add_walls(*walls.bore, fit_helix(0.0, walls.outer_radius), b,
+                     ring ? Side::along : Side::against);
+  GW_EXPECTS(!ring || bore.has_value());
+  const Rims& outer = ring ? *bore : teeth;
+  const Rims* inner = ring ? &teeth : (bore ? &*bore : nullptr);
+  add_cap(-b / 2.0, outer.bottom, inner ? &inner->bottom : nullptr, Side::against);
+  add_cap(b / 2.0, outer.top, inner ? &inner->top : nullptr, Side::along);
+  return finish(body.name);
+}
+
+// The plane at z inside `outer` and outside `inner`.
+void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
+  Ids loops{loop(outer)};
+  if (inner != nullptr) loops.push_back(loop(*inner));
+  add_face(loops, out_.add(fmt::format("PLANE('',#{})", frame(z, Vec3::UnitX()))), side);
+}
+
+Brep ShellWriter::finish(const std::string& name) {
+  std::string shell = "CLOSED_SHELL('',";
+  append_ids(shell, faces_);
+  const Id closed = out_.add(shell + ")");
+  const Id solid =
+      out_.add(fmt::format("MANIFOLD_SOLID_BREP({},#{})", part21_string(name), closed));
+  return {solid, faces_.size(), edge_count_};
+}
+
+Id ShellWriter::centre(double z) {
+  Id& id = centres_[z];
+  if (id == 0) id = out_.point({0.0, 0.0, z});
+  return id;
+}
+
+Id ShellWriter::direction(const Vec3& d) {
+  Id& id = directions_[{d.x(), d.y(), d.z()}];
+  if (id == 0) id = out_.direction(d);
+  return id;
+}
+
+Id ShellWriter::vector(const Vec3& d) {
+  Id& id = vectors_[{d.x(), d.y(), d.z()}];
+  if (id == 0) id = out_.add(fmt::format("VECTOR('',#{},1.)", direction(d)));
+  return id;
+}
+
+// Axes on the gear's axis. Each statement makes one instance, because the evaluation order of
+// arguments depends on the compiler and the numbers must be the same everywhere.
+Id ShellWriter::frame(double z, const Vec3& x) {
+  const Id origin = centre(z);
+  const Id up = direction(Vec3::UnitZ());
+  return out_.placement(origin, up, direction(x));
+}
+
+// Axes of a circle or cylinder, its x direction away from the middle of the wall.
+Id ShellWriter::round_frame(const Wall& wall, double turn, double z) {
+  const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
+  return frame(z, {-middle.real(), -middle.imag(), 0.0});
+}
+
+Id ShellWriter::circle(const Wall& wall, double turn, double z) {
+  std::string circle = fmt::format("CIRCLE('',#{},", round_frame(wall, turn, z));
+  append_real(circle, wall.radius);
+  return out_.add(circle + ")");
+}
+
+Id ShellWriter::cylinder(const Wall& wall, double turn) {
+  std::string cylinder = fmt::format("CYLINDRICAL_SURFACE('',#{},", round_frame(wall, turn, 0.0));
+  append_real(cylinder, wall.radius);
+  return out_.add(cylinder + ")");
+}
+
+Corner ShellWriter::corner(const Vec3& at) {
+  const Id point = out_.point(at);
+  return {point, out_.add(fmt::format("VERTEX_POINT('',#{})", point))};
+}
+
+Corners ShellWriter::corners(const WallLoop& loop, const WallLevel& level) {
+  Corners result;
+  for (const Wall& wall : loop.walls) result.push_back(corner(point_at(wall.begin, level)));
+  return result;
+}
+
+Edge ShellWriter::edge(const Corner& from, const Corner& to, Id curve, Ids poles) {
+  ++edge_count_;
+  return {out_.add(fmt::format("EDGE_CURVE('',#{},#{},#{},.T.)", from.vertex, to.vertex, curve)),
+          std::move(poles)};
+}
+
+Edges ShellWriter::level_edges(const WallLoop& loop, const WallLevel& level, const Corners& at) {
+  const std::size_t n = loop.walls.size();
+  Edges result;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Wall& wall = loop.walls[i];
+    const Corner& from = at[i];
+    const Corner& to = at[(i + 1) % n];
+    Ids poles;
+    Id curve = 0;
+    switch (wall.shape) {
+      case WallShape::spline:
+        poles.push_back(from.point);
+        for (std::size_t k = 1; k + 1 < wall.poles.size(); ++k)
+          poles.push_back(out_.point(point_at(wall.poles[k], level)));
+        poles.push_back(to.point);
+        curve = out_.add(spline_curve(poles, *wall.knots));
+        break;
+      case WallShape::circle: curve = circle(wall, level.angle, level.z); break;
+      case WallShape::line: curve = line(from.point, along(wall, level.turn)); break;
+    }
+    result.push_back(edge(from, to, curve, std::move(poles)));
+  }
+  return result;
+}
+
+Id ShellWriter::line(Id from, const Vec3& way) {
+  return out_.add(fmt::format("LINE('',#{},#{})", from, vector(way)));
+}
+
+Edges ShellWriter::upright_edges(const WallLoop& loop, const WallSlice& slice, const Corners& below,
+                                 const Corners& above) {
+  Edges result;
+  for (std::size_t i = 0; i < loop.walls.size(); ++i) {
+    Ids poles{below[i].point};
+    for (std::size_t j = 1; j + 1 < slice.helix.size(); ++j)
+      poles.push_back(out_.point(climbing_pole(loop.walls[i].begin, slice, j)));
+    poles.push_back(above[i].point);
+    const Id curve = slice.straight() ? line(below[i].point, Vec3::UnitZ())
+                                      : out_.add(spline_curve(poles, slice.knots));
+    result.push_back(edge(below[i], above[i], curve, std::move(poles)));
+  }
+  return result;
+}
+
+Id ShellWriter::wall_surface(const Wall& wall, const WallSlice& slice, const Sides& sides,
+                             const Corner& begin) {
+  switch (wall.shape) {
+    case WallShape::spline: {
+      std::vector<Ids> rows{sides.left.poles};
+      for (std::size_t i = 1; i + 1 < wall.poles.size(); ++i) {
+        Ids row{sides.bottom.poles[i]};
+        for (std::size_t j = 1; j + 1 < slice.helix.size(); ++j)
+          row.push_back(out_.point(climbing_pole(wall.poles[i], slice, j)));
+        row.push_back(sides.top.poles[i]);
+        rows.push_back(std::move(row));
+      }
+      rows.push_back(sides.right.poles);
+      return out_.add(spline_surface(rows, *wall.knots, slice.knots));
+    }
+    case WallShape::circle: return cylinder(wall, slice.middle_angle);
+    case WallShape::line: {
+      GW_EXPECTS(slice.straight());
+      const Vec3 way = along(wall, slice.low.turn);
+      // Normal = along × axis points out of the loop; u runs along, v upwards.
+      const Id normal = direction({way.y(), -way.x(), 0.0});
+      const Id axes = out_.placement(begin.point, normal, direction(way));
+      return out_.add(fmt::format("PLANE('',#{})", axes));
+    }
+  }
+  contract_failed("postcondition", "known wall shape", __FILE__, __LINE__);
+}
+
+Id ShellWriter::oriented(Id edge, const char* sense) {
+  return out_.add(fmt::format("ORIENTED_EDGE('',*,*,#{},{})", edge, sense));
+}
+
+Id ShellWriter::edge_loop(const Ids& uses) {
+  std::string text = "EDGE_LOOP('',";
+  append_ids(text, uses);
+  return out_.add(text + ")");
+}
+
+// Counter-clockwise around the face, seen from the side to which its surface normal points.
+Id ShellWriter::wall_bound(const Sides& sides) {
+  return edge_loop({oriented(sides.bottom.edge, ".T."), oriented(sides.right.edge, ".T."),
+                    oriented(sides.top.edge, ".F."), oriented(sides.left.edge, ".F.")});
+}
+
+Id ShellWriter::loop(const Edges& edges) {
+  Ids uses;
+  for (const Edge& e : edges) uses.push_back(oriented(e.edge, ".T."));
+  return edge_loop(uses);
+}
+
+// The first loop is the outer one. All run counter-clockwise, seen from the side to which the
+// surface normal points. A bound runs counter-clockwise about the face normal, and the other way
+// about a hole.
+void ShellWriter::add_face(const Ids& loops, Id surface, Side side) {
+  std::string text = "ADVANCED_FACE('',";
+  Ids bounds;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const bool turned = (i > 0) != (side == Side::against);
+    bounds.push_back(
+        out_.add(fmt::format("{}('',#{},{})", i == 0 ? "FACE_OUTER_BOUND" : "FACE_BOUND", loops[i],
+                             turned ? ".F." : ".T.")));
+  }
+  append_ids(text, bounds);
+  faces_.push_back(out_.add(text + fmt::format(",#{},{})", surface, word(side))));
+}
+
+}  // namespace gearwright::brep

@@ -1,0 +1,100 @@
+// The faces, edges and vertices of a solid round the axis, as they are written. Internal to cad/.
+//
+// Boundary poles of a face are the points of its edges. Circles and cylinders lie about the axis.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gearwright/cad/brep.hpp"
+#include "gearwright/cad/part21.hpp"
+#include "gearwright/cad/walls.hpp"
+
+namespace gearwright::brep {
+
+using Id = Part21Id;
+using Ids = std::vector<Id>;
+
+struct Corner {
+  Id point;
+  Id vertex;
+};
+
+struct Edge {
+  Id edge;
+  Ids poles;  ///< from its begin to its end; none for circles, and none for lines in a level
+};
+
+using Corners = std::vector<Corner>;
+using Edges = std::vector<Edge>;
+
+struct Rims {
+  Edges bottom;
+  Edges top;
+};
+
+/// Direction of a face relative to its surface.
+enum class Side { along, against };
+
+std::string spline_curve(const Ids& poles, const WallKnots& knots);
+std::string spline_surface(const std::vector<Ids>& rows, const WallKnots& u, const WallKnots& v);
+
+class ShellWriter {
+ public:
+  explicit ShellWriter(Part21& out) : out_(out) {}
+
+  /// One face per wall and slice. `side` is `along` if the metal is inside the loop.
+  Rims add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width, Side side);
+
+  /// Adds the bore or the rim and the two end faces, and ends the solid.
+  Brep close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth);
+
+ protected:
+  Corner corner(const Vec3& at);
+  Edge edge(const Corner& from, const Corner& to, Id curve, Ids poles);
+  /// The circle of a wall that is turned by `turn`, at the height z.
+  Id circle(const Wall& wall, double turn, double z);
+  Id cylinder(const Wall& wall, double turn);
+  Id oriented(Id edge, const char* sense);
+  Id edge_loop(const Ids& uses);
+  /// The first loop is the outer one. All run counter-clockwise, seen from the side to which the
+  /// surface normal points.
+  void add_face(const Ids& loops, Id surface, Side side);
+
+  Part21& out_;
+
+ private:
+  struct Sides {
+    const Edge& bottom;
+    const Edge& right;
+    const Edge& top;
+    const Edge& left;
+  };
+
+  void add_cap(double z, const Edges& outer, const Edges* inner, Side side);
+  Brep finish(const std::string& name);
+  Id centre(double z);
+  Id direction(const Vec3& d);
+  Id vector(const Vec3& d);
+  Id frame(double z, const Vec3& x);
+  Id round_frame(const Wall& wall, double turn, double z);
+  Corners corners(const WallLoop& loop, const WallLevel& level);
+  Edges level_edges(const WallLoop& loop, const WallLevel& level, const Corners& at);
+  Id line(Id from, const Vec3& way);
+  Edges upright_edges(const WallLoop& loop, const WallSlice& slice, const Corners& below,
+                      const Corners& above);
+  Id wall_surface(const Wall& wall, const WallSlice& slice, const Sides& sides,
+                  const Corner& begin);
+  Id wall_bound(const Sides& sides);
+  Id loop(const Edges& edges);
+
+  Ids faces_;
+  std::size_t edge_count_ = 0;
+  std::map<double, Id> centres_;  // points of the axis, by height
+  std::map<std::array<double, 3>, Id> directions_;
+  std::map<std::array<double, 3>, Id> vectors_;
+};
+
+}  // namespace gearwright::brep

@@ -1,0 +1,268 @@
+#include "gearwright/cad/modified_brep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/cad/brep_shell.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids, brep::Rims,
+    brep::Side;
+
+// Least distance of a plane from the start of an end relief, relative to the height of a slice. The
+// line where a relief begins leaves its plane by c sin β_b, a hundredth of a module.
+constexpr double kNearPlane = 0.02;
+constexpr int kMoreSlices = 5;
+
+// A wall of tooth 0, counter-clockwise: an arc of a side, or a land.
+struct ToothWall {
+  std::optional<std::size_t> arc;  // none for a land
+  bool left;                       // side of the arc; its poles run from tip to root there
+  Wall land;                       // a circle
+};
+
+Vec3 turned_point(const Vec3& p, const SinCos& turn) {
+  return {turn.cos * p.x() - turn.sin * p.y(), turn.sin * p.x() + turn.cos * p.y(), p.z()};
+}
+
+WallKnots backward(WallKnots knots) {
+  std::reverse(knots.distinct.begin(), knots.distinct.end());
+  for (double& knot : knots.distinct) knot = 1.0 - knot;
+  std::reverse(knots.multiplicity.begin(), knots.multiplicity.end());
+  return knots;
+}
+
+class ModifiedShell : public brep::ShellWriter {
+ public:
+  ModifiedShell(Part21& out, const ToothedBody& body, const ModifiedTeeth& teeth,
+                const ModifiedFit& fit)
+      : ShellWriter(out),
+        fit_(fit),
+        twist_(body.twist),
+        copies_(std::abs(body.outline.teeth)),
+        walls_(tooth_walls(teeth)) {}
+
+  Rims add_teeth(Side side) {
+    const std::size_t n = walls_.size() * static_cast<std::size_t>(copies_);
+    Corners below = corners_at(0);
+    Edges floor = level_edges_at(0, below);
+    Rims rims{floor, {}};
+    std::vector<Edges> chain(n);  // upright edges at the begin of each wall since the last plane
+    std::size_t plane = 0;
+    Edges plane_floor = floor;
+    for (std::size_t l = 0; l + 1 < fit_.levels.size(); ++l) {
+      Corners above = corners_at(l + 1);
+      Edges ceiling = level_edges_at(l + 1, above);
+      const Edges uprights = uprights_in(l, below, above);
+      for (std::size_t i = 0; i < n; ++i) {
+        chain[i].push_back(uprights[i]);
+        if (!wall(i).arc) continue;
+        const Edge& right = uprights[(i + 1) % n];
+        const Id around = bound({floor[i]}, {right}, {ceiling[i]}, {uprights[i]});
+        const Id spline = surface(i, l, floor[i], right, ceiling[i], uprights[i]);
+        add_face({around}, spline, side);
+      }
+      if (!fit_.levels[l + 1].kink) {
+        const double middle = 0.5 * twist_ * (fit_.levels[plane].z + fit_.levels[l + 1].z);
+        for (std::size_t i = 0; i < n; ++i) {
+          if (wall(i).arc) continue;
+          const Id around = bound({plane_floor[i]}, chain[(i + 1) % n], {ceiling[i]}, chain[i]);
+          const Id round = cylinder(land(i), middle);
+          add_face({around}, round, side);
+        }
+        for (Edges& edges : chain) edges.clear();
+        plane = l + 1;
+        plane_floor = ceiling;
+      }
+      below = std::move(above);
+      floor = std::move(ceiling);
+    }
+    rims.top = std::move(floor);
+    return rims;
+  }
+
+ private:
+  static std::vector<ToothWall> tooth_walls(const ModifiedTeeth& teeth) {
+    const ModifiedSide &right = teeth.side(false), &left = teeth.side(true);
+    const auto& arcs = teeth.outline().arcs;
+    const double pitch = 2 * kPi / std::abs(teeth.outline().teeth);
+    const auto circle = [](double radius, double from, double to) {
+      return Wall{WallShape::circle, 0.0, 0.0, nullptr, {}, radius, from, to};
+    };
+    std::vector<ToothWall> walls;
+    const auto faces = [&](bool is_left) {
+      for (std::size_t i = 0; i < arcs.size(); ++i) {
+        const std::size_t arc = is_left ? arcs.size() - 1 - i : i;
+        if (right.role(arc) != ModifiedSide::Role::land) walls.push_back({arc, is_left, {}});
+      }
+    };
+    faces(false);
+    if (right.role(arcs.size() - 1) == ModifiedSide::Role::land) {
+      const auto edge = [](const ModifiedSide& side) {
+        const Vec3 p = side.point(side.outline().arcs.size() - 1, 0.0, side.plane(0.0));
+        return std::atan2(p.y(), p.x());
+      };
+      walls.push_back(
+          {{}, false, circle(arcs.back().begin_point.norm(), -edge(right), edge(left))});
+    }
+    faces(true);
+    if (right.role(0) == ModifiedSide::Role::land) {
+      const Vec2& p = arcs.front().end_point;
+      const double to = std::atan2(p.y(), p.x());
+      walls.push_back({{}, true, circle(p.norm(), to, pitch - to)});
+    }
+    return walls;
+  }
+
+  const ToothWall& wall(std::size_t i) const { return walls_[i % walls_.size()]; }
+  SinCos tooth(std::size_t i) const {
+    return sincos_turn(static_cast<long long>(i / walls_.size()), copies_);
+  }
+  Wall land(std::size_t i) const {
+    Wall circle = wall(i).land;
+    const double angle = 2 * kPi * static_cast<double>(i / walls_.size()) / copies_;
+    circle.begin_angle += angle;
+    circle.end_angle += angle;
+    return circle;
+  }
+
+  std::size_t poles_u(std::size_t i, std::size_t layer) const { return poles(i, layer).size(); }
+  const std::vector<std::vector<Vec3>>& poles(std::size_t i, std::size_t layer) const {
+    const ToothWall& w = wall(i);
+    return fit_.faces[w.left ? 1 : 0][layer][*w.arc].poles;
+  }
+  // Pole a along the loop, b upwards.
+  Vec3 pole(std::size_t i, std::size_t layer, std::size_t a, std::size_t b) const {
+    const auto& rows = poles(i, layer);
+    Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
+    if (!wall(i).left) p.y() = -p.y();
+    return turned_point(p, tooth(i));
+  }
+  WallKnots knots_u(std::size_t i) const {
+    const ToothWall& w = wall(i);
+    const WallKnots& knots = fit_.along_u[w.left ? 1 : 0][*w.arc];
+    return w.left ? backward(knots) : knots;
+  }
+
+  // Pole b of the upright line at the begin of wall i. Of a land it is the end of the wall before.
+  Vec3 upright_pole(std::size_t i, std::size_t layer, std::size_t b) const {
+    if (wall(i).arc) return pole(i, layer, 0, b);
+    return pole(i - 1, layer, poles_u(i - 1, layer) - 1, b);
+  }
+
+  Corners corners_at(std::size_t level) {
+    const std::size_t layer = level == 0 ? 0 : level - 1;
+    const std::size_t b = level == 0 ? 0 : poles(0, layer).front().size() - 1;
+    Corners all;
+    for (std::size_t i = 0; i < walls_.size() * static_cast<std::size_t>(copies_); ++i)
+      all.push_back(corner(upright_pole(i, layer, b)));
+    return all;
+  }
+
+  Edges level_edges_at(std::size_t level, const Corners& at) {
+    const std::size_t layer = level == 0 ? 0 : level - 1;
+    const ToothLevel& here = fit_.levels[level];
+    Edges all;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const Corner &from = at[i], &to = at[(i + 1) % at.size()];
+      if (!wall(i).arc) {
+        if (here.kink) {
+          all.push_back({});
+        } else {
+          const Id curve = circle(land(i), twist_ * here.z, here.z);
+          all.push_back(edge(from, to, curve, {}));
+        }
+        continue;
+      }
+      const std::size_t b = level == 0 ? 0 : poles(i, layer).front().size() - 1;
+      Ids ids{from.point};
+      for (std::size_t a = 1; a + 1 < poles_u(i, layer); ++a)
+        ids.push_back(out_.point(pole(i, layer, a, b)));
+      ids.push_back(to.point);
+      const Id curve = out_.add(brep::spline_curve(ids, knots_u(i)));
+      all.push_back(edge(from, to, curve, std::move(ids)));
+    }
+    return all;
+  }
+
+  Edges uprights_in(std::size_t layer, const Corners& below, const Corners& above) {
+    Edges all;
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      const std::size_t nv = poles(0, layer).front().size();
+      Ids ids{below[i].point};
+      for (std::size_t b = 1; b + 1 < nv; ++b) ids.push_back(out_.point(upright_pole(i, layer, b)));
+      ids.push_back(above[i].point);
+      const Id curve = out_.add(brep::spline_curve(ids, fit_.along_v[layer]));
+      all.push_back(edge(below[i], above[i], curve, std::move(ids)));
+    }
+    return all;
+  }
+
+  Id surface(std::size_t i, std::size_t layer, const Edge& bottom, const Edge& right,
+             const Edge& top, const Edge& left) {
+    const std::size_t nu = poles_u(i, layer), nv = left.poles.size();
+    std::vector<Ids> rows{left.poles};
+    for (std::size_t a = 1; a + 1 < nu; ++a) {
+      Ids row{bottom.poles[a]};
+      for (std::size_t b = 1; b + 1 < nv; ++b) row.push_back(out_.point(pole(i, layer, a, b)));
+      row.push_back(top.poles[a]);
+      rows.push_back(std::move(row));
+    }
+    rows.push_back(right.poles);
+    return out_.add(brep::spline_surface(rows, knots_u(i), fit_.along_v[layer]));
+  }
+
+  // Counter-clockwise around the face; every side leads along the loop, or upwards.
+  Id bound(const Edges& bottom, const Edges& right, const Edges& top, const Edges& left) {
+    Ids uses;
+    for (const Edge& e : bottom) uses.push_back(oriented(e.edge, ".T."));
+    for (const Edge& e : right) uses.push_back(oriented(e.edge, ".T."));
+    for (const Edge& e : top) uses.push_back(oriented(e.edge, ".F."));
+    for (auto e = left.rbegin(); e != left.rend(); ++e) uses.push_back(oriented(e->edge, ".F."));
+    return edge_loop(uses);
+  }
+
+  const ModifiedFit& fit_;
+  double twist_;
+  int copies_;
+  std::vector<ToothWall> walls_;
+};
+
+}  // namespace
+
+std::vector<double> modified_planes(const ModifiedTeeth& teeth, const WallLoop& loop,
+                                    double face_width) {
+  const auto near = [&](const std::vector<double>& planes) {
+    for (const bool left : {false, true})
+      for (const double kink : teeth.side(left).field().kinks_z())
+        for (const double z : planes)
+          if (std::abs(z - kink) < kNearPlane * (planes[1] - planes[0])) return true;
+    return false;
+  };
+  const auto cut_by = [&](int slices) {
+    std::vector<double> planes;
+    for (int i = 0; i <= slices; ++i)
+      planes.push_back(face_width * (2 * i - slices) / (2.0 * slices));
+    return planes;
+  };
+  for (int slices = loop.slices; slices > 1 && slices < loop.slices + kMoreSlices; ++slices)
+    if (auto planes = cut_by(slices); !near(planes)) return planes;
+  return cut_by(loop.slices);
+}
+
+Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
+                       const ModifiedTeeth& teeth, const ModifiedFit& fit) {
+  ModifiedShell shell(out, body, teeth, fit);
+  const Rims rims = shell.add_teeth(body.outline.teeth < 0 ? Side::against : Side::along);
+  return shell.close(body, walls, rims);
+}
+
+}  // namespace gearwright

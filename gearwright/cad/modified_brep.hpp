@@ -1,0 +1,33 @@
+// Teeth with flank modifications as an advanced B-rep, in the terms of a STEP file. Internal to cad/.
+//
+//   layer   between two levels: planes, and the lines where end reliefs begin
+//   slice   between two planes
+//
+// Flanks and fillets are one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are true
+// cylinders, one face per slice, whose sides consist of one edge per layer. An edge on a land keeps
+// to its cylinder within kHelixTarget_mm.
+//
+//   Law   every edge is used twice, once each way
+#pragma once
+
+#include "gearwright/cad/brep.hpp"
+#include "gearwright/cad/modified_fit.hpp"
+#include "gearwright/cad/modified_teeth.hpp"
+#include "gearwright/cad/part21.hpp"
+#include "gearwright/cad/walls.hpp"
+
+namespace gearwright {
+
+/// The heights of the planes that cut the teeth, from below: those of the teeth as cut, or of one
+/// slice more where a plane would cross the start of an end relief.
+std::vector<double> modified_planes(const ModifiedTeeth& teeth, const WallLoop& loop,
+                                    double face_width);
+
+/// Writes the solid of a body with these teeth in its own frame.
+///
+/// Units     mm
+/// Domain    walls = make_walls(body), fit = fit_modified(teeth, modified_planes()) (contract)
+Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
+                       const ModifiedTeeth& teeth, const ModifiedFit& fit);
+
+}  // namespace gearwright

@@ -1,0 +1,276 @@
+#include "gearwright/cad/modified_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/curve/arc_length.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Targets of the splines along u and along v, which together give that of a face, mm.
+constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
+constexpr int kLineChecks = 12, kFaceChecks = 8;  // places between neighbouring knots
+constexpr int kRowsU = 7;  // rows of a layer on which the basis along u is examined
+
+using Point = std::function<Vec3(double)>;
+
+std::vector<double> between(const BSplineBasis& basis, int n) {
+  const std::vector<double> knots = basis.distinct_knots();
+  std::vector<double> all;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+    for (int k = 0; k < n; ++k) all.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / n);
+  return all;
+}
+
+// The greatest error of the spline through the points of a line, span by span.
+std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
+  Eigen::MatrixXd samples(basis.poles(), 3);
+  for (int i = 0; i < basis.poles(); ++i)
+    samples.row(i) = exact(basis.greville()[static_cast<std::size_t>(i)]).transpose();
+  const Eigen::MatrixXd poles = basis.interpolate(samples);
+  const std::vector<double> places = between(basis, kLineChecks);
+  std::vector<double> worst(places.size() / kLineChecks, 0.0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec3 error = basis.evaluate(poles, places[i]) - exact(places[i]);
+    worst[i / kLineChecks] = std::max(worst[i / kLineChecks], error.norm());
+  }
+  return worst;
+}
+
+WallKnots knots_of(const BSplineBasis& basis) {
+  return {basis.degree(), basis.distinct_knots(), basis.multiplicities()};
+}
+
+// One side of the teeth, with the parameter of every arc: its own, or its relative length.
+class SideFitter {
+ public:
+  explicit SideFitter(const ModifiedSide& side) : side_(side) {
+    for (std::size_t arc = 0; arc < side.outline().arcs.size(); ++arc) {
+      lengths_.emplace_back();
+      bases_.emplace_back(1, 2);
+      if (side.role(arc) == ModifiedSide::Role::land) continue;
+      const Arc& a = side.outline().arcs[arc];
+      SectionSpline cut = fit_section(a, {a.begin_point.x(), a.begin_point.y()},
+                                      {a.end_point.x(), a.end_point.y()}, kTargetU_mm);
+      if (cut.by_length) lengths_.back().emplace(*a.curve, a.begin, a.end);
+      bases_.back() = std::move(cut.basis);
+    }
+  }
+
+  const BSplineBasis& basis(std::size_t arc) const { return bases_[arc]; }
+  bool is_face(std::size_t arc) const { return side_.role(arc) != ModifiedSide::Role::land; }
+  std::size_t arcs() const { return bases_.size(); }
+  const ModifiedSide& side() const { return side_; }
+
+  Vec3 point(std::size_t arc, double x, const ModifiedSide::Row& row) const {
+    double u = x;
+    if (lengths_[arc] && x > 0.0 && x < 1.0) {
+      const Arc& a = side_.outline().arcs[arc];
+      u = (lengths_[arc]->parameter(x * lengths_[arc]->length()) - a.begin) / (a.end - a.begin);
+    }
+    return side_.point(arc, u, row);
+  }
+
+  // Halves the spans along u that miss the target on a row.
+  void refine(std::size_t arc, const ModifiedSide::Row& row) {
+    const Point exact = [&](double x) { return point(arc, x, row); };
+    while (true) {
+      const BSplineBasis& basis = bases_[arc];
+      const std::vector<double> worst = errors(basis, exact);
+      std::vector<double> knots = basis.knots();
+      const std::vector<double> at = basis.distinct_knots();
+      for (std::size_t i = 0; i < worst.size(); ++i)
+        if (worst[i] > kTargetU_mm) knots.push_back(0.5 * (at[i] + at[i + 1]));
+      if (knots.size() == basis.knots().size()) return;
+      std::sort(knots.begin(), knots.end());
+      BSplineBasis finer(basis.degree(), std::move(knots));
+      if (finer.poles() > kMaxPoles) return;
+      bases_[arc] = std::move(finer);
+    }
+  }
+
+ private:
+  const ModifiedSide& side_;
+  std::vector<std::optional<ArcLength>> lengths_;
+  std::vector<BSplineBasis> bases_;
+};
+
+struct Layer {
+  ToothLevel low, high;
+};
+
+// True if the basis along v keeps the targets on every edge and on lines between them.
+bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& layer) {
+  std::vector<std::pair<double, ModifiedSide::Row>> rows;
+  const auto row_at = [&](double v) -> const ModifiedSide::Row& {
+    const auto same = [&](const auto& known) { return known.first == v; };
+    auto found = std::find_if(rows.begin(), rows.end(), same);
+    if (found == rows.end())
+      found = rows.insert(rows.end(), {v, fitter.side().row(layer.low, layer.high, v)});
+    return found->second;
+  };
+  const ModifiedSide& side = fitter.side();
+  for (std::size_t arc = 0; arc < fitter.arcs(); ++arc) {
+    if (!fitter.is_face(arc)) continue;
+    for (const double x : {0.0, 0.3, 0.7, 1.0}) {
+      const bool root = x == 0.0 && arc > 0 && !fitter.is_face(arc - 1);
+      const bool tip = x == 1.0 && arc == side.last_flank() && side.has_edge();
+      const bool faded = x == 1.0 && arc + 1 < fitter.arcs() && !fitter.is_face(arc + 1);
+      const double target = root || tip || faded ? kHelixTarget_mm : kTargetV_mm;
+      const std::vector<double> worst =
+          errors(basis, [&](double v) { return fitter.point(arc, x, row_at(v)); });
+      if (*std::max_element(worst.begin(), worst.end()) > target) return false;
+    }
+  }
+  return true;
+}
+
+// The basis with the fewest poles that serves both sides, or the last one.
+BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& layer) {
+  const auto both = [&](const BSplineBasis& basis) {
+    return serves(basis, fitters[0], layer) && serves(basis, fitters[1], layer);
+  };
+  if (BSplineBasis line(1, 2); both(line)) return line;
+  for (int poles = 6; poles < kMaxPoles; poles += 1 + poles / 8)
+    if (BSplineBasis basis(5, poles); both(basis)) return basis;
+  return {5, kMaxPoles};
+}
+
+// Poles of a face. `begin` and `below` replace the samples of its first row and its lower edge by
+// those of the neighbours, so that common edges are equal to the last bit.
+ModifiedFace fit_face(const SideFitter& fitter, std::size_t arc,
+                      const std::vector<ModifiedSide::Row>& rows, const BSplineBasis& along_v,
+                      const std::vector<Vec3>* begin, const std::vector<Vec3>* below,
+                      std::vector<Vec3>& end, std::vector<Vec3>& above) {
+  const BSplineBasis& along_u = fitter.basis(arc);
+  const int nu = along_u.poles(), nv = along_v.poles();
+  Eigen::MatrixXd samples(nu, 3 * nv);
+  end.clear();
+  above.clear();
+  for (int i = 0; i < nu; ++i) {
+    for (int j = 0; j < nv; ++j) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      Vec3 p = fitter.point(arc, along_u.greville()[a], rows[b]);
+      if (j == 0 && below) p = (*below)[a];
+      if (i == 0 && begin) p = (*begin)[b];
+      samples.block<1, 3>(i, 3 * j) = p.transpose();
+      if (i + 1 == nu) end.push_back(p);
+      if (j + 1 == nv) above.push_back(p);
+    }
+  }
+  const Eigen::MatrixXd half = along_u.interpolate(samples);
+  ModifiedFace face;
+  for (int i = 0; i < nu; ++i) {
+    Eigen::MatrixXd row(nv, 3);
+    for (int j = 0; j < nv; ++j) row.row(j) = half.block<1, 3>(i, 3 * j);
+    const Eigen::MatrixXd poles = along_v.interpolate(row);
+    face.poles.emplace_back();
+    for (int j = 0; j < nv; ++j) face.poles.back().emplace_back(poles.row(j).transpose());
+  }
+  return face;
+}
+
+double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t arc,
+                 const Layer& layer, const BSplineBasis& along_v) {
+  const BSplineBasis& along_u = fitter.basis(arc);
+  double worst = 0.0;
+  for (const double v : between(along_v, kFaceChecks)) {
+    const ModifiedSide::Row row = fitter.side().row(layer.low, layer.high, v);
+    const BSplineBasis::Local local = along_v.local(v);
+    Eigen::MatrixXd line(along_u.poles(), 3);
+    for (int i = 0; i < along_u.poles(); ++i) {
+      Vec3 sum = Vec3::Zero();
+      for (std::size_t j = 0; j < local.values.size(); ++j)
+        sum += local.values[j] *
+               face.poles[static_cast<std::size_t>(i)][static_cast<std::size_t>(local.first) + j];
+      line.row(i) = sum.transpose();
+    }
+    for (const double x : between(along_u, kFaceChecks)) {
+      const Vec3 error = along_u.evaluate(line, x) - fitter.point(arc, x, row);
+      worst = std::max(worst, error.norm());
+    }
+  }
+  return worst;
+}
+
+std::vector<ToothLevel> levels_between(const ModifiedTeeth& teeth,
+                                       const std::vector<double>& planes) {
+  std::vector<ToothLevel> levels;
+  for (const double z : planes) levels.push_back({z, false});
+  std::vector<double> kinks;
+  for (const bool left : {false, true}) {
+    const auto& own = teeth.side(left).field().kinks_z();
+    kinks.insert(kinks.end(), own.begin(), own.end());
+  }
+  std::sort(kinks.begin(), kinks.end());
+  kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+  for (const double z : kinks) levels.push_back({z, true});
+  std::sort(levels.begin(), levels.end(),
+            [](const ToothLevel& a, const ToothLevel& b) { return a.z < b.z; });
+  return levels;
+}
+
+}  // namespace
+
+Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, const std::vector<double>& planes) {
+  GW_EXPECTS(planes.size() >= 2);
+  std::array<SideFitter, 2> fitters{SideFitter(teeth.side(false)), SideFitter(teeth.side(true))};
+  ModifiedFit fit;
+  fit.levels = levels_between(teeth, planes);
+  for (SideFitter& fitter : fitters)
+    for (std::size_t arc = 0; arc < fitter.arcs(); ++arc)
+      for (std::size_t l = 0; l + 1 < fit.levels.size() && fitter.is_face(arc); ++l)
+        for (int i = 0; i < kRowsU; ++i)
+          fitter.refine(arc, fitter.side().row(fit.levels[l], fit.levels[l + 1],
+                                               static_cast<double>(i) / (kRowsU - 1)));
+  for (const std::size_t side : {0U, 1U})
+    for (std::size_t arc = 0; arc < fitters[side].arcs(); ++arc)
+      fit.along_u[side].push_back(knots_of(fitters[side].basis(arc)));
+
+  std::array<std::vector<std::vector<Vec3>>, 2> above;  // upper edges of the layer below, by arc
+  for (std::size_t l = 0; l + 1 < fit.levels.size(); ++l) {
+    const Layer layer{fit.levels[l], fit.levels[l + 1]};
+    const BSplineBasis along_v = basis_along(fitters, layer);
+    fit.along_v.push_back(knots_of(along_v));
+    for (double& knot : fit.along_v.back().distinct)
+      knot = knot == 1.0 ? layer.high.z : layer.low.z + (layer.high.z - layer.low.z) * knot;
+    for (const std::size_t side : {0U, 1U}) {
+      const SideFitter& fitter = fitters[side];
+      std::vector<ModifiedSide::Row> rows;
+      for (const double v : along_v.greville())
+        rows.push_back(fitter.side().row(layer.low, layer.high, v));
+      std::vector<ModifiedFace> faces(fitter.arcs());
+      std::vector<std::vector<Vec3>> upper(fitter.arcs());
+      std::vector<Vec3> end;
+      for (std::size_t arc = 0; arc < fitter.arcs(); ++arc) {
+        if (!fitter.is_face(arc)) continue;
+        const std::vector<Vec3> begin = std::move(end);
+        const bool joined = arc > 0 && fitter.is_face(arc - 1);
+        faces[arc] = fit_face(fitter, arc, rows, along_v, joined ? &begin : nullptr,
+                              l > 0 ? &above[side][arc] : nullptr, end, upper[arc]);
+        const double off = deviation(faces[arc], fitter, arc, layer, along_v);
+        faces[arc].deviation_mm = off;
+        if (!(off <= kSectionMax_mm)) {
+          return Error{"", "",
+                       fmt::format("the modified {} cannot be drawn as a spline closer than "
+                                   "{:.1e} mm; at most {:.0e} mm is allowed",
+                                   to_string(teeth.outline().arcs[arc].name), off, kSectionMax_mm)};
+        }
+      }
+      fit.faces[side].push_back(std::move(faces));
+      above[side] = std::move(upper);
+    }
+  }
+  return fit;
+}
+
+}  // namespace gearwright

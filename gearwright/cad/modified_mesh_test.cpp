@@ -1,0 +1,235 @@
+#include "gearwright/cad/modified_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "gearwright/cad/mesh.hpp"
+#include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/modified_bodies.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::external;
+using testing::FlankReading;
+using testing::internal;
+using testing::modified;
+using testing::modified_gears;
+using testing::ModifiedGear;
+using testing::read_flank;
+
+constexpr double kMeshTolerance_mm = 0.005;
+
+TriangleMesh tessellated(const ToothedBody& body, double tolerance = kMeshTolerance_mm) {
+  auto mesh = tessellate(body, {.chord_tolerance_mm = tolerance});
+  EXPECT_TRUE(mesh) << (mesh ? "" : mesh.error().message());
+  return mesh ? std::move(mesh).take() : TriangleMesh{};
+}
+
+// A point of a wall whose foot lies on the flank, clear of its two ends.
+bool on_flank(const ModifiedGear& g, const Vec3& p, const FlankReading& at) {
+  const double tip = g.gear.tip_diameter / 2;
+  return at.foot > 0.01 && at.foot < 1.0 && std::abs(p.head<2>().norm() - tip) > 1e-6 &&
+         std::abs(at.depth) < 0.5;
+}
+
+TEST(ModifiedMesh, vertices_lie_on_the_modified_flank) {
+  for (const double size : {1.0, 6.0}) {
+    for (const ModifiedGear& g : modified_gears(size)) {
+      const TriangleMesh mesh = tessellated(g.body);
+      std::array<int, 2> seen{};
+      for (const Vec3& p : mesh.vertices) {
+        const FlankReading at = read_flank(g, p);
+        if (!on_flank(g, p, at)) continue;
+        ++seen[at.left ? 1 : 0];
+        EXPECT_NEAR(at.error, 0.0, 1e-9) << g.name << " " << p.transpose();
+      }
+      EXPECT_GT(seen[0], 1000) << g.name;
+      EXPECT_GT(seen[1], 1000) << g.name;
+    }
+  }
+}
+
+TEST(ModifiedMesh, facets_stay_within_the_tolerance) {
+  for (const ModifiedGear& g : modified_gears(3.0)) {
+    const TriangleMesh mesh = tessellated(g.body);
+    const double end = g.body.face_width / 2;
+    double worst = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+      if (std::abs(a.z()) == end && a.z() == b.z() && b.z() == c.z()) continue;  // a cap
+      if (!on_flank(g, a, read_flank(g, a)) || !on_flank(g, b, read_flank(g, b)) ||
+          !on_flank(g, c, read_flank(g, c)))
+        continue;
+      for (const Vec3& p : {Vec3((a + b + c) / 3), Vec3((a + b) / 2), Vec3((b + c) / 2)})
+        worst = std::max(worst, std::abs(read_flank(g, p).error));
+    }
+    EXPECT_GT(worst, 0.1 * kMeshTolerance_mm) << g.name;
+    EXPECT_LE(worst, kMeshTolerance_mm) << g.name;
+  }
+}
+
+TEST(ModifiedMesh, is_closed) {
+  for (const ModifiedGear& g : modified_gears(6.0)) {
+    const TriangleMesh mesh = tessellated(g.body);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const Triangle& t : mesh.triangles)
+      for (std::size_t i = 0; i < 3; ++i) ++uses[{t[i], t[(i + 1) % 3]}];
+    for (const auto& [edge, n] : uses) {
+      EXPECT_EQ(n, 1) << g.name;
+      EXPECT_EQ(uses.count({edge.second, edge.first}), 1u) << g.name;
+    }
+    ASSERT_EQ(mesh.shaded_triangles.size(), mesh.triangles.size());
+    ASSERT_EQ(mesh.normals.size(), mesh.shaded_vertices.size());
+  }
+}
+
+// The normals for shading point out of their triangles, and turn by no more than a facet may, 0.26,
+// and half of the corner of 0.075 rad where an end relief begins, of which they are the mean.
+TEST(ModifiedMesh, normals_are_those_of_the_surface) {
+  for (const ModifiedGear& g : modified_gears(6.0)) {
+    const TriangleMesh mesh = tessellated(g.body, 0.001);
+    double least = 1.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Triangle &t = mesh.triangles[i], &s = mesh.shaded_triangles[i];
+      const Vec3& a = mesh.vertices[t[0]];
+      const Vec3 n = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+      if (n.norm() < 1e-6) continue;  // a sliver turns by the rounding of its corners
+      for (const std::uint32_t corner : s)
+        least = std::min(least, mesh.normals[corner].dot(n.normalized()));
+    }
+    EXPECT_GT(least, std::cos(0.26 + 0.0375)) << g.name;
+  }
+}
+
+// ∫ c dA over both flanks of all teeth, with dA = L dξ dz/cos β_b.
+double removed_from_flanks(const ModifiedGear& g) {
+  const auto& ref = g.gear.reference();
+  const double r_b = ref.base_diameter / 2, b = g.gear.spec.face_width;
+  const auto roll = [&](double rho) { return std::sqrt(rho * rho - r_b * r_b); };
+  const double L_f = roll(*g.gear.root_form_radius()), L_a = roll(g.gear.tip_form_radius());
+  constexpr int kSteps = 400;
+  double sum = 0.0;
+  for (const bool left : {false, true})
+    for (int i = 0; i < kSteps; ++i)
+      for (int j = 0; j < kSteps; ++j) {
+        const double L = L_f + (L_a - L_f) * (i + 0.5) / kSteps, z = b * ((j + 0.5) / kSteps - 0.5);
+        sum += testing::defined_removal(g, left, L, z) * L;
+      }
+  const double cell = std::abs(L_a - L_f) / kSteps * b / kSteps;
+  return std::abs(g.gear.spec.teeth) * sum * cell / (r_b * std::cos(ref.base_helix_angle));
+}
+
+// A tip relief leaves the fillet as cut, so the flanks are all that changes. The flank beyond the edge
+// as cut, c sin α long, which then meets the tip cylinder, is not in the integral: 0.6 % here.
+TEST(ModifiedMesh, removes_the_integral_of_the_modification) {
+  for (Gear gear : {external(17, 0.0), external(21, 20.0), external(17, -15.0)}) {
+    const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
+    FlankModifications m;
+    m.tip_relief = {0.03, 2 * (root + 0.4 * (tip - root)), ReliefShape::linear};
+    const ModifiedGear g = modified("relieved", std::move(gear), {m, m});
+    ToothedBody plain = g.body;
+    plain.removal = {};
+    const double removed =
+        mesh_volume(tessellated(plain, 1e-4)) - mesh_volume(tessellated(g.body, 1e-4));
+    const double wanted = removed_from_flanks(g);
+    EXPECT_GT(wanted, 0.0);
+    EXPECT_NEAR(removed / wanted, 1.0, 0.01);
+    const auto teeth = ModifiedTeeth::of(g.body);
+    ASSERT_TRUE(teeth);
+    EXPECT_NEAR(teeth->removed_volume(g.body.face_width) / wanted, 1.0, 0.01);
+  }
+}
+
+// Crowning also moves the fillets, so more is removed than from the flanks, but less than from
+// flanks that reached down to the root.
+TEST(ModifiedMesh, crowning_removes_at_the_faces) {
+  for (Gear gear : {external(17, 0.0), external(21, -20.0), internal(0.0), internal(20.0)}) {
+    const bool ring = gear.spec.teeth < 0;
+    FlankModifications m;
+    m.lead_crowning = 0.02;
+    const ModifiedGear g = modified("crowned", std::move(gear), {m, m},
+                                    ring ? std::optional(Bore{118.0}) : std::nullopt);
+    const auto teeth = ModifiedTeeth::of(g.body);
+    ASSERT_TRUE(teeth);
+    const double flanks = removed_from_flanks(g);
+    const double removed = teeth->removed_volume(g.body.face_width);
+    EXPECT_GT(removed, flanks);
+    EXPECT_LT(removed, 1.5 * flanks);
+    ToothedBody plain = g.body;
+    plain.removal = {};
+    EXPECT_NEAR(
+        (mesh_volume(tessellated(plain, 1e-4)) - mesh_volume(tessellated(g.body, 1e-4))) / removed,
+        1.0, 0.01);
+    for (const Vec3& p : tessellated(g.body).vertices) {
+      const FlankReading at = read_flank(g, p);
+      if (!on_flank(g, p, at)) continue;
+      EXPECT_GT(at.depth, -1e-12);
+      const bool face = std::abs(p.z()) == g.body.face_width / 2;
+      EXPECT_NEAR(face ? at.depth : 0.02, 0.02, 1e-4);
+    }
+  }
+}
+
+TEST(ModifiedMesh, a_crowning_below_the_tolerance_is_there) {
+  FlankModifications m;
+  m.lead_crowning = 0.003;
+  const ModifiedGear g = modified("crowned", external(17, 0.0), {m, m});
+  const TriangleMesh mesh = tessellated(g.body);
+  double least = 1.0, greatest = 0.0;
+  for (const Vec3& p : mesh.vertices) {
+    const FlankReading at = read_flank(g, p);
+    if (!on_flank(g, p, at)) continue;
+    least = std::min(least, at.depth);
+    greatest = std::max(greatest, at.depth);
+  }
+  EXPECT_NEAR(least, 0.0, 2e-4);
+  EXPECT_NEAR(greatest, 0.003, 1e-9);
+}
+
+TEST(ModifiedMesh, lands_stay_as_cut) {
+  for (const ModifiedGear& g : modified_gears(6.0)) {
+    double inner = 1e9, outer = 0.0;
+    for (const Vec3& p : tessellated(g.body).vertices) {
+      if (read_flank(g, p).foot < -10) continue;
+      const double rho = p.head<2>().norm();
+      const bool ring = g.gear.spec.teeth < 0;
+      if (ring && rho > g.gear.root_diameter / 2 + 1) continue;  // the rim
+      inner = std::min(inner, rho);
+      outer = std::max(outer, rho);
+    }
+    const double tip = g.body.outline.arcs.back().end_point.norm();
+    EXPECT_NEAR(g.gear.spec.teeth < 0 ? inner : outer, tip, 1e-9) << g.name;
+  }
+}
+
+TEST(ModifiedMesh, teeth_that_cannot_be_modified_say_why) {
+  Gear gear = external(17, 0.0);
+  FlankModifications m;
+  m.tip_relief = {0.02, gear.tip_diameter - 2.0, ReliefShape::linear};
+  ToothedBody body = gear_body(gear, "gear").value();
+  // A whole circle of land is no face of a solid.
+  const auto one = make_gear(testing::plain_spec(
+      {.teeth = 1, .module = 2.0, .beta_deg = 60.0, .x = 0.9, .face_width = 10.0}));
+  if (one && one->exists() && one->root_form_radius()) {
+    FlankModifications crowned;
+    crowned.lead_crowning = 0.01;
+    ToothedBody made = gear_body(*one, "one").value();
+    EXPECT_FALSE(modify(made, *one, {crowned, crowned}));
+    EXPECT_FALSE(made.modified());
+    EXPECT_FALSE(made.unmodified.empty());
+  }
+  FlankModifications off = m;
+  off.tip_relief.reach = gear.tip_diameter + 1;
+  const auto error = modify(body, gear, {off, m});
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->field, "modifications.right.tip_relief.reach");
+}
+
+}  // namespace
+}  // namespace gearwright

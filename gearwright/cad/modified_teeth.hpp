@@ -1,0 +1,119 @@
+// The teeth of a body with flank modifications, as surfaces. Internal to cad/.
+//
+//   c(u, ζ)   removed along the normal, mm, at the diameter and the height of the nominal point
+//             (gear/modifications.hpp)
+//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; p the outline, n its normal there
+//   ζ, z      heights of the nominal and of the moved point, mm; z = ζ − c n_z
+//   w         weight of a fade, from 1 at the form diameter to 0 at the root or the tip
+//
+// A side is the half of a tooth with one flank, in the frame of the half outline (y > 0): the lower
+// half, with the right flank, is mirrored, and its twist with it. The flank moves by c along its
+// normal. Its edge on the tip land is where it meets the tip cylinder. A root fillet, and a tip
+// fillet or chamfer, follow the end of the flank: they move by w times the movement of that end,
+// with w a smooth step of the radius, and so meet the root and tip land as cut. Lands are cylinders.
+//
+// Rows   A row is a curve across the half tooth, from root to tip, in a layer between two levels. A
+//        level is a plane z = const, or the image of ζ = const where an end relief begins, which is
+//        no plane on a helical flank, because the flank there moves along a normal that is tilted.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/gear/modifications.hpp"
+
+namespace gearwright {
+
+/// A level of the body: the plane at the height z, or the line of the flank that was there (kink).
+struct ToothLevel {
+  double z;
+  bool kink = false;
+};
+
+class ModifiedSide {
+ public:
+  enum class Role {
+    land,   ///< as cut
+    fade,   ///< follows the end of the flank
+    flank,  ///< moved by c
+  };
+
+  /// A row at v of the layer between two levels.
+  struct Row {
+    ToothLevel low, high;
+    double v;                   ///< 0 at the low level, 1 at the high one
+    double z;                   ///< mm, of the lands
+    double edge;                ///< u of the last flank arc at the tip cylinder; 1 without an edge
+    std::array<Vec2, 2> shift;  ///< mm, of the ends of the flank at root and tip, turned back
+    std::array<double, 2> end_z;  ///< mm, their heights
+  };
+
+  /// Domain    outline and places as ModifiedTeeth makes them
+  ModifiedSide(const Outline& outline, double twist, std::shared_ptr<const RemovalField> field);
+
+  Row row(const ToothLevel& low, const ToothLevel& high, double v) const;
+  Row plane(double z) const { return row({z}, {z}, 0.0); }
+
+  /// The point at u in [0, 1] of an arc, mm, in the frame of the side.
+  Vec3 point(std::size_t arc, double u, const Row& row) const;
+
+  Role role(std::size_t arc) const { return roles_[arc]; }
+  /// True if the last flank arc ends on a tip land.
+  bool has_edge() const { return has_edge_; }
+  std::size_t first_flank() const { return first_; }
+  std::size_t last_flank() const { return last_; }
+  const Outline& outline() const { return *outline_; }
+  const RemovalField& field() const { return *field_; }
+  double twist() const { return twist_; }
+
+ private:
+  struct Place {
+    Vec2 p, normal;
+  };
+  Place nominal(std::size_t arc, double u) const;
+  Vec3 moved(std::size_t arc, double u, double zeta) const;
+  double zeta_at(const ToothLevel& level, std::size_t arc, double u) const;
+  double zeta_in(const Row& row, std::size_t arc, double u) const;
+  Vec3 flank(std::size_t arc, double u, const Row& row) const {
+    return moved(arc, u, zeta_in(row, arc, u));
+  }
+  double edge_of(const Row& row) const;
+  double weight(std::size_t arc, double rho) const;
+
+  std::shared_ptr<const Outline> outline_;
+  double twist_;
+  std::shared_ptr<const RemovalField> field_;
+  std::vector<Role> roles_;           // of the arcs
+  std::size_t first_ = 0, last_ = 0;  // flank arcs
+  bool has_edge_ = false;
+};
+
+/// Both sides of the teeth of a body.
+class ModifiedTeeth {
+ public:
+  /// Domain    a body with both fields of removal (contract)
+  /// Errors    the rule says why these teeth cannot be made with their modifications: pointed
+  ///           teeth, flanks in pieces, no root fillet, a tip land that would vanish
+  static Result<ModifiedTeeth> of(const ToothedBody& body);
+
+  /// The outline as cut, with its flank divided where a relief of either side begins.
+  const Outline& outline() const { return right_.outline(); }
+  const ModifiedSide& side(bool left) const { return left ? left_ : right_; }
+
+  /// Volume removed from all teeth, mm³.
+  ///
+  /// Accuracy  1e-6 of the whole
+  double removed_volume(double face_width) const;
+
+ private:
+  ModifiedTeeth(ModifiedSide right, ModifiedSide left)
+      : right_(std::move(right)), left_(std::move(left)) {}
+
+  ModifiedSide right_, left_;
+};
+
+}  // namespace gearwright

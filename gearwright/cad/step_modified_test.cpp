@@ -1,0 +1,138 @@
+// Solids with flank modifications, as another CAD kernel builds them: valid, closed, of the computed
+// volume, and with flanks on the modified surface.
+
+#include <gtest/gtest.h>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Curve.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "gearwright/cad/brep.hpp"
+#include "gearwright/cad/section.hpp"
+#include "gearwright/cad/step.hpp"
+#include "gearwright/cad/testing/modified_bodies.hpp"
+#include "gearwright/cad/testing/step_reader.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::FlankReading;
+using testing::modified_gears;
+using testing::ModifiedGear;
+using testing::read_flank;
+
+struct Read {
+  StepReport report;
+  testing::ReadStep step;
+};
+
+Read read(const ModifiedGear& g) {
+  const auto made = step_document({g.body}, "gear.step");
+  EXPECT_TRUE(made) << made.error().message();
+  return {made->report, testing::read_step(made->text)};
+}
+
+// 40 × 40 points of every B-spline face; those clear of the ends of the flank are measured.
+TEST(StepModified, flanks_lie_on_the_modified_surface) {
+  for (const double size : {1.0, 6.0}) {
+    for (const ModifiedGear& g : modified_gears(size)) {
+      const Read r = read(g);
+      EXPECT_LE(r.report.max_deviation_mm, size == 1.0 ? 2.2e-5 : 1e-4) << g.name;
+      double worst = 0.0;
+      std::array<int, 2> seen{};
+      for (TopExp_Explorer f(r.step.shape, TopAbs_FACE); f.More(); f.Next()) {
+        const auto surface =
+            Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(f.Current())));
+        if (surface.IsNull()) continue;
+        double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+        surface->Bounds(u0, u1, v0, v1);
+        // The faces that follow a flank have their middle beyond one of its form diameters.
+        // Teeth are turned copies, of which those near the x axis are measured.
+        const gp_Pnt m = surface->Value((u0 + u1) / 2, (v0 + v1) / 2);
+        const double foot = read_flank(g, {m.X(), m.Y(), m.Z()}).foot;
+        if (foot < 0.0 || foot > 1.0 || std::abs(std::atan2(m.Y(), m.X())) > 0.4) continue;
+        for (int i = 0; i < 40; ++i) {
+          for (int j = 0; j < 40; ++j) {
+            const gp_Pnt p = surface->Value(u0 + (u1 - u0) * (i + 0.382) / 40,
+                                            v0 + (v1 - v0) * (j + 0.618) / 40);
+            const FlankReading at = read_flank(g, {p.X(), p.Y(), p.Z()});
+            ++seen[at.left ? 1 : 0];
+            worst = std::max(worst, std::abs(at.error));
+          }
+        }
+      }
+      EXPECT_GT(seen[0], 10000) << g.name;
+      EXPECT_GT(seen[1], 10000) << g.name;
+      EXPECT_LE(worst, 1.06 * r.report.max_deviation_mm + 1e-9) << g.name << " " << size;
+    }
+  }
+}
+
+// Spur, helical, internal: a kernel takes seconds to check one.
+std::vector<ModifiedGear> solid_gears() {
+  std::vector<ModifiedGear> all = modified_gears(4.0);
+  all.erase(all.begin() + 2, all.begin() + 4);
+  return all;
+}
+
+TEST(StepModified, solids_are_valid_closed_and_of_the_computed_volume) {
+  for (const ModifiedGear& g : solid_gears()) {
+    const Read r = read(g);
+    ASSERT_EQ(r.step.refusals, 0) << g.name;
+    ASSERT_EQ(r.step.solids.size(), 1u) << g.name;
+    const TopoDS_Solid& solid = r.step.solids.front();
+    EXPECT_EQ(static_cast<std::size_t>(testing::count(solid, TopAbs_FACE)), r.report.face_count);
+    EXPECT_EQ(static_cast<std::size_t>(testing::count(solid, TopAbs_EDGE)), r.report.edge_count);
+    EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid()) << g.name;
+    const double cut = metal_area(g.body) * g.body.face_width;
+    EXPECT_NEAR(testing::volume(solid) / r.report.volume_mm3, 1.0, 1e-6) << g.name;
+    EXPECT_LT(r.report.volume_mm3, cut * (1 - 1e-5)) << g.name;
+
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(solid, TopAbs_EDGE, edges);
+    std::vector<std::array<int, 2>> uses(static_cast<std::size_t>(edges.Extent()) + 1, {0, 0});
+    for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next()) {
+      for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
+        const auto at = static_cast<std::size_t>(edges.FindIndex(edge.Current()));
+        ++uses[at][edge.Current().Orientation() == TopAbs_FORWARD ? 0 : 1];
+      }
+    }
+    for (std::size_t i = 1; i < uses.size(); ++i)
+      EXPECT_EQ(uses[i], (std::array<int, 2>{1, 1})) << g.name << i;
+  }
+}
+
+TEST(StepModified, edges_lie_on_their_faces) {
+  for (const ModifiedGear& g : solid_gears()) {
+    const Read r = read(g);
+    double worst = 0.0;
+    int looked = 0;
+    for (TopExp_Explorer f(r.step.shape, TopAbs_FACE); f.More() && looked < 60;
+         f.Next(), ++looked) {
+      const TopoDS_Face& face = TopoDS::Face(f.Current());
+      ShapeAnalysis_Surface surface(BRep_Tool::Surface(face));
+      for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+        double first = 0.0, last = 0.0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(e.Current()), first, last);
+        for (int i = 0; i <= 20; ++i) {
+          surface.ValueOfUV(curve->Value(first + (last - first) * i / 20.0), 1e-12);
+          worst = std::max(worst, surface.Gap());
+        }
+      }
+    }
+    EXPECT_LE(worst, kBrepUncertainty_mm) << g.name;
+  }
+}
+
+}  // namespace
+}  // namespace gearwright
