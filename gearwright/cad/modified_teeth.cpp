@@ -57,7 +57,8 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   if (first == arcs.begin() || (first - 1)->name != ArcName::root_fillet)
     return obstacle("there is no root fillet that could follow the flank");
   if (beyond == arcs.end()) return obstacle("the teeth are pointed");
-  if (std::abs(outline.teeth) == 1) return obstacle("a land of one tooth spans a whole turn");
+  if (std::abs(outline.teeth) == 1 && std::any_of(arcs.begin(), arcs.end(), round_land))
+    return obstacle("a land of the single tooth spans more than half a turn");
   return std::nullopt;
 }
 
@@ -279,7 +280,7 @@ Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
             return obstacle("the modification folds the surface beside the flank");
           const Vec2 back = turned_by(after, -side.twist() * row.z);
           const bool middle = arc + 1 == divided.arcs.size() && k == kExaminedPoints;
-          if (!middle && !(back.y() > 0.0)) return obstacle("the modifications leave no tip land");
+          if (!middle && !(back.y() > 0.0)) return obstacle("the modified flanks of a tooth would cross");
           before = after;
         }
       }

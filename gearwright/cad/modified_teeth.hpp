@@ -97,7 +97,7 @@ class ModifiedTeeth {
  public:
   /// Domain    a body with both fields of removal (contract)
   /// Errors    the rule says why these teeth cannot be made with their modifications: pointed
-  ///           teeth, flanks in pieces, no root fillet, a tip land that would vanish
+  ///           teeth, flanks in pieces, no root fillet, flanks that would cross
   static Result<ModifiedTeeth> of(const ToothedBody& body);
 
   /// The outline as cut, with its flank divided where a relief of either side begins.

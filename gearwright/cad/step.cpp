@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -92,14 +93,17 @@ void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
   }
 }
 
-// The number of faces of the modified teeth, or a little more.
-std::size_t modified_face_count(const WallLoop& loop, const ModifiedTeeth& teeth,
-                                std::size_t planes) {
-  const std::size_t kinks =
-      teeth.side(false).field().kinks_z().size() + teeth.side(true).field().kinks_z().size();
-  const std::size_t walls = 2 * teeth.outline().arcs.size();
-  const std::size_t copies = static_cast<std::size_t>(std::abs(teeth.outline().teeth));
-  return std::max(loop.walls.size(), walls * copies) * (planes - 1 + kinks);
+// The number of faces of the modified teeth.
+std::size_t modified_face_count(const ModifiedTeeth& teeth, std::size_t planes) {
+  std::set<double> kinks;
+  for (const bool left : {false, true})
+    for (const double z : teeth.side(left).field().kinks_z()) kinks.insert(z);
+  std::size_t tooth = 0;
+  for (std::size_t arc = 0; arc < teeth.outline().arcs.size(); ++arc) {
+    const bool land = teeth.side(true).role(arc) == ModifiedSide::Role::land;
+    tooth += land ? planes - 1 : 2 * (planes - 1 + kinks.size());
+  }
+  return tooth * static_cast<std::size_t>(std::abs(teeth.outline().teeth));
 }
 
 }  // namespace
@@ -140,7 +144,7 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
       const auto modified = ModifiedTeeth::of(body);
       if (!modified) return within(body.name, modified.error());
       const std::vector<double> planes = modified_planes(*modified, teeth, body.face_width);
-      const std::size_t n = modified_face_count(teeth, *modified, planes.size());
+      const std::size_t n = modified_face_count(*modified, planes.size());
       if (n > kMaxStepFaces) return within(body.name, too_many(n, teeth.slices));
       const auto fit = fit_modified(*modified, planes);
       if (!fit) return within(body.name, fit.error());

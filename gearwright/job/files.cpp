@@ -93,10 +93,11 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
     return made.error();
   }
   StepDocument document = std::move(made).take();
-  return JobFile{path, fmt::format("STEP, {}", to_string(options.step_schema)),
-                 document.report.max_deviation_mm,
-                 fmt::format("{} faces", document.report.face_count) + without_modifications(bodies),
-                 std::move(document.text)};
+  return JobFile{
+      path, fmt::format("STEP, {}", to_string(options.step_schema)),
+      document.report.max_deviation_mm,
+      fmt::format("{} faces", document.report.face_count) + without_modifications(bodies),
+      std::move(document.text)};
 }
 
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -257,8 +258,22 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   if (options.on_file) options.on_file(path.filename().string());
   if (kind == FileKind::dxf || kind == FileKind::svg)
     return make_drawing(kind, bodies, path, options);
-  if (kind != FileKind::step) return make_mesh(kind, bodies, path, options);
-  return make_solid(bodies, path, options);
+  const auto make = [&](const std::vector<ToothedBody>& these) {
+    return kind == FileKind::step ? make_solid(these, path, options)
+                                  : make_mesh(kind, these, path, options);
+  };
+  auto made = make(bodies);
+  const auto modified = [](const ToothedBody& body) { return body.modified(); };
+  if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
+  // Modified teeth have more faces, and may be too many for a file that has room for them as cut.
+  std::vector<ToothedBody> as_cut = bodies;
+  for (ToothedBody& body : as_cut) {
+    if (!body.modified()) continue;
+    body.removal = {};
+    body.unmodified = made.error().rule;
+  }
+  auto plain = make(as_cut);
+  return plain ? std::move(plain) : std::move(made);
 }
 
 void write_files(const std::vector<JobFile>& files) {

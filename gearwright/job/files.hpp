@@ -69,7 +69,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is
-/// written.
+/// written. A file that has no room for modified flanks has the teeth as cut, and its note says why.
 ///
 /// Errors    a bore that does not fit; a file that is too large to be useful
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
