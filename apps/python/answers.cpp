@@ -53,7 +53,7 @@ RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {
   return answered<RatingValue>(
       asked_model(pair, py::none(), py::none(), rating_keys(), "rating", keys),
       [](SolvedJob& job, Progress* progress) { return answer_rating(job, progress); },
-      [](const SolvedJob&, const RatingAnswer& a) { return rating_quantities().of(a.view()); },
+      [](const SolvedJob&, const RatingAnswer& a) { return rating_quantities().of(a); },
       [](const SolvedJob& job, const RatingAnswer& a) { return judge(job, {.rating = &a}); });
 }
 
@@ -177,7 +177,7 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   SolvedJob job = model->job;
   const CompensateAnswer found = watched_result(
       model->given(), [&](Progress* progress) { return answer_compensate(job, progress); });
-  return by_name(Value(compensate_quantities().of(compensate_view(found))));
+  return by_name(Value(compensate_quantities().of(found)));
 }
 
 // There is a row for each sample with its inputs by name, "errors.crossing_deg" or

@@ -4,7 +4,7 @@
 
 #include "gearwright/arrange/given_change.hpp"
 #include "gearwright/arrange/notes.hpp"
-#include "gearwright/arrange/tolerance_corners.hpp"
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/rating/rated_pair.hpp"
 
 namespace gearwright {

@@ -390,19 +390,7 @@ const Quantities<Drive>& drive_quantities() {
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh) {
   const auto& made = drive.ratings[mesh];
   if (!made) return std::nullopt;
-  const RatingInput& in = made->input;
-  const double ratio = std::abs(static_cast<double>(made->pair.gears[made->pair.place(2)].teeth) /
-                                made->pair.gears[made->pair.place(1)].teeth);
-  const double n = in.speed.value_or(0.0);
-  return rating_quantities().of({in,
-                                 made->rating,
-                                 in.torque * n * 2 * std::numbers::pi / 60.0 / 1000.0,
-                                 {in.torque, in.torque * ratio},
-                                 {n, n / ratio},
-                                 std::nullopt,
-                                 std::nullopt,
-                                 std::nullopt,
-                                 std::nullopt});
+  return rating_quantities().of({made->pair, made->input, made->rating, {}, {}, {}, {}});
 }
 
 }  // namespace gearwright

@@ -1,6 +1,7 @@
 // The quantities of one gear: gears[i] of a result, the table of gear data.
 #pragma once
 
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/gear/gear.hpp"
 
@@ -21,5 +22,8 @@ const Quantities<Gear>& gear_quantities();
 
 /// A fact about a gear or a pair that is not an error.
 const Quantities<Warning>& warning_quantities();
+
+/// Additional quantities of a gear of two halves.
+const Quantities<Halves>& double_helical_quantities();
 
 }  // namespace gearwright

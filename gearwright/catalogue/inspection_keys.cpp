@@ -1,5 +1,10 @@
 #include "gearwright/catalogue/inspection_keys.hpp"
 
+#include <string_view>
+
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/inspection/identify.hpp"
+
 namespace gearwright {
 
 const KeyTable& measure_keys() {
@@ -58,6 +63,85 @@ const KeyTable& tolerance_keys() {
            .with_list(kLowerAndUpper)
            .with_fields({"tip_deviations"})
            .with_also({"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"})}};
+  return table;
+}
+
+const KeyTable& measured_keys() {
+  using I = IdentifyProblem;
+  static const KeyTable table{
+      "measured",
+      "Readings of an unknown gear, for the verb identify; uncertainties are for 95 %",
+      {{.key = "span_mm",
+        .symbol = "W_k",
+        .kind = KeyKind::any,
+        .form = "a table of readings by the number of teeth: { 3 = 19.751, 4 = 27.131 }",
+        .meaning = "spans over k teeth (internal: spaces), `{ 3 = 19.751, 4 = 27.131 }`"},
+       Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02", "of each span"),
+       {.key = "over_balls_mm",
+        .symbol = "M_dK",
+        .kind = KeyKind::table,
+        .list = KeyList{.most = kMostBallReadings,
+                        .must = "must be a list of tables: [{{ ball_diameter_mm = 5, "
+                                "dimension_mm = 69.426 }}], 1 to {} of them"},
+        .place = &I::balls,
+        .tables = {measured_ball_keys},
+        .meaning = "over two balls (internal: between them), "
+                   "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
+       Key::positive("over_balls_uncertainty_mm", "", &I::balls_uncertainty, "0.02",
+                     "of each dimension over balls"),
+       Key::positive("tip_diameter_mm", "d_a", {&I::tip, &MaybeReading<double>::value}, "",
+                     "tip diameter; the tip may be worn"),
+       Key::positive("tip_diameter_uncertainty_mm", "",
+                     {&I::tip, &MaybeReading<double>::uncertainty}, "0.02",
+                     "of the tip diameter, without wear"),
+       Key::positive("root_diameter_mm", "d_f", {&I::root, &MaybeReading<double>::value}, "",
+                     "root diameter"),
+       Key::positive("root_diameter_uncertainty_mm", "",
+                     {&I::root, &MaybeReading<double>::uncertainty}, "0.02",
+                     "of the root diameter"),
+       Key::number("lead_mm", "p_z", KeyRange{.zero = false},
+                   {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 right hand"),
+       Key::positive("lead_uncertainty_mm", "", {&I::lead, &MaybeReading<double>::uncertainty},
+                     "2 % of the lead", "of the lead"),
+       Key::number(
+           "helix_angle_deg", "β", KeyRange::between(-89, 89),
+           {&I::helix, &MaybeReading<Angle>::value}, "",
+           "helix angle at the reference cylinder, > 0 right hand; 0 if the teeth are straight"),
+       Key::positive("helix_angle_uncertainty_deg", "",
+                     {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5", "of the helix angle"),
+       Key::positive("center_distance_mm", "a", {&I::distance, &MaybeReading<double>::value}, "",
+                     "centre distance to the mating gear")
+           .with_needs({"mating_teeth"}),
+       Key::positive("center_distance_uncertainty_mm", "",
+                     {&I::distance, &MaybeReading<double>::uncertainty}, "0.02",
+                     "of the centre distance"),
+       Key::number("mating_teeth", "z", KeyRange{.lo = -1e5, .hi = 1e5, .zero = false},
+                   &I::mating_teeth, "",
+                   "number of teeth of the mating gear, negative if internal")}};
+  return table;
+}
+
+const KeyTable& measured_ball_keys() {
+  static const KeyTable table{
+      "measured_ball",
+      "One dimension over or between two balls",
+      {Key::positive("ball_diameter_mm", "D_M", &DiameterReading::tool, kRequired,
+                     "diameter of the balls"),
+       Key::positive("dimension_mm", "M_dK", &DiameterReading::value, kRequired,
+                     "over both, or between them in an internal gear")}};
+  return table;
+}
+
+const KeyTable& unknown_gear_keys() {
+  static const KeyTable table = [] {
+    KeyTable t{"unknown_gear", "Known values of a gear in addition to its readings", {}};
+    // Readings do not include the module, but users may misspell it.
+    for (const char* key :
+         {"teeth", "normal_module_mm", "normal_diametral_pitch_per_in", "normal_pressure_angle_deg",
+          "helix_angle_deg", "face_width_mm", "measured"})
+      t.keys.push_back(*gear_keys().find(key));
+    return t;
+  }();
   return table;
 }
 

@@ -8,4 +8,7 @@ namespace gearwright {
 
 const KeyTable& pair_keys();
 
+/// The keys of [gear2] if gear 2 is a rack.
+const KeyTable& rack_bar_keys();
+
 }  // namespace gearwright

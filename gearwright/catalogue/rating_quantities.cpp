@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/rating_quantities.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "gearwright/base/units.hpp"
 
@@ -154,17 +155,29 @@ Value tolerance(const V& v, double Tolerances::*member) {
   return std::array{(*v.rating.tolerance)[0].*member, (*v.rating.tolerance)[1].*member};
 }
 
+double speed(const V& v) { return v.input.speed.value_or(0.0); }
+
+// |z_2/z_1|
+double ratio(const V& v) {
+  const auto& gears = v.pair.gears;
+  return std::abs(static_cast<double>(gears[v.pair.place(2)].teeth) / gears[v.pair.place(1)].teeth);
+}
+
 void say_inputs(Quantities<V>& q) {
   q.under("");
   q.word("standard", "standard", "and its edition", [](const V& v) {
      return name(v.rating.edition);
    }).always();
   q.under(kLoad);
-  q.term("power_kW", "null without a speed",
-         [](const V& v) { return v.power_kW > 0 ? Value(v.power_kW) : Value(); });
-  q.number("torque_Nm", "torque", "T", "of the nominal load", &V::torque).per_gear();
+  q.term("power_kW", "null without a speed", [](const V& v) {
+    const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
+    return power > 0 ? Value(power) : Value();
+  });
+  q.number("torque_Nm", "torque", "T", "of the nominal load", [](const V& v) {
+     return std::array{v.input.torque, v.input.torque * ratio(v)};
+   }).per_gear();
   q.term("speed_rpm", "null where none is given", [](const V& v) {
-     return v.speed[0] > 0 ? Value(v.speed) : Value();
+     return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
   q.under(kMaterial);
   q.add(Type::text, "material", "material", "", "by name or kind", [](const V& v) {

@@ -22,15 +22,13 @@ struct ToothContact {
 };
 
 struct RatingView {
-  const RatingInput& input;
-  const Rating& rating;
-  double power_kW;               ///< 0 without a speed
-  std::array<double, 2> torque;  ///< N m
-  std::array<double, 2> speed;   ///< 1/min, 0 if not given
+  RatedPair pair;
+  RatingInput input;
+  Rating rating;
   std::optional<SpectrumRating> spectrum;
-  std::optional<double> torque_holding;  ///< N m
-  std::optional<double> face_holding;    ///< mm
-  std::optional<ToothContact> contact;
+  std::optional<double> torque_holding;  ///< N m, the greatest with the required safeties
+  std::optional<double> face_holding;    ///< mm, the least common face width with them
+  std::optional<ToothContact> contact;   ///< if the spec requests it
 };
 
 const Quantities<RatingView>& rating_quantities();

@@ -202,6 +202,12 @@ const char* to_string(SetMember member) {
   return kNames[static_cast<std::size_t>(member)];
 }
 
+std::vector<std::string> set_member_names() {
+  std::vector<std::string> names;
+  for (const SetMember member : kMembers) names.emplace_back(to_string(member));
+  return names;
+}
+
 std::optional<double> PerMesh::of(const std::string& mesh) const {
   for (const auto& [name, value] : each)
     if (name == mesh) return value;

@@ -18,6 +18,8 @@ namespace gearwright {
 enum class SetMember { sun, sun2, idler, planet, planet2, ring, ring2 };
 inline constexpr std::size_t kSetMembers = 7;
 const char* to_string(SetMember member);
+/// The names of all members, in their order.
+std::vector<std::string> set_member_names();
 
 /// One number for all gears of a set, or one for each named gear.
 struct PerMember {

@@ -5,21 +5,116 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/compensate_load.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/value_json.hpp"
 #include "gearwright/math/minimise.hpp"
+#include "gearwright/math/root.hpp"
+#include "gearwright/pair/tool_setting.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
 namespace {
+
+ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
+  const Gear& v = pair.gears[static_cast<std::size_t>(convex - 1)];
+  const Gear& c = pair.gears[static_cast<std::size_t>(2 - convex)];
+  return {convex_arcs(v).front(),
+          concave_arcs(c).front(),
+          v.reference_diameter / 2,
+          c.reference_diameter / 2,
+          Angle::radians(std::numbers::pi / 2 - std::abs(v.spec.helix_angle.rad())),
+          pair.center_distance};
+}
+
+// dTE/dφ1 of tooth pair 0 in the middle of its mesh, with a changed lead angle of one gear.
+std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
+                                   Angle delta_lambda) {
+  SetupChange change;
+  change.cutter_lead[static_cast<std::size_t>(gear - 1)] = delta_lambda;
+  const auto changed = setup.changed(change);
+  if (!changed) return std::nullopt;
+  const ContactPair pair = changed->pair(gear2_drives);
+  Transmission transmission(pair);
+  const PairTouch touch = transmission.of_pair_0(0.0);
+  if (!touch.found()) return std::nullopt;
+  return rotation_slope(transmission, touch);
+}
+
+std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetup& setup) {
+  const auto convex = setup.convex_gear();
+  const ArcPair* arcs = job.pair->arcs();
+  if (!convex || !arcs) return std::nullopt;
+  ArcMeshInput in = mesh_input(*arcs, *convex);
+  SettingAnswer answer{};
+  answer.angle_nominal = contact_angle(in);
+  if (!answer.angle_nominal) return std::nullopt;
+  const Angle theta = *answer.angle_nominal;
+  const double delta = setup.place().errors.center_distance;
+  answer.exact = tool_setting_change(in, theta, delta);
+  answer.first_order = -delta;  // [T8.21]
+  answer.thickness_change = thickness_change(in.convex, theta, answer.exact);
+  // Both flanks move along their normals by Δb sin θ.
+  answer.backlash_change = 2 * answer.exact * std::sin(theta.rad());
+  in.center_distance += delta;
+  answer.angle_displaced = contact_angle(in);
+  const double b = in.convex.b;
+  in.convex.b = b + answer.exact;
+  answer.angle_exact = contact_angle(in);
+  in.convex.b = b + answer.first_order;
+  answer.angle_first_order = contact_angle(in);
+  return answer;
+}
+
+std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
+  // An involute pair touches along lines. Its lead is corrected by slopes, which `compensate`
+  // computes.
+  const ArcPair* arcs = job.pair->arcs();
+  if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
+  const bool gear2_drives = job.spec.contact.driver == 2;
+  const auto nominal = middle_slope(setup, gear2_drives, 1, Angle());
+  if (!nominal) return std::nullopt;
+  LeadAnswer answer{};
+  answer.slope = *nominal;
+  for (const int gear : {1, 2}) {
+    const auto slope = [&](double d) {
+      return middle_slope(setup, gear2_drives, gear, Angle::radians(d));
+    };
+    constexpr double kReach = 0.01;  // rad: slightly more than half a degree
+    const auto lo = slope(-kReach);
+    const auto hi = slope(kReach);
+    if (!lo || !hi || *lo * *hi > 0.0) continue;
+    // If contact is lost in between, the bracket has no root.
+    constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
+    const auto or_lost = [&](double d) { return slope(d).value_or(kLost); };
+    const Root root = find_root(or_lost, -kReach, kReach);
+    if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
+  }
+  if (!arcs->contacts.empty()) {
+    // [T8.22], for all errors together.
+    const double theta = arcs->first_contact().at.theta.rad();
+    const ContactErrors& e = setup.place().errors;
+    const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());
+    const double r1 = setup.gear(1).reference_diameter / 2;
+    const double r2 = setup.gear(2).reference_diameter / 2;
+    const double hand = setup.gear(1).twist() > 0.0 ? 1.0 : -1.0;
+    const double driven = gear2_drives ? -1.0 : 1.0;
+    answer.first_order =
+        Angle::radians(hand * sin_lambda * sin_lambda *
+                           (e.crossing.rad() + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
+                       hand * driven * sin_lambda * e.intersecting.rad() * std::tan(theta) -
+                       e.cutter_lead[0].rad() + e.cutter_lead[1].rad());
+  }
+  return answer;
+}
 
 constexpr int kPositions = 24;
 // Under load a curve takes a hundred times as long, and a pitch has fewer corners.
@@ -56,11 +151,9 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
 // The warning about such corrections; none if there are none.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
-  for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
-    if (!answer.at_bound[k]) continue;
-    const CorrectionEntry& c = entry_of(answer.corrections[k]);
-    list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, answer.result.value[k],
-                        c.shown_unit());
+  for (const FoundCorrection& c : answer.corrections) {
+    if (!c.at_bound) continue;
+    list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, c.value, c.shown_unit);
   }
   if (list.empty()) return std::nullopt;
   return Warning{WarningCode::correction_at_bound,
@@ -128,20 +221,18 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
   const CompensateInput& input = job.spec.compensate;
-  auto corrections = corrections_of(setup, input.corrections, "compensate.corrections");
+  const auto corrections = corrections_of(setup, input.corrections, "compensate.corrections");
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
-  answer.corrections = std::move(corrections).take();
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
   // Checked before a search, because no correction of a workshop makes teeth longer.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
   const std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
-  for (const NamedErrors& s : scenarios) answer.scenarios.push_back(s.name);
   std::vector<ContactErrors> errors;
   for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
-  CompensationTask task = compensation_task(setup, answer.corrections, errors, gear2_drives);
+  CompensationTask task = compensation_task(setup, *corrections, errors, gear2_drives);
   task.positions = kPositions;
   task.progress = progress;
   task.curves = curves;
@@ -165,9 +256,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }
-  std::vector<double> closed_forms(answer.corrections.size(), 0.0);
+  std::vector<double> closed_forms(corrections->size(), 0.0);
   for (std::size_t k = 0; k < closed_forms.size(); ++k) {
-    const WorkshopCorrection& c = answer.corrections[k];
+    const WorkshopCorrection& c = (*corrections)[k];
     if (c.what == CorrectionOf::tool_setting && answer.setting)
       closed_forms[k] = answer.setting->exact;
     if (c.what == CorrectionOf::cutter_lead && c.gear == 1 && answer.lead)
@@ -175,21 +266,26 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   }
   task.starts.push_back(std::move(closed_forms));
   answer.result = compensate(task);
+  const Compensation& result = answer.result;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    if (answer.result.each_after[i].nothing_touches())
+    if (result.each_after[i].nothing_touches())
       return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);
+    answer.scenarios.push_back({scenarios[i].name, result.each_before[i], result.each_after[i]});
   }
+  answer.before = result.before;
+  answer.after = result.after;
+  answer.nothing_to_correct = result.nothing_to_correct();
+  answer.centering = result.centering;
   const auto contact_lost = [](const Warning& w) {
     return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
   };
-  if (answer.result.after.lost &&
-      std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
+  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
     job.warnings.push_back({WarningCode::contact_lost,
                             "Contact is lost at some positions, and no correction in the searched "
                             "range restores it; the error covers the remaining positions.",
                             0});
   }
-  if (load) answer.loads = aimed_loads(*load, task, answer.result.value);
+  if (load) answer.loads = aimed_loads(*load, task, result.value);
   for (const AimedLoad& l : answer.loads)
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
@@ -198,14 +294,16 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
                        "teeth touch there or the forces do not converge.",
                        format_number(newton_metres(l.torque))),
            0});
-  for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
-    answer.spec_keys.push_back(spec_key(setup, answer.corrections[k], gear2_drives));
-    answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));
+  for (std::size_t k = 0; k < corrections->size(); ++k) {
+    const WorkshopCorrection& c = (*corrections)[k];
+    answer.corrections.push_back(found_correction(c, result.value[k],
+                                                  spec_key(setup, c, gear2_drives),
+                                                  at_bound(task.corrections[k], result.value[k])));
   }
   if (auto warning = bound_warning(answer)) job.warnings.push_back(std::move(*warning));
-  Json corrected =
-      corrected_spec(job, setup, answer.corrections, answer.result.value, gear2_drives);
+  Json corrected = corrected_spec(job, setup, *corrections, result.value, gear2_drives);
   corrected.erase("compensate");
+  answer.spec = to_value(corrected);
   answer.corrected = std::make_shared<const SpecTree>(SpecTree{std::move(corrected)});
   auto verdict = judge_corrected(answer.corrected->tables, job, answer.loads);
   if (!verdict) return verdict.error();

@@ -6,27 +6,14 @@
 // range.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "gearwright/contact/compensation.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/job/job_contact.hpp"
-#include "gearwright/load/loaded_score.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
-struct CompensateAnswer {
-  std::vector<WorkshopCorrection> corrections;
-  std::vector<std::string> spec_keys;  ///< for each correction: its key in `corrected`
-  std::vector<bool> at_bound;  ///< for each correction: true if at the end of the search range
+struct CompensateAnswer : CompensateView {
   Compensation result;
-  std::vector<std::string> scenarios;
-  CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<AimedLoad> loads;  ///< for an aim under load, by torque
-  std::optional<SettingAnswer> setting;
-  std::optional<LeadAnswer> lead;
   std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections
   Verdict verdict;  ///< of the pair with the corrections, under the spec's errors
 };

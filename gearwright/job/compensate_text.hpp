@@ -10,7 +10,6 @@
 namespace gearwright {
 
 /// The quantities of a result, for all interfaces.
-CompensateView compensate_view(const CompensateAnswer& answer);
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 

@@ -5,16 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/printable.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {
@@ -75,15 +70,12 @@ ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
 }
 
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
-  Json record = titled_record(job.spec);
-  record["contact"] = to_json(contact_record(job, answer));
-  return record;
+  return titled_record(job.spec, "contact", contact_record(job, answer));
 }
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
-  std::string out;
-  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
+  std::string out = title_listing(job.spec);
   out += quantity_listing(contact_quantities().table(), {contact_record(job, answer)}, {});
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);

@@ -7,7 +7,6 @@
 
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
@@ -163,16 +162,12 @@ std::string quantities_csv(const SolvedJob& job) {
     const ValueRecord pair = pair_quantities().of(*job.pair);
     add_records("pair", pair_quantities().table(), {&pair}, out);
   }
-  return out;
-}
-
-std::string rack_csv(const Gear& pinion, const RackPair& pair) {
-  std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
-  const ValueRecord gear = gear_quantities().of(pinion), rack = rack_quantities().of(pair.rack),
-                    mesh = rack_pair_quantities().of(pair);
-  add_records("gears", gear_quantities().table(), {&gear}, out);
-  add_records("rack", rack_quantities().table(), {&rack}, out);
-  add_records("pair", rack_pair_quantities().table(), {&mesh}, out);
+  if (job.rack) {
+    const ValueRecord rack = rack_quantities().of(job.rack->rack);
+    const ValueRecord pair = rack_pair_quantities().of(*job.rack);
+    add_records("rack", rack_quantities().table(), {&rack}, out);
+    add_records("pair", rack_pair_quantities().table(), {&pair}, out);
+  }
   return out;
 }
 
@@ -194,7 +189,7 @@ std::string rating_csv(const RatingAnswer& answer) {
   std::string out =
       row({"key", "quantity", "symbol", "unit", "first", "second", "formula", "branch"});
   const std::vector<FactorSource> sources = factor_sources(answer.rating);
-  for (const Member& m : rating_quantities().of(answer.view())) {
+  for (const Member& m : rating_quantities().of(answer)) {
     const QuantityInfo& info = *m.info;
     if (info.type == Type::map) continue;
     const ValueList* two = m.value.list();

@@ -1,9 +1,7 @@
 #include "gearwright/job/drive_answer.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -13,7 +11,6 @@
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 
@@ -131,6 +128,25 @@ std::string safety_listing(const Drive& drive) {
   return out;
 }
 
+Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
+                         std::string (*listing)(const Drive&)) {
+  if (!solved) return solved.error();
+  const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
+  Answer answer;
+  answer.record = titled_record(spec, "drive", drive_quantities().of(job->drive));
+  answer.warnings = job->drive.findings;
+  for (const auto& r : job->drive.ratings)
+    if (r)
+      answer.warnings.insert(answer.warnings.end(), r->rating.limits.begin(),
+                             r->rating.limits.end());
+  answer.verdict = job->verdict;
+  answer.listing = [job, listing, title = title_listing(spec, "\n")] {
+    return title + listing(job->drive);
+  };
+  answer.csv = [job] { return drive_csv(job->drive); };
+  return answer;
+}
+
 }  // namespace
 
 std::string drive_listing(const Drive& drive) {
@@ -145,41 +161,18 @@ std::string drive_listing(const Drive& drive) {
 }
 
 Result<Answer> answer_drive(const JobSpec& spec) {
-  auto solved = solve_drive(spec);
-  if (!solved) return solved.error();
-  const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
-  Answer answer;
-  answer.record = titled_record(spec);
-  answer.record["drive"] = to_json(drive_quantities().of(job->drive));
-  answer.warnings = job->drive.findings;
-  answer.verdict = job->verdict;
-  if (spec.rating.given) answer.verdict->not_judged.emplace_back("rating");
-  answer.specs = {expanded_spec(spec.tree->tables, *spec.drive)};
-  const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
-  answer.listing = [job, title] { return title + drive_listing(job->drive); };
-  answer.csv = [job] { return drive_csv(job->drive); };
-  return answer;
+  auto answer = answer_of(spec, solve_drive(spec), drive_listing);
+  if (!answer) return answer.error();
+  Answer whole = std::move(answer).take();
+  if (spec.rating.given) whole.verdict->not_judged.emplace_back("rating");
+  whole.specs = {expanded_spec(spec.tree->tables, *spec.drive)};
+  return whole;
 }
 
 Result<Answer> answer_drive_rating(const JobSpec& spec) {
-  auto solved = solve_rated_drive(spec);
-  if (!solved) return solved.error();
-  const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
-  Answer answer;
-  answer.record = titled_record(spec);
-  answer.record["drive"] = to_json(drive_quantities().of(job->drive));
-  answer.warnings = job->drive.findings;
-  for (const auto& r : job->drive.ratings)
-    if (r)
-      answer.warnings.insert(answer.warnings.end(), r->rating.limits.begin(),
-                             r->rating.limits.end());
-  answer.verdict = job->verdict;
-  const std::string title = spec.title.empty() ? "" : "\n" + printable(spec.title) + "\n";
-  answer.listing = [job, title] {
-    return title + safety_listing(job->drive) + body_listing(job->drive) + mesh_listing(job->drive);
-  };
-  answer.csv = [job] { return drive_csv(job->drive); };
-  return answer;
+  return answer_of(spec, solve_rated_drive(spec), [](const Drive& drive) {
+    return safety_listing(drive) + body_listing(drive) + mesh_listing(drive);
+  });
 }
 
 }  // namespace gearwright

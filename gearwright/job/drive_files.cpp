@@ -60,8 +60,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
     files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
                                  "one self-contained page", drive_report_html(report)});
   }
-  Json result = titled_record(job.spec);
-  result["drive"] = to_json(drive_quantities().of(job.drive));
+  Json result = titled_record(job.spec, "drive", drive_quantities().of(job.drive));
   result["warnings"] = warnings_json(job.drive.findings);
   result["verdict"] = verdict_json(job.verdict);
   result["files"] = files_json(files);

@@ -147,7 +147,7 @@ std::optional<Error> beyond_a_rack(const JobSpec& spec) {
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
-  if (answer) return std::optional(compensate_view(*answer));
+  if (answer) return std::optional<CompensateView>(*answer);
   const FailureKind kind = answer.error().kind;
   const auto none = [&](const std::string& why) {
     job.warnings.push_back({WarningCode::no_corrections, "No corrections: " + why + ".", 0});
@@ -340,7 +340,6 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const auto rating = rating_part(job);
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;
-  const std::optional<RatingView> rating_view = rated ? std::optional(rated->view()) : std::nullopt;
   auto shapes = shape_files(job, folder, options);
   if (!shapes) return shapes.error();
   std::vector<JobFile> files = std::move(shapes).take();
@@ -363,7 +362,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
   if (scatter_shown) report.scatter = &*scatter_shown;
-  if (rating_view) report.rating = &*rating_view;
+  report.rating = rated;
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
@@ -378,7 +377,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
-  if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
+  if (rated) result["rating"] = to_json(rating_quantities().of(*rated));
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";
   if (options.wants("result")) {

@@ -9,7 +9,6 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
@@ -104,12 +103,15 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
          quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
 }
 
+std::string title_listing(const JobSpec& spec, std::string_view before) {
+  return spec.title.empty() ? "" : fmt::format("{}{}\n", before, printable(spec.title));
+}
+
 std::string gear_listing(const SolvedJob& job) {
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < job.gears.size(); ++i) records.push_back(gear_record(job, i));
-  const std::string& title = job.spec.title;
   std::string text =
-      (title.empty() ? "" : "\n" + printable(title) + "\n") +
+      title_listing(job.spec, "\n") +
       quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
   std::vector<ValueRecord> halves;
   for (const auto& of : job.halves)

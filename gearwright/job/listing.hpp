@@ -9,6 +9,8 @@
 
 namespace gearwright {
 
+/// The title of the spec on its own line, after `before`; empty if it has none.
+std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair);
 /// The values that vary within tolerances; empty if there are none.

@@ -6,12 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/printable.hpp"
 #include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
@@ -41,14 +38,11 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
 }  // namespace
 
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
-  Json record = titled_record(job.spec);
-  record["load"] = to_json(load_quantities().of(load_view(job, answer)));
-  return record;
+  return titled_record(job.spec, "load", load_quantities().of(load_view(job, answer)));
 }
 
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
-  std::string out;
-  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
+  std::string out = title_listing(job.spec);
   for (std::size_t i = 0; i < answer.probes.size(); ++i) {
     const LoadProbeInput& input = job.spec.load.probes[i];
     const ProbeAnswer& p = answer.probes[i];

@@ -1,11 +1,11 @@
 #include "gearwright/job/rating_answer.hpp"
 
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <numbers>
-
-#include "gearwright/job/load_answer.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/job/job_contact.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
@@ -46,21 +46,6 @@ std::optional<Error> two_halves(const SolvedJob& job, RatingAnswer& answer) {
 }
 
 }  // namespace
-
-RatingView RatingAnswer::view() const {
-  const double ratio = std::abs(static_cast<double>(pair.gears[pair.place(2)].teeth) /
-                                pair.gears[pair.place(1)].teeth);
-  const double n = input.speed.value_or(0.0);
-  return {input,
-          rating,
-          input.torque * n * 2 * std::numbers::pi / 60.0 / 1000.0,
-          {input.torque, input.torque * ratio},
-          {n, n / ratio},
-          spectrum,
-          torque_holding,
-          face_holding,
-          contact};
-}
 
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   if (auto missing = missing_error(SpecUse::rate, job.spec)) return *missing;
@@ -104,6 +89,17 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
     answer.contact = *contact;
   }
   return answer;
+}
+
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
+  return titled_record(job.spec, "rating", rating_quantities().of(answer));
+}
+
+std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
+  const auto& quantities = rating_quantities();
+  return title_listing(job.spec, "\n") +
+         quantity_listing(quantities.table(), {quantities.of(answer)}, gear_columns(2),
+                          [&](const QuantityInfo& s) { return source_text(answer.rating, s.key); });
 }
 
 }  // namespace gearwright

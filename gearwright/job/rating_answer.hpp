@@ -2,28 +2,18 @@
 // it.
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <string>
 
 #include "gearwright/base/progress.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/rating/sizing.hpp"
-#include "gearwright/rating/spectrum.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
-struct RatingAnswer {
-  RatedPair pair;
-  RatingInput input;
-  Rating rating;
+struct RatingAnswer : RatingView {
   WantedSafety wanted;  ///< as in the spec, otherwise 1
-  std::optional<SpectrumRating> spectrum;
-  std::optional<double> torque_holding;  ///< N m, the greatest with the required safeties
-  std::optional<double> face_holding;    ///< mm, the least common face width with them
-  std::optional<ToothContact> contact;   ///< if the spec requests it
-
-  RatingView view() const;
 };
 
 /// Rates the pair; exceeded limits of the standard become warnings of the job.
@@ -31,5 +21,10 @@ struct RatingAnswer {
 /// Errors    `rating` if the spec has none, `gearN.material…` if a limit is unknown; as rated_pair
 ///           and rate, and as answer_load if `rating.tooth_contact` is set
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
+
+/// {"rating"}, under its title.
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer);
+/// Inputs, factors, safeties: symbol, value, unit, clause of the standard, branch.
+std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer);
 
 }  // namespace gearwright

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gearwright/catalogue/double_helical_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -21,6 +20,12 @@ Json warnings_json(const std::vector<Warning>& warnings) {
 Json titled_record(const JobSpec& spec) {
   Json record = Json::object();
   if (!spec.title.empty()) record["title"] = spec.title;
+  return record;
+}
+
+Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result) {
+  Json record = titled_record(spec);
+  record[key] = to_json(result);
   return record;
 }
 

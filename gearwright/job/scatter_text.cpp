@@ -7,10 +7,10 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/torque.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -289,15 +289,12 @@ ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& a) {
 }
 
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
-  Json record = titled_record(job.spec);
-  record["scatter"] = to_json(scatter_quantities().of(scatter_view(job, a)));
-  return record;
+  return titled_record(job.spec, "scatter", scatter_quantities().of(scatter_view(job, a)));
 }
 
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
-  std::string out;
-  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
-  out += spread_listing(a) + probability_listing(a) + loaded_listing(a);
+  std::string out = title_listing(job.spec) + spread_listing(a) + probability_listing(a) +
+                    loaded_listing(a);
   if (a.task.indices) out += index_listing(a);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a));
   if (a.scatter.loosening) out += loosening_listing(a);

@@ -88,10 +88,11 @@ std::optional<Error> two_helices(const JobSpec& spec, Scope scope) {
   for (const int which : {1, 2}) {
     if (scope == Scope::gears || !spec.double_helical[static_cast<std::size_t>(which - 1)])
       continue;
-    return Error{gear_field(which, "double_helical"), "",
-                 "is computed by the verbs gear, pair, measure and rate; this verb is for gears of one "
-                 "helix. For one half give its face width, without `double_helical`, and half of "
-                 "the torque"};
+    return Error{
+        gear_field(which, "double_helical"), "",
+        "is computed by the verbs gear, pair, measure and rate; this verb is for gears of one "
+        "helix. For one half give its face width, without `double_helical`, and half of "
+        "the torque"};
   }
   return std::nullopt;
 }

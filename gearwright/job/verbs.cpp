@@ -19,8 +19,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/load_text.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/rack_answer.hpp"
-#include "gearwright/job/rating_text.hpp"
+#include "gearwright/job/rating_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -41,6 +40,7 @@ struct Solving {
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
   bool halves = false;  // true if it accepts a pair of double-helical gears
+  bool rack = false;    // true if it accepts a rack
 };
 
 template <class Found>
@@ -49,7 +49,9 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
     SolvedJob job;
     Found found;
   };
-  auto solved = how.halves ? solve_pair(spec) : solve(spec, how.scope);
+  auto solved = how.rack && spec.rack ? solve_any(spec, Scope::gears)
+                : how.halves          ? solve_pair(spec)
+                                      : solve(spec, how.scope);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
   auto found = how.find(job, progress);
@@ -77,20 +79,7 @@ Json solved_record(const SolvedJob& job, const AsSolved&) { return job_record(jo
 
 std::string solved_csv(const SolvedJob& job, const AsSolved&) { return quantities_csv(job); }
 
-Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
-  if (spec.rack) return answer_rack(spec);
-  return solved_answer<AsSolved>(
-      {.scope = Scope::gears,
-       .find = nothing_more,
-       .judge = judge_as_solved,
-       .record = solved_record,
-       .listing = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
-       .csv = solved_csv},
-      spec, progress);
-}
-
 Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
-  if (spec.rack) return answer_rack(spec);
   return solved_answer<AsSolved>(
       {.scope = Scope::pair,
        .find = nothing_more,
@@ -99,7 +88,20 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
        .listing = [](const SolvedJob& job,
                      const AsSolved&) { return gear_listing(job) + pair_listing(job); },
        .csv = solved_csv,
-       .halves = true},
+       .halves = true,
+       .rack = true},
+      spec, progress);
+}
+
+Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
+  if (spec.rack) return run_pair(spec, progress);
+  return solved_answer<AsSolved>(
+      {.scope = Scope::gears,
+       .find = nothing_more,
+       .judge = judge_as_solved,
+       .record = solved_record,
+       .listing = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
+       .csv = solved_csv},
       spec, progress);
 }
 

@@ -3,26 +3,216 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
 
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/cad/gear_sheet.hpp"
 #include "gearwright/cad/sheet_files.hpp"
-#include "gearwright/job/drawing_data.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/job/measures.hpp"
+#include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
 
-namespace fs = std::filesystem;
+namespace {
 
-std::optional<SheetFormat> sheet_format(const fs::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+// "span.length_mm" in a record; none if it has no value there.
+const Member* find(const ValueRecord& record, std::string_view path) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  for (const Member& m : record) {
+    if (m.info->key != path.substr(0, dot) || all_nothing(m.value)) continue;
+    if (dot == path.size()) return &m;
+    const ValueRecord* inner = m.value.record();
+    return inner ? find(*inner, path.substr(dot + 1)) : nullptr;
   }
-  if (ending == ".pdf") return SheetFormat::pdf;
-  if (ending == ".svg") return SheetFormat::svg;
-  if (ending == ".dxf") return SheetFormat::dxf;
-  return std::nullopt;
+  return nullptr;
 }
 
-namespace {
+std::string with_minus(std::string number) {
+  return number.starts_with('-') ? "−" + number.substr(1) : number;
+}
+
+std::string number(const QuantityInfo& info, double value) {
+  const std::string text = short_decimals(value, digits_of(info));
+  return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
+}
+
+// A drawing gives a hand instead of a sign.
+enum class Sign { kept, dropped };
+
+/// A record, and the same at the lower and at the upper end of its tolerances.
+struct Records {
+  ValueRecord nominal;
+  std::vector<ValueRecord> ends;  ///< two, or none
+
+  std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const {
+    const Member* const m = find(nominal, path);
+    if (!m) return std::nullopt;
+    const auto x = m->value.number();
+    if (!x || m->info->type != Type::number) return with_minus(text_of(*m->info, m->value));
+    if (const auto limits = between(*m->info, path)) return limits;
+    return number(*m->info, sign == Sign::kept ? *x : std::abs(*x));
+  }
+
+ private:
+  std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const {
+    if (ends.size() != 2) return std::nullopt;
+    const Member *const a = find(ends[0], path), *const b = find(ends[1], path);
+    if (!a || !b || !a->value.number() || !b->value.number()) return std::nullopt;
+    const double x = *a->value.number(), y = *b->value.number();
+    const std::string from = number(info, std::min(x, y)), to = number(info, std::max(x, y));
+    return from == to ? std::nullopt : std::optional(from + " … " + to);
+  }
+};
+
+class Group {
+ public:
+  explicit Group(std::string title) { group_.title = std::move(title); }
+
+  void row(std::string words, std::string symbol, std::string value) {
+    group_.rows.push_back({std::move(words), std::move(symbol), std::move(value)});
+  }
+  /// The row of a quantity of the catalogue; no row if there is no value.
+  void row(const Records& r, std::string_view path, Sign sign = Sign::kept) {
+    const Member* const m = find(r.nominal, path);
+    if (m) row(capitalised(m->info->words), m->info->symbol, *r.value(path, sign));
+  }
+  void add_to(std::vector<DataGroup>& groups) && {
+    if (!group_.rows.empty()) groups.push_back(std::move(group_));
+  }
+
+ private:
+  DataGroup group_;
+};
+
+void add_rack(Group& group, const Gear& gear) {
+  if (!gear.involute()) return group.row("Basic rack", "", "of circular arcs");
+  if (gear.cut_by) return;
+  const StraightRack& rack = gear.spec.straight_rack();
+  for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
+    const StraightRack iso = *iso53_rack(name);
+    const bool same = rack.named && rack.dedendum == iso.dedendum &&
+                      rack.root_fillet_radius == iso.root_fillet_radius;
+    if (same) return group.row("Basic rack", "", fmt::format("ISO 53-{}", name[6]));
+  }
+  group.row("Addendum, basic rack", "h_aP*", fmt::format("{:.10g}", rack.addendum));
+  group.row("Dedendum, basic rack", "h_fP*", fmt::format("{:.10g}", rack.dedendum));
+  group.row("Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius));
+}
+
+Group teeth(const Gear& gear, const Records& r) {
+  Group group("Gear data, symbols of ISO 21771");
+  group.row(r, "teeth");
+  group.row(r, "normal_module_mm");
+  group.row(r, "normal_pressure_angle_deg");
+  group.row(r, "helix_angle_deg", Sign::dropped);
+  if (gear.spec.helix_angle.rad() != 0.0) group.row(r, "hand_of_helix");
+  group.row(r, "lead_mm", Sign::dropped);
+  add_rack(group, gear);
+  group.row(r, "profile_shift");
+  return group;
+}
+
+Group diameters(const Records& r) {
+  Group group("Diameters");
+  for (const char* key : {"reference_diameter_mm", "base_diameter_mm", "tip_diameter_mm",
+                          "root_diameter_mm", "root_form_diameter_mm", "tip_form_diameter_mm"})
+    group.row(r, key);
+  return group;
+}
+
+Group thickness(bool ring, const Records& gear, const Records& measure) {
+  Group group("Tooth thickness");
+  group.row(gear, "reference_tooth_thickness_normal_mm");
+  group.row(gear, "thickness_allowance_mm");
+  if (const auto teeth = measure.value("span.teeth"))
+    group.row(fmt::format("Span over {} {}", *teeth, ring ? "spaces" : "teeth"), "W_" + *teeth,
+              *measure.value("span.length_mm"));
+  group.row(measure, "over_balls.ball_diameter_mm");
+  if (const auto dimension = measure.value("over_balls.dimension_mm"))
+    group.row(ring ? "Between two balls" : "Over two balls", "M_dK", *dimension);
+  return group;
+}
+
+std::string amount(const ModificationEntry& entry, const FlankModifications& m) {
+  const std::string text = with_minus(short_decimals(kUmPerMm * entry.amount_of(m), 3)) + " µm";
+  if (!entry.relief || !(m.*entry.relief).reach) return text;
+  const bool diameter = entry.reach == "_start_mm";
+  return text + (diameter ? " from Ø" : " over ") + short_decimals(*(m.*entry.relief).reach, 4);
+}
+
+Group modifications(const std::array<FlankModifications, 2>& flanks) {
+  Group group("Flank modifications, material removed");
+  for (const ModificationEntry& entry : modification_entries()) {
+    const std::array<std::string, 2> texts{amount(entry, flanks[0]), amount(entry, flanks[1])};
+    const std::string words = capitalised(std::string(entry.words));
+    for (const std::size_t i : {0u, 1u}) {
+      if (entry.amount_of(flanks[i]) == 0.0) continue;
+      const bool both = texts[0] == texts[1];
+      const char* side = both ? "" : i == 0 ? ", right" : ", left";
+      group.row(words + side, std::string(entry.symbol.substr(0, entry.symbol.find(" ="))),
+                texts[i]);
+      if (both) break;
+    }
+  }
+  if (flanks[0].topography || flanks[1].topography)
+    group.row("Topography", "", "by a table of its own");
+  return group;
+}
+
+Group tolerances(const ToleranceInput& asked, const Records& measure) {
+  if (!asked.quality) return Group("");
+  Group group(fmt::format("Tolerances in µm, ISO 1328-1:{}, class {}",
+                          asked.edition == FlankTolerances::iso_2013 ? 2013 : 1995,
+                          *asked.quality));
+  for (const char* key :
+       {"single_pitch_um", "cumulative_pitch_um", "profile_total_um", "profile_form_um",
+        "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"})
+    group.row(measure, std::string("tolerances.") + key);
+  return group;
+}
+
+Group mate(const SolvedJob& job, int which) {
+  Group group("Mating gear");
+  if (!job.pair) return group;
+  const Gear& other = job.gears[which == 1 ? 1 : 0];
+  group.row("Number of teeth", which == 1 ? "z_2" : "z_1",
+            with_minus(fmt::format("{}", other.spec.teeth)));
+  Records pair{pair_quantities().of(*job.pair), {}};
+  if (job.ends && job.ends->lower.pair && job.ends->upper.pair)
+    pair.ends = {pair_quantities().of(*job.ends->lower.pair),
+                 pair_quantities().of(*job.ends->upper.pair)};
+  group.row(pair, "center_distance_mm");
+  if (job.pair->shaft_angle().rad() != 0.0) group.row(pair, "shaft_angle_deg");
+  group.row(pair, "backlash.normal_mm");
+  return group;
+}
+
+std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
+  const auto i = static_cast<std::size_t>(which - 1);
+  const GearInput& input = *job.completed.gears[i];
+  Records gear{gear_quantities().of(job.gears[i]), {}};
+  Records measure{measure_records(job)[i], {}};
+  if (job.ends) {
+    gear.ends = {gear_quantities().of(job.ends->lower.gears[i]),
+                 gear_quantities().of(job.ends->upper.gears[i])};
+    measure.ends = measure_end_records(job)[i];
+  }
+  std::vector<DataGroup> groups;
+  teeth(job.gears[i], gear).add_to(groups);
+  diameters(gear).add_to(groups);
+  thickness(job.gears[i].internal(), gear, measure).add_to(groups);
+  modifications(input.modifications).add_to(groups);
+  tolerances(input.tolerance, measure).add_to(groups);
+  mate(job, which).add_to(groups);
+  return groups;
+}
 
 DrawingInput title_words(const SolvedJob& job) {
   DrawingInput words = job.spec.drawing;
@@ -40,6 +230,17 @@ const char* kind_of(SheetFormat format) {
 }
 
 }  // namespace
+
+std::optional<SheetFormat> sheet_format(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (ending == ".pdf") return SheetFormat::pdf;
+  if (ending == ".svg") return SheetFormat::svg;
+  if (ending == ".dxf") return SheetFormat::dxf;
+  return std::nullopt;
+}
 
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm) {
@@ -69,7 +270,8 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
 }
 
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
-                                      SheetFormat format, SheetSize size, const fs::path& path,
+                                      SheetFormat format, SheetSize size,
+                                      const std::filesystem::path& path,
                                       const FileOptions& options) {
   GW_EXPECTS(!gears.empty());
   if (options.on_file) options.on_file(path.filename().string());

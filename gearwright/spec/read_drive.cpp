@@ -19,23 +19,19 @@ namespace gearwright {
 
 namespace {
 
-constexpr SetMember kMembers[] = {SetMember::sun,    SetMember::sun2,    SetMember::idler,
-                                  SetMember::planet, SetMember::planet2, SetMember::ring,
-                                  SetMember::ring2};
 // Members that one mesh joins with the planet.
-constexpr const char* kMeshes[] = {"sun_planet",  "sun_idler",   "idler_planet",
-                                   "sun2_planet", "planet_ring", "planet_ring2"};
+const std::vector<std::string> kMeshes{"sun_planet",  "sun_idler",   "idler_planet",
+                                       "sun2_planet", "planet_ring", "planet_ring2"};
 
 double number_of(const TableReader& t, const std::string& key, const Json& value) {
   if (!value.is_number()) t.fail(key, "must be a number, or a table of numbers by name");
   return value.get<double>();
 }
 
-// One number, or a table of numbers by names. `set(name, number)` returns false for an unknown
-// name.
+// One number, or a table of numbers by names. `set` takes the place of the name among the known.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
                 const std::vector<std::string>& known,
-                const std::function<void(const std::string&, double)>& set) {
+                const std::function<void(std::size_t, double)>& set) {
   const Json* value = t.any(key);
   if (!value) return;
   if (!value->is_object()) {
@@ -43,26 +39,23 @@ void read_named(TableReader& t, const std::string& key, std::optional<double>& a
     return;
   }
   for (const auto& [name, number] : value->items()) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    const auto it = std::find(known.begin(), known.end(), name);
+    if (it == known.end()) {
       throw SpecError{{t.name(key) + "." + printable(name, 40), shown(number),
                        fmt::format("there is no such name; there are {}", fmt::join(known, ", "))}};
     }
-    set(name, number_of(t, key, number));
+    set(static_cast<std::size_t>(it - known.begin()), number_of(t, key, number));
   }
 }
 
 void read_members(TableReader& t, const std::string& key, PerMember& to) {
-  std::vector<std::string> known;
-  for (const SetMember m : kMembers) known.emplace_back(to_string(m));
-  read_named(t, key, to.all, known, [&](const std::string& name, double value) {
-    for (const SetMember m : kMembers)
-      if (name == to_string(m)) to.each[static_cast<std::size_t>(m)] = value;
-  });
+  read_named(t, key, to.all, set_member_names(),
+             [&](std::size_t member, double value) { to.each[member] = value; });
 }
 
 void read_meshes(TableReader& t, const std::string& key, PerMesh& to) {
-  read_named(t, key, to.all, {std::begin(kMeshes), std::end(kMeshes)},
-             [&](const std::string& name, double value) { to.each.emplace_back(name, value); });
+  read_named(t, key, to.all, kMeshes,
+             [&](std::size_t mesh, double value) { to.each.emplace_back(kMeshes[mesh], value); });
 }
 
 void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
@@ -74,27 +67,28 @@ void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
   for (const auto& [name, eta] : meshes.each) check(eta);
 }
 
-// A name or a list of names; none if absent.
-std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key) {
+// One value or a list of values; none if absent.
+template <class T>
+std::optional<std::vector<T>> read_values(TableReader& t, const std::string& key,
+                                          bool (Json::*is)() const noexcept, const char* rule) {
   const Json* value = t.any(key);
   if (!value) return std::nullopt;
-  std::vector<std::string> names;
+  std::vector<T> values;
   for (const Json& item : value->is_array() ? *value : Json::array({*value})) {
-    if (!item.is_string()) t.fail(key, "must be the name of a body, or a list of names");
-    names.push_back(item.get<std::string>());
+    if (!(item.*is)()) t.fail(key, rule);
+    values.push_back(item.get<T>());
   }
-  return names;
+  return values;
+}
+
+std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key) {
+  return read_values<std::string>(t, key, &Json::is_string,
+                                  "must be the name of a body, or a list of names");
 }
 
 std::vector<double> read_list(TableReader& t, const std::string& key) {
-  const Json* value = t.any(key);
-  std::vector<double> numbers;
-  if (!value) return numbers;
-  for (const Json& item : value->is_array() ? *value : Json::array({*value})) {
-    if (!item.is_number()) t.fail(key, "must be a number, or a list of numbers");
-    numbers.push_back(item.get<double>());
-  }
-  return numbers;
+  return read_values<double>(t, key, &Json::is_number, "must be a number, or a list of numbers")
+      .value_or(std::vector<double>());
 }
 
 // Speeds and the torque of the inputs; of several torques the first one is used.
@@ -106,7 +100,9 @@ void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional
   if (!torques.empty()) torque = torques.front();
 }
 
-PlanetarySpec read_whole_set(const Json& node, const std::string& path) {
+}  // namespace
+
+PlanetarySpec read_set(const Json& node, const std::string& path) {
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
@@ -121,10 +117,12 @@ PlanetarySpec read_whole_set(const Json& node, const std::string& path) {
   set.fixed = read_names(t, "fixed");
   set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
   read_input_loads(t, set.speeds_rpm, set.torque_Nm);
-  t.table("material");  // spec/drive_materials.cpp
+  t.table("material");  // spec/drive_tree.cpp
   t.finish();
   return set;
 }
+
+namespace {
 
 // Adds the numbers of a stage that its set omits.
 Json set_of_stage(TableReader& t, const Json& node) {
@@ -211,7 +209,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
   TableReader t(stage_keys(), node, path);
   StageSpec stage;
   if (t.has("planetary")) {
-    stage.planetary = read_whole_set(set_of_stage(t, node), path + ".planetary");
+    stage.planetary = read_set(set_of_stage(t, node), path + ".planetary");
     for (const Key& key : stage_keys().keys) t.any(std::string(key.key));
     t.finish();
     return stage;
@@ -240,14 +238,22 @@ StageSpec read_stage(const Json& node, const std::string& path,
   return stage;
 }
 
-const Json& list_of(TableReader& t, const std::string& key) {
-  static const Json kNone = Json::array();
+// A table of a list, with its path in the spec.
+struct ListedTable {
+  std::string path;
+  const Json& node;
+};
+
+std::vector<ListedTable> list_of(TableReader& t, const std::string& key) {
+  std::vector<ListedTable> list;
   const Json* value = t.any(key);
-  if (!value) return kNone;
+  if (!value) return list;
   const bool tables = value->is_array() && std::all_of(value->begin(), value->end(),
                                                        [](const Json& i) { return i.is_object(); });
   if (!tables) t.fail(key, fmt::format("must be a list of tables, [[{}]]", t.name(key)));
-  return *value;
+  for (const Json& node : *value)
+    list.push_back({fmt::format("{}[{}]", t.name(key), list.size() + 1), node});
+  return list;
 }
 
 std::size_t place_of(const std::vector<std::string>& names, const std::string& name,
@@ -274,9 +280,9 @@ void check_names(const std::vector<Item>& items, const std::string& table) {
 }
 
 void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& names) {
-  const Json& list = list_of(t, "body");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    TableReader body(drive_body_keys(), list[i], fmt::format("{}[{}]", t.name("body"), i + 1));
+  const std::vector<ListedTable> list = list_of(t, "body");
+  for (const auto& [path, node] : list) {
+    TableReader body(drive_body_keys(), node, path);
     graph.bodies.emplace_back();
     body.read(graph.bodies.back());
     body.any("rides_on");
@@ -285,8 +291,8 @@ void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& na
   }
   check_names(graph.bodies, t.name("body"));
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!list[i].contains("rides_on")) continue;
-    TableReader body(drive_body_keys(), list[i], fmt::format("{}[{}]", t.name("body"), i + 1));
+    if (!list[i].node.contains("rides_on")) continue;
+    TableReader body(drive_body_keys(), list[i].node, list[i].path);
     graph.bodies[i].carrier =
         place_of(names, text_at(body, "rides_on"), body.name("rides_on"), "body");
   }
@@ -313,12 +319,10 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
 
 void read_gears(TableReader& t, DriveGraph& graph, const std::vector<std::string>& bodies,
                 const std::filesystem::path& folder) {
-  const Json& list = list_of(t, "gear");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string path = fmt::format("{}[{}]", t.name("gear"), i + 1);
+  for (const auto& [path, node] : list_of(t, "gear")) {
     DriveGear gear;
-    read_graph_gear(list[i], path, gear, folder);
-    gear.body = place_of(bodies, list[i]["body"].get<std::string>(), path + ".body", "body");
+    read_graph_gear(node, path, gear, folder);
+    gear.body = place_of(bodies, node["body"].get<std::string>(), path + ".body", "body");
     graph.gears.push_back(std::move(gear));
   }
   check_names(graph.gears, t.name("gear"));
@@ -327,9 +331,8 @@ void read_gears(TableReader& t, DriveGraph& graph, const std::vector<std::string
 void read_graph_meshes(TableReader& t, DriveGraph& graph) {
   std::vector<std::string> gears;
   for (const DriveGear& gear : graph.gears) gears.push_back(gear.name);
-  const Json& list = list_of(t, "mesh");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    TableReader m(drive_mesh_keys(), list[i], fmt::format("{}[{}]", t.name("mesh"), i + 1));
+  for (const auto& [path, node] : list_of(t, "mesh")) {
+    TableReader m(drive_mesh_keys(), node, path);
     DriveMesh mesh;
     m.read(mesh);
     const auto two = read_names(m, "gears");
@@ -376,10 +379,6 @@ T taken(Result<T> made, const Json& tree) {
 
 }  // namespace
 
-PlanetarySpec read_set(const Json& node, const std::string& path) {
-  return read_whole_set(node, path);
-}
-
 bool is_drive(const Json& tree) { return has_any(tree, {"planetary", "stage", "drive"}); }
 
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
@@ -391,16 +390,12 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
       throw SpecError{{table, "", fmt::format("a spec has one drive; it has [{}] already", first)}};
     first = table;
   }
-  if (tree.contains("planetary")) {
-    if (!tree["planetary"].is_object())
-      throw SpecError{{"planetary", shown(tree["planetary"]), "must be a table, [planetary]"}};
-    return {taken(graph_of(read_whole_set(tree["planetary"], "planetary")), tree)};
-  }
-  if (tree.contains("drive")) {
-    if (!tree["drive"].is_object())
-      throw SpecError{{"drive", shown(tree["drive"]), "must be a table, [drive]"}};
-    return {read_graph(tree["drive"], folder)};
-  }
+  for (const char* table : {"planetary", "drive"})
+    if (tree.contains(table) && !tree[table].is_object())
+      throw SpecError{{table, shown(tree[table]), fmt::format("must be a table, [{}]", table)}};
+  if (tree.contains("planetary"))
+    return {taken(graph_of(read_set(tree["planetary"], "planetary")), tree)};
+  if (tree.contains("drive")) return {read_graph(tree["drive"], folder)};
   std::vector<StageSpec> stages;
   const Json& list = tree["stage"];
   if (!list.is_array() || list.empty())

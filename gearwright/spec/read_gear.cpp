@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/catalogue/rack_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic_root.hpp"
-#include "gearwright/spec/read_cutting.hpp"
 #include "gearwright/spec/read_modifications.hpp"
-#include "gearwright/spec/read_rack.hpp"
 
 namespace gearwright {
 
@@ -125,6 +124,60 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   c.rack = *leaving;
 }
 
+// Rejects keys of an involute gear, which have no meaning here.
+void refuse_involute_keys(TableReader& gear) {
+  const std::string why = "cannot be combined with a rack of arcs";
+  for (const char* key : {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}) {
+    gear.refuse(key,
+                why + "; write the pressure angle of the arcs into [" + gear.name("rack") + "]");
+  }
+  for (const char* key : {"basic", "root_fillet", "tip_fillet"}) gear.refuse(key, why);
+  const auto shift = gear.number("profile_shift");
+  if (shift && *shift != 0.0)
+    gear.fail("profile_shift", why + "; the positions of the arc centres determine the depth");
+}
+
+// The table that the word `kind` selects from those of a key; by default the first.
+const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
+  const auto it = node.find("kind");
+  if (it == node.end()) return key.tables.front()();
+  std::vector<std::string_view> words;
+  for (const auto& table : key.tables) {
+    words.push_back(table().find("kind")->words.front());
+    if (it->is_string() && it->get<std::string>() == words.back()) return table();
+  }
+  TableReader(key.tables.front()(), node, path)
+      .fail("kind", it->is_string()
+                        ? fmt::format("must be one of \"{}\"", fmt::join(words, "\", \""))
+                        : "must be a text in quotes");
+}
+
+// Numbers that a gear, its cutter and its mating gear share. The table of a cutter may omit them.
+Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
+  Json whole = cutter;
+  for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
+    const std::vector<std::string> keys = gear_keys().ways(key_of_both);
+    if (has_any(cutter, keys)) continue;
+    const Json* from = has_any(gear, keys) ? &gear : mate;
+    for (const std::string& key : keys)
+      if (from && from->contains(key)) whole[key] = (*from)[key];
+  }
+  static const std::vector<std::string> kHelix{"helix_angle_deg", "lead_angle_deg", "hand"};
+  if (has_any(cutter, kHelix)) return whole;
+  if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
+    const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
+    whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
+  } else if (!has_any(gear, kHelix) && mate) {  // the cutter replaces the mating gear
+    for (const std::string& key : kHelix) {
+      if (mate->contains(key)) whole[key] = (*mate)[key];
+    }
+  }
+  return whole;
+}
+
+// A cutter reaches deep enough for the clearance of the teeth.
+constexpr double kCutterAddendum = 1.25;
+
 }  // namespace
 
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
@@ -166,6 +219,98 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   }
   g.complete_face_width();
   return g;
+}
+
+StraightRack read_straight_rack(TableReader& gear) {
+  const Json* node = gear.any("rack");
+  if (!node) return *iso53_rack("ISO53-A");
+  if (node->is_string()) {
+    const auto rack = iso53_rack(node->get<std::string>());
+    if (!rack) {
+      gear.fail("rack", fmt::format("must be \"{}\" or a table, [{}]",
+                                    fmt::join(gear.keys().find("rack")->words, "\", \""),
+                                    gear.name("rack")));
+    }
+    return *rack;
+  }
+  if (!node->is_object()) gear.fail("rack", "must be a name in quotes or a table");
+  return read_table<StraightRack>(straight_rack_keys(), *node, gear.name("rack"));
+}
+
+Rack read_rack(TableReader& gear, std::optional<double> module) {
+  const Json* node = gear.any("rack");
+  if (node && *node == "GBT12759") {
+    refuse_involute_keys(gear);
+    if (!module) {
+      gear.lacks_one_of("normal_module_mm", "module");
+      gear.finish();  // which fails
+    }
+    auto rack = gbt12759_rack(*module);
+    if (!rack) throw SpecError{spelled(within(gear.name(), rack.error()))};
+    return *rack;
+  }
+  if (!node || !node->is_object()) return read_straight_rack(gear);
+  const std::string path = gear.name("rack");
+  const KeyTable& keys = kind_of_table(*gear.keys().find("rack"), *node, path);
+  if (&keys == &straight_rack_keys()) return read_straight_rack(gear);
+  refuse_involute_keys(gear);
+  if (&keys == &arc_rack_keys()) return read_table<ArcRack>(keys, *node, path);
+  if (&keys == &double_arc_rack_keys()) return read_table<DoubleArcRack>(keys, *node, path);
+  return read_table<RackOfArcs>(keys, *node, path);
+}
+
+void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
+  const auto total = gear.number("profile_shift_pair");
+  const Json* by = gear.any("cut_by");
+  if (!by) {
+    if (total) gear.fail("profile_shift_pair", "belongs to a gear with cut_by");
+    return;
+  }
+  CutByInput cut;
+  cut.profile_shift_pair = total;
+  if (by->is_string()) {
+    const auto name = by->get<std::string>();
+    if (name != "gear1" && name != "gear2")
+      gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table with a cutter's numbers");
+    cut.gear = name == "gear1" ? 1 : 2;
+  } else if (by->is_object()) {
+    const std::string path = gear.name("cut_by");
+    for (const auto& [key, why] :
+         {std::pair{"cut_by", "the cutter itself is cut by a rack; leave this out"},
+          std::pair{"profile_shift_pair",
+                    "belongs into the table of the gear that is cut, not "
+                    "into cut_by"},
+          std::pair{"modifications",
+                    "a cutter has no flank modifications; write those of the gear into the gear's "
+                    "own table"}}) {
+      if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
+    }
+    GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
+    if (cutter.cylindrical.teeth < 0)
+      gear.fail("cut_by.teeth", "must be positive: an internal gear cannot be a pinion cutter");
+    if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
+    if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
+      gear.fail("cut_by.tip_fillet",
+                "a cutter has no mating gear that could determine it; give corner_radius_mm, "
+                "radius_mm or l_mm");
+    }
+    cut.cutter = std::make_shared<GearInput>(std::move(cutter));
+  } else {
+    gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table with a cutter's numbers");
+  }
+  for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
+    if (gear.has(key)) {
+      gear.fail(key,
+                "cannot be combined with cut_by, because the cutter and the generating centre "
+                "distance determine the tooth");
+    }
+  }
+  if (total && g.profile_shift) {
+    gear.fail("profile_shift_pair",
+              "cannot be combined with profile_shift; both determine the depth of the cutter; "
+              "leave one of them out");
+  }
+  g.cut_by = std::move(cut);
 }
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/measured_keys.hpp"
+#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

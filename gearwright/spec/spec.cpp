@@ -9,7 +9,6 @@
 
 #include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/catalogue/rack_bar_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/spec/inherit.hpp"
@@ -20,7 +19,6 @@
 #include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_scatter.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/read_search_drawing.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
