@@ -26,7 +26,10 @@ function engineModule(): Plugin {
   };
 }
 
-/** Puts everything into one HTML file: style, script, and the engine as gzip in base64. */
+const packed = (bytes: string | Buffer) => gzipSync(bytes, { level: 9 }).toString("base64");
+
+/** Everything into one HTML file: the style as it is, the script and the engine as gzip in base64, which
+ *  src/unpack.js reads. Three quarters of the script are three.js, which most visits do not need. */
 function single(): Plugin {
   return {
     name: "gearwright-single",
@@ -35,18 +38,16 @@ function single(): Plugin {
       const page = bundle["index.html"];
       if (page?.type !== "asset") throw new Error("no index.html");
       let html = String(page.source);
+      const place = (id: string, bytes: string | Buffer) =>
+        `<script id="${id}" type="text/plain">${packed(bytes)}</script>\n`;
       for (const [name, part] of Object.entries(bundle)) {
         if (part.type === "chunk" && part.isEntry) {
-          const code = part.code.replaceAll("</script", "<\\/script");
-          const wasm = gzipSync(readFileSync(resolve(engine, "gearwright.wasm")), { level: 9 }).toString(
-            "base64",
-          );
+          const parts =
+            place("page-script", part.code) +
+            place("engine-wasm", readFileSync(resolve(engine, "gearwright.wasm"))) +
+            `<script type="module">${readFileSync(resolve(here, "src/unpack.js"))}</script>\n`;
           html = html.replace(/<script[^>]*src="[^"]*"[^>]*><\/script>/, "");
-          html = html.replace(
-            "</body>",
-            () =>
-              `<script id="engine-wasm" type="text/plain">${wasm}</script>\n<script type="module">${code}</script>\n</body>`,
-          );
+          html = html.replace("</body>", () => `${parts}</body>`);
         } else if (name.endsWith(".css") && part.type === "asset") {
           html = html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${String(part.source)}</style>`);
         }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/free_labels.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
@@ -153,7 +155,6 @@ std::string beyond(const CrossedPair& pair) {
   return text.empty() ? " Both lines lie within both faces." : text;
 }
 
-constexpr PlotArea kSpeeds{640, 58, 18, 54, 210, 50};
 constexpr int kSpeedSteps = 96;
 
 // Sliding of flank 1 over flank 2, mm per radian of gear 1.
@@ -175,46 +176,37 @@ double along_line(const CrossedPair& pair, double rho1) {
   return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
 }
 
-std::string speed_svg(const CrossedPair& pair) {
+Figure speed_figure(const CrossedPair& pair) {
   const Mesh<double>& m = pair.mesh;
-  const auto rho1 = [&](int k) { return m.rho1_A + k * m.path_length / kSpeedSteps; };
+  Figure f{"speeds",
+           "Sliding of the flanks",
+           "Sliding speeds across and along the teeth and in total, over the line of action from A "
+           "to E.",
+           ", gear 1 over gear 2.",
+           {"distance from the pitch point C along the line of action", "mm"},
+           {"sliding", "mm per radian of gear 1"}};
   std::array<std::vector<Vec2>, 3> curves;
-  double lo = 0.0;
-  double hi = 0.0;
   for (int k = 0; k <= kSpeedSteps; ++k) {
-    const Sliding s = sliding_at(pair, rho1(k));
-    const double at = along_line(pair, rho1(k));
-    const std::array<double, 3> values{s.across, s.along, s.whole()};
-    for (std::size_t i = 0; i < 3; ++i) {
-      curves[i].push_back({at, values[i]});
-      lo = std::min(lo, values[i]);
-      hi = std::max(hi, values[i]);
-    }
+    const double rho1 = m.rho1_A + k * m.path_length / kSpeedSteps;
+    const Sliding s = sliding_at(pair, rho1);
+    const double at = along_line(pair, rho1);
+    curves[0].push_back({at, s.whole()});
+    curves[1].push_back({at, s.across});
+    curves[2].push_back({at, s.along});
   }
-  const Axis x = kSpeeds.across(along_line(pair, m.rho1_A), along_line(pair, m.rho1_E));
-  const auto ends = widened(lo, hi, 0.08);
-  const Axis y = kSpeeds.up(ends[0], ends[1]);
-  Svg svg("speeds", kSpeeds.width, kSpeeds.height(), "Sliding of the flanks",
-          "Sliding speeds across and along the teeth and in total, over the line of action from "
-          "A to E.");
-  draw_rows(svg, x, y, 5);
-  draw_foot(svg, x, kSpeeds.top, kSpeeds.bottom(), 8,
-            "distance from the pitch point C along the line of action, mm");
-  svg.text({x.from, kSpeeds.top - 37}, "sliding, mm per radian of gear 1", Anchor::start, "panel");
-  const std::vector<PathMark> marks = path_marks(m, m.rho1_E);
-  std::vector<double> wanted;
-  for (const PathMark& k : marks) wanted.push_back(x(along_line(pair, k.rho1)));
-  const std::vector<double> placed = spread(wanted, 16.0, kSpeeds.left, kSpeeds.width - 10.0);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    svg.polyline(
-        {{placed[i], kSpeeds.top - 8}, {wanted[i], kSpeeds.top - 2}, {wanted[i], kSpeeds.bottom()}},
-        "leader");
-    svg.text({placed[i], kSpeeds.top - 12}, marks[i].letter, Anchor::middle, "letter");
-  }
-  draw_curve(svg, x, y, curves[2], "curve ink");
-  draw_curve(svg, x, y, curves[0], "curve action-curve");
-  draw_curve(svg, x, y, curves[1], "curve trailing-curve dash");
-  return svg.str();
+  f.line(std::move(curves[0]), "curve ink", "altogether");
+  f.line(std::move(curves[1]), "curve action-curve", "across the teeth");
+  f.line(std::move(curves[2]), "curve trailing-curve dash", "along the teeth");
+  f.keys = {{"action", "across the teeth"},
+            {"trailing", "along the teeth (dashed)"},
+            {"ink", "altogether"}};
+  fit_axes(f, 0.1);
+  f.y.lo = std::min(f.y.lo, 0.0);
+  std::vector<LetterAt> letters;
+  for (const PathMark& k : path_marks(m, m.rho1_E))
+    letters.push_back({k.letter, Vec2(along_line(pair, k.rho1), -kInfinity)});
+  add_letters(f, letters);
+  return f;
 }
 
 std::string speed_table(const CrossedPair& pair) {
@@ -255,12 +247,7 @@ std::string face_use_figure(const CrossedPair& pair) {
 
 std::string speed_figures(const CrossedPair& pair) {
   GW_EXPECTS(pair.flanks_meet());
-  const std::string keys = caption_key("action", "across the teeth") + " " +
-                           caption_key("trailing", "along the teeth (dashed)") + " " +
-                           caption_key("ink", "altogether");
-  return captioned(speed_svg(pair),
-                   "<strong>Sliding of the flanks</strong>, gear 1 over gear 2. " + keys) +
-         speed_table(pair);
+  return figure_html(speed_figure(pair), 640.0) + speed_table(pair);
 }
 
 }  // namespace gearwright

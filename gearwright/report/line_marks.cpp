@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double kRoom = 21.0;   // px along a line between two letters
 constexpr double kAside = 16.0;  // px from the line to the middle of a letter
+
+constexpr double kLetterRoom = 0.04;    // of the width of a plot, between two letters
+constexpr double kLetterHeight = 0.12;  // of its height
 
 constexpr double kTouching = 2.0;  // px
 constexpr double kFar = 3.2;       // path lengths
@@ -53,6 +57,21 @@ std::vector<PathMark> path_marks(const Mesh<double>& m, double last) {
       {"A", m.rho1_A}, {"B", m.rho1_B}, {"C", m.rho1_C}, {"D", m.rho1_D}, {"E", m.rho1_E}};
   std::erase_if(marks, [&](const PathMark& k) { return k.rho1 < m.rho1_A || k.rho1 > last; });
   return marks;
+}
+
+void add_letters(Figure& f, const std::vector<LetterAt>& letters) {
+  const double wide = f.x.hi - f.x.lo, tall = f.y.hi - f.y.lo;
+  const double bend = f.y.hi, edge = bend + 0.02 * tall;
+  f.y.hi += kLetterHeight * tall;
+  f.x.lo -= kLetterRoom / 2 * wide;
+  f.x.hi += kLetterRoom / 2 * wide;
+  std::vector<double> wanted;
+  for (const LetterAt& l : letters) wanted.push_back(l.at.x());
+  const std::vector<double> placed = spread(wanted, kLetterRoom * wide, f.x.lo, f.x.hi);
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    f.line({{placed[i], edge}, {wanted[i], bend - 0.05 * tall}, letters[i].at}, "leader");
+    f.text({placed[i], kInfinity}, letters[i].letter, Anchor::middle, "letter halo", {0.0, 16.0});
+  }
 }
 
 std::vector<double> line_ends(const InvolutePair& pair) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gearwright/base/vector.hpp"
-#include "gearwright/figure/svg.hpp"
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -28,8 +28,18 @@ void sort_marks(std::vector<PathMark>& marks);
 /// of a period lies beyond the path, and B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
-/// ρ_1 of the points that a picture should contain: A and E, and also C and the base tangent points
-/// unless they are far away.
+/// A point to be named by a letter at the upper edge of a plot; at y = −∞ its line ends at the foot.
+struct LetterAt {
+  std::string letter;
+  Vec2 at;
+};
+
+/// Adds the letters to a figure whose axes hold the curves, and room for them: above, and at both
+/// ends of the x axis.
+void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
+
+/// ρ_1 of the points that a picture should contain: A, E, and C and the base tangent points unless
+/// far from them.
 std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };

@@ -4,13 +4,16 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/line_marks.hpp"
 
 namespace gearwright {
 
@@ -110,7 +113,6 @@ std::string range_svg(const CrossedPair& pair) {
   return svg.str();
 }
 
-constexpr PlotArea kZoom{640, 70, 18, 54, 150, 50};
 constexpr int kZoomSteps = 80;
 // µm. Smaller differences of the solutions are not shown; the rounding error of centre distances is
 // 1e-11 µm.
@@ -124,44 +126,45 @@ double above_min(const CrossedPair& pair, double degrees) {
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
 }
 
-std::string zoom_svg(const CrossedPair& pair, const std::vector<Approximation>& all) {
+std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<Approximation>& all) {
   const double exact = pair.min_distance->normal_pressure_angle.deg();
-  std::vector<double> angles{exact};
-  for (const Approximation& a : all) angles.push_back(a.normal_pressure_angle.deg());
-  const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
-  const double reach = std::max(*greatest - *least, 1e-9);
-  const Axis x = kZoom.across(*least - 0.12 * reach, *greatest + 0.12 * reach);
-  double most = 0.0;
+  std::vector<LetterAt> letters{{"0", Vec2(exact, 0.0)}};
+  for (const Approximation& a : all) {
+    const double degrees = a.normal_pressure_angle.deg();
+    letters.push_back({a.letter, Vec2(degrees, above_min(pair, degrees))});
+  }
+  Bounds box;
+  for (const LetterAt& l : letters) box.cover(l.at);
+  const double most = box.hi.y();
+  if (most < kWorthShowing) return std::nullopt;
+  const double reach = std::max(box.size().x(), 1e-9);
+  Figure f{"least",
+           "The least centre distance, approximately",
+           "Centre distance above the least one over the normal pressure angle of the common rack, "
+           "near the least centre distance; marks at the exact and the approximate solutions.",
+           ": 0 exact, 1 to 3 terms of the series, v the virtual spur pair, v′ the same corrected. "
+           "The curve is the exact distance at each angle: near its least it hardly changes.",
+           {.words = "working normal pressure angle",
+            .unit = "°",
+            .lo = box.lo.x() - 0.12 * reach,
+            .hi = box.hi.x() + 0.12 * reach,
+            .symbol = "α_wn"},
+           {.words = "above the least centre distance",
+            .unit = "µm",
+            .lo = -0.06 * most,
+            .hi = 1.25 * most,
+            .symbol = "a"}};
+  f.tall = 0.3;
   std::vector<Vec2> curve;
   for (int k = 0; k <= kZoomSteps; ++k) {
-    const double v = x.lo + k * (x.hi - x.lo) / kZoomSteps;
-    if (!crossed_sample(pair, Angle::degrees(v))) continue;
-    curve.push_back({v, above_min(pair, v)});
+    const double v = f.x.lo + k * (f.x.hi - f.x.lo) / kZoomSteps;
+    if (crossed_sample(pair, Angle::degrees(v))) curve.push_back({v, above_min(pair, v)});
   }
-  for (const double a : angles) most = std::max(most, above_min(pair, a));
-  if (most < kWorthShowing) return {};
-  const Axis y = kZoom.up(-0.06 * most, 1.25 * most);
-  Svg svg("least", kZoom.width, kZoom.height(), "The least centre distance and its approximations",
-          "Centre distance above the least one over the normal pressure angle of the common rack, "
-          "near the least centre distance; marks at the exact and the approximate solutions.");
-  draw_foot(svg, x, kZoom.top, kZoom.bottom(), 6, angle_words());
-  draw_rows(svg, x, y, 4);
-  svg.text({x.from, kZoom.top - 37}, symbol_svg("a") + " above the least, µm", Anchor::start,
-           "panel");
-  svg.begin_clip(x.from, kZoom.top, x.to - x.from, kZoom.tall);
-  draw_curve(svg, x, y, curve, "curve ink");
-  svg.end_group();
-  std::vector<double> wanted;
-  for (const double a : angles) wanted.push_back(x(a));
-  const std::vector<double> placed = spread(wanted, 20.0, x.from + 8, x.to - 8);
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const Vec2 at(wanted[i], y(above_min(pair, angles[i])));
-    svg.polyline({{placed[i], kZoom.top - 4}, {wanted[i], kZoom.top + 9}, at}, "leader");
-    svg.text({placed[i], kZoom.top - 9}, i == 0 ? "0" : all[i - 1].letter, Anchor::middle,
-             "letter");
-    svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark ring");
-  }
-  return svg.str();
+  f.line(std::move(curve), "curve ink", "above the least");
+  add_letters(f, letters);
+  for (const LetterAt& l : letters)
+    f.dot(l.at, &l == &letters.front() ? 3.4 : 4.0, &l == &letters.front() ? "mark" : "mark ring");
+  return f;
 }
 
 std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle) {
@@ -193,13 +196,8 @@ std::string range_figure(const CrossedPair& pair) {
 
 std::string min_distance_figure(const CrossedPair& pair) {
   const std::vector<Approximation> all = approximations(pair);
-  const std::string zoom = all.empty() ? std::string() : zoom_svg(pair, all);
-  if (zoom.empty()) return {};
-  return captioned(
-      zoom,
-      "<strong>The least centre distance, approximately</strong>: 0 exact, 1 to 3 terms of the "
-      "series, v the virtual spur pair, v′ the same corrected. The curve is the exact distance at "
-      "each angle. Near its minimum it hardly changes.");
+  const auto figure = all.empty() ? std::nullopt : zoom_figure(pair, all);
+  return figure ? figure_html(*figure, 640.0) : std::string();
 }
 
 std::string min_distance_table(const CrossedPair& pair) {
