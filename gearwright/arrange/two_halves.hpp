@@ -27,7 +27,7 @@ struct DoubleHelical {
 /// The inputs of double-helical gears, one for each gear.
 using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
 
-/// One gear of two halves, with the values that follow.
+/// A double-helical gear, and the values derived from its input.
 struct Halves {
   DoubleHelical given;
   double face_width = 0.0;             ///< b    mm

@@ -61,7 +61,7 @@ inline constexpr int kMaxPoles = 240;
 
 struct HelixSpline {
   BSplineBasis basis;          ///< degree 5; degree 1 without twist
-  std::vector<Complex> poles;  ///< h_j for φ from −Δ/2 to Δ/2; without twist 1, 1
+  std::vector<Complex> poles;  ///< h_j for φ from −Δ/2 to Δ/2; two poles, both 1, without twist
   double deviation;            ///< |ε|, greatest of 24 points between neighbouring knots
 
   Complex at(double v) const;

@@ -10,7 +10,8 @@ namespace {
 constexpr double kMarking = 0.00635;  // mm: thickness of the marking compound that shows the
                                       // ellipse
 
-// The semi-axis for a gap curvature under the marking; none if the gap closes.
+// The semi-axis of the area in which a gap of curvature k is smaller than the thickness of the marking
+// compound; none if k ≤ 0.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -55,7 +56,7 @@ const Quantities<ArcContact>& ellipse_quantities() {
              "null if the gap closes", [](const A& a) { return semi_axis(a.gap[0]); });
     q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "",
              "null if the gap closes", [](const A& a) { return semi_axis(a.gap[1]); });
-    q.number("angle_deg", "major axis of the contact ellipse to the axis", "",
+    q.number("angle_deg", "angle of the major axis of the contact ellipse", "",
              "about the normal, from the projection of axis 1", &A::angle);
   });
   return kAll;

@@ -86,7 +86,8 @@ const KeyTable& planetary_keys() {
        formed("profile_shift", "x", kMembers, "as it follows", "profile shift"),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
        formed("face_width_mm", "b", kMembers, "10 m_n",
-              "face width; a planet along two rings or two suns has as much for each"),
+              "face width; a planet that meshes with two rings or two suns is twice as wide plus a "
+              "gap"),
        formed("tip_diameter_mm", "d_a", kMembers,
               "of the basic rack, with its clearance; a ring's clears the flanks of its planets",
               "tip diameter"),

@@ -15,7 +15,7 @@ constexpr const char* kUndercut = "Undercut";
 constexpr const char* kRootFillet = "Circular root fillet";
 constexpr const char* kTipFillet = "Circular tip fillet";
 constexpr const char* kCutter = "Cut by a pinion cutter";
-constexpr const char* kBody = "Bore (of an internal gear its rim)";
+constexpr const char* kBody = "Bore (for an internal gear, the rim)";
 }  // namespace gear_group
 
 const Quantities<Gear>& gear_quantities();

@@ -200,7 +200,8 @@ void say_torque(Quantities<T>& q) {
            })
       .per_gear()
       .when(has_nominal);
-  q.term("face_load_factor", "greatest over mean of the load along the face, mean of the positions",
+  q.term("face_load_factor",
+         "maximum load along the face divided by its mean, averaged over the positions",
          [](const T& t) { return t.torque->face_load_factor; })
       .when(on_lines);
   q.number("transverse_load_factor", "transverse load factor", "K_Hα",

@@ -67,7 +67,7 @@ const KeyTable& scatter_keys() {
                    "the percentiles of each quantity")
            .with_list(KeyList{.most = 100, .single = true}),
        Key::number("confidence", "", KeyRange::inside(0, 1), &S::confidence, "0.95",
-                   "that of the intervals"),
+                   "confidence level of the intervals"),
        Key::flag("indices", &S::indices, "false",
                  "if true, computes first and total Sobol indices of each input [T14.10], for "
                  "(inputs + 2) "

@@ -32,11 +32,12 @@ const Quantities<SpreadView>& error_quantities() {
       const auto& e = s.spread->mean.standard_error;
       return e ? Value(s.entry->shown(*e)) : Value();
     });
-    q.number("standard_deviation", "that of the standard deviation", "", "", [](const S& s) {
-      const auto& e = s.spread->standard_deviation.standard_error;
-      return e ? Value(s.entry->shown(*e)) : Value();
-    });
-    q.number("percentiles", "those of the percentiles", "", "", [](const S& s) {
+    q.number("standard_deviation", "standard error of the standard deviation", "", "",
+             [](const S& s) {
+               const auto& e = s.spread->standard_deviation.standard_error;
+               return e ? Value(s.entry->shown(*e)) : Value();
+             });
+    q.number("percentiles", "standard errors of the percentiles", "", "", [](const S& s) {
        return listed(s.spread->percentiles, *s.entry,
                      [](const Percentile& p) { return p.estimate.standard_error; });
      }).list({0});
@@ -186,9 +187,11 @@ const Quantities<LooseningView>& change_quantities() {
   using L = LooseningView;
   static const Quantities<L> kAll("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "the tolerance", [](const L& l) { return Value(*l.input); }).always();
-    q.number("factor", "factor until the percentile has grown by 5 %", "",
-             "null if it grows by less up to the factor 8, or as far as there are such teeth",
-             [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
+    q.number(
+        "factor", "factor until the percentile has grown by 5 %", "",
+        "null if the percentile grows by less than 5 % at every factor up to 8 for which the teeth "
+        "exist",
+        [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "",
              [](const L& l) { return Value(Angle::radians(l.change->halved).arcsec()); });
   });
@@ -317,7 +320,8 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "share of the positions of a pitch at which an edge touches, 0 to 1"},
        Q::edge_share},
       {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
-        "least play of gear 2 with both flanks; < 0 if the gears jam"},
+        "least play of gear 2, from contact on one flank to contact on the other; < 0 if the gears "
+        "jam"},
        Q::least_play},
       {{"long_period_arcsec", "transmission error until the same teeth meet again", Unit::arcsec, 3,
         "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "

@@ -83,7 +83,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   begin_stage(request.progress, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
               wanted);
   if (rotations.empty()) {
-    // Errors do not rotate, so every pitch is like the first, with its tooth pair one further.
+    // Errors of mounting do not rotate with the gears, so every pitch repeats the first; only the
+    // number of the tooth pair increases by one.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);
     for (int i = 0; i < request.pitches * n; ++i) {

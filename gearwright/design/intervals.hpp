@@ -59,8 +59,8 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
   return std::max(f_x, f_y) + std::max(outside, inside) + bend * (b - a) * (b - a);
 }
 
-/// A higher place of f between a and b, by golden section. The search ends as soon as f > 0, or if
-/// f cannot exceed `hump.below`.
+/// Climbs towards the maximum of f between a and b by golden section and returns the best point. The
+/// search ends as soon as f > 0, or when f cannot exceed `hump.below`.
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;

@@ -1,8 +1,8 @@
 // Places labels at free positions of a picture.
 //
 // Lines, dots and labels that are already drawn are recorded. A new label gets the first of its
-// positions that touches none of them. Sizes are those of the letters on a narrow screen, the
-// largest in the style of the page.
+// positions that touches none of them. Sizes are computed for the letters on a narrow screen,
+// which are the largest of the page's style.
 #pragma once
 
 #include <string>

@@ -64,8 +64,8 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
       {.id = "loaded-te",
        .title = "Loaded transmission error",
        .description =
-           "Over the rotation of gear 1: transmission error from its mean, for each torque.",
-       .caption = ", each curve from its mean.",
+           "Over the rotation of gear 1: transmission error relative to its mean, for each torque.",
+       .caption = ", each curve relative to its mean.",
        .x = {},
        .y = {"transmission error", "arc seconds"}},
       [&](const LoadedTorque& t) {

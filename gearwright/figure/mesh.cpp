@@ -243,8 +243,10 @@ Figure whole_figure(const MeshScene& s, const Bounds& window, const Bounds& fram
       : has_outline(*s.gears[1])
           ? "The pinion in the internal gear with axes and directions of rotation; a frame marks "
             "the part that the picture of the mesh shows."
-          : "The pinion in the internal gear, whose circles alone are drawn, with axes and "
-            "directions of rotation; a frame marks the part that the picture of the mesh shows.";
+          : "The pinion in the internal gear, with axes and directions of rotation. Only circles "
+            "are "
+            "drawn for the internal gear. A frame marks the part that the picture of the mesh "
+            "shows.";
   add_circles(f, s, false);
   const Bounds all = extent_of(s);
   f.line({{all.lo.x(), 0.0}, {all.hi.x(), 0.0}}, "thin dashdot");

@@ -293,8 +293,8 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 }
 
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
-  std::string out = title_listing(job.spec) + spread_listing(a) + probability_listing(a) +
-                    loaded_listing(a);
+  std::string out =
+      title_listing(job.spec) + spread_listing(a) + probability_listing(a) + loaded_listing(a);
   if (a.task.indices) out += index_listing(a);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a));
   if (a.scatter.loosening) out += loosening_listing(a);

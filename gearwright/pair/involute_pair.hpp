@@ -19,8 +19,8 @@ namespace gearwright {
 /// The reason why parts of the pair collide.
 struct Interference {
   WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
-                     ///< unnamed (beyond an undercut nothing collides, which is the warning
-                     ///< `contact_lost_to_undercut`)
+                     ///< the cause has no code of its own. A tip that reaches an undercut does not
+                     ///< collide; that case is the warning `contact_lost_to_undercut`.
   int gear;          ///< the gear whose root or tip is affected
   std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if < 0, depth of the
                                        ///< interference
@@ -53,8 +53,8 @@ struct InvolutePair : MountedGears {
       contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
   SpecificSliding<double> sliding_A, sliding_E;
   double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the racks at this distance
-  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact is
-                                         ///< continuous
+  std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
+                                         ///< and contact is continuous
   std::vector<Interference>
       interference;  ///< the findings that explain the overlap; all findings, if no overlap was
                      ///< computed

@@ -43,9 +43,10 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
   if (sigma == 0.0) {
     return beyond(
         range, 0.0,
-        fmt::format("parallel axes need opposite base helices (a helix angle of {}° on a gear 2 of "
-                    "the same module); {}",
-                    format_number(0.0 - gear_1.helix_angle.deg()), kReach));
+        fmt::format(
+            "parallel axes need equal and opposite base helix angles; with the same module, "
+            "gear 2 needs a helix angle of {}°; {}",
+            format_number(0.0 - gear_1.helix_angle.deg()), kReach));
   }
   if (range.contains(sigma)) {
     const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);

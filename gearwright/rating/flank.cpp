@@ -154,8 +154,9 @@ FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Materi
 }
 
 double nominal_contact_stress(const RatedPair& pair, double tangential_force, double Z) {
-  return Z * std::sqrt(tangential_force / (pair.gears[0].reference_diameter * pair.carrying_width()) *
-                       (pair.u + 1) / pair.u);
+  return Z *
+         std::sqrt(tangential_force / (pair.gears[0].reference_diameter * pair.carrying_width()) *
+                   (pair.u + 1) / pair.u);
 }
 
 }  // namespace gearwright

@@ -19,7 +19,8 @@ Life on_lines(std::span<const Knot> knots, std::optional<double> cycles, double 
               const char* formula) {
   const Knot& first = knots.front();
   const Knot& reference = knots.back();
-  if (!cycles) return {{1.0, formula, "no life given: the reference number of cycles"}, 1.0};
+  if (!cycles)
+    return {{1.0, formula, "the reference number of cycles, because no life is given"}, 1.0};
   const double n = *cycles;
   if (n <= first.cycles) return {{first.value, formula, "static stress"}, 0.0};
   const auto between = [n](const Knot& a, const Knot& b) {

@@ -185,12 +185,12 @@ Factor notch_sensitivity_factor(const Material& material, const CriticalSection&
       branch = "ferritic nodular iron: ρ' = 0.3095 mm";
       break;
     case K::normalized:
-      if (!material.yield_strength) return {1.0, formula, "no yield strength given: 1"};
+      if (!material.yield_strength) return {1.0, formula, "1, because no yield strength is given"};
       rho = on_line(kSoft);
       branch = "ρ' by yield strength, 300 … 400 N/mm²";
       break;
     default:
-      if (!material.yield_strength) return {1.0, formula, "no yield strength given: 1"};
+      if (!material.yield_strength) return {1.0, formula, "1, because no yield strength is given"};
       rho = on_line(kTempered);
       branch = "ρ' by yield strength, 500 … 1000 N/mm²";
   }

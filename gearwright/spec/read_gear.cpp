@@ -63,13 +63,13 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   const auto in = read_table<BasicInput>(basic_keys(), *node, gear.name("basic"));
   for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
     if (gear.has(key))
-      gear.fail(key, "has no place beside [" + gear.name("basic") +
-                         "]; name the rack by its normal "
-                         "module or pressure angle, or leave it out");
+      gear.fail(key, "cannot be combined with [" + gear.name("basic") +
+                         "]; leave this key out, or give the normal module or the normal "
+                         "pressure angle of the rack");
   }
   if (gear.has("thickness_allowance_mm")) {
     gear.fail("thickness_allowance_mm",
-              "has no place beside [" + gear.name("basic") +
+              "cannot be combined with [" + gear.name("basic") +
                   "], which gives the thickness of the tooth as cut; leave it out");
   }
   const BaseGear<double> base{g.cylindrical.teeth, in.base_diameter / 2, in.base_tooth_thickness,
@@ -95,10 +95,12 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   if (!has_rack(base, alpha_n)) {
     const double alpha_deg = Angle::radians(alpha_n).deg();
     const double limit = 90.0 - std::abs(in.base_helix_angle.deg());
-    gear.fail("normal_pressure_angle_deg",
-              fmt::format("no rack with {}° has the base helix angle {}°; it must be less than {}°",
-                          format_number(alpha_deg, limit), format_number(in.base_helix_angle.deg()),
-                          format_number(limit, alpha_deg)));
+    gear.fail(
+        "normal_pressure_angle_deg",
+        fmt::format("a rack with a normal pressure angle of {}° cannot have a base helix angle of "
+                    "{}°; the pressure angle must be less than {}°",
+                    format_number(alpha_deg, limit), format_number(in.base_helix_angle.deg()),
+                    format_number(limit, alpha_deg)));
   }
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
