@@ -1,11 +1,7 @@
 #include "gearwright/job/rating_answer.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/job/job_contact.hpp"
-#include "gearwright/job/listing.hpp"
-#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
@@ -89,17 +85,6 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
     answer.contact = *contact;
   }
   return answer;
-}
-
-Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
-  return titled_record(job.spec, "rating", rating_quantities().of(answer));
-}
-
-std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
-  const auto& quantities = rating_quantities();
-  return title_listing(job.spec, "\n") +
-         quantity_listing(quantities.table(), {quantities.of(answer)}, gear_columns(2),
-                          [&](const QuantityInfo& s) { return source_text(answer.rating, s.key); });
 }
 
 }  // namespace gearwright

@@ -2,13 +2,10 @@
 // it.
 #pragma once
 
-#include <string>
-
 #include "gearwright/base/progress.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/rating/sizing.hpp"
-#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -21,10 +18,5 @@ struct RatingAnswer : RatingView {
 /// Errors    `rating` if the spec has none, `gearN.material…` if a limit is unknown; as rated_pair
 ///           and rate, and as answer_load if `rating.tooth_contact` is set
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
-
-/// {"rating"}, under its title.
-Json rating_json(const SolvedJob& job, const RatingAnswer& answer);
-/// Inputs, factors, safeties: symbol, value, unit, clause of the standard, branch.
-std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer);
 
 }  // namespace gearwright

@@ -172,6 +172,18 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
+  return titled_record(job.spec, "rating", rating_quantities().of(answer));
+}
+
+// Inputs, factors, safeties: symbol, value, unit, clause of the standard, branch.
+std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
+  const auto& quantities = rating_quantities();
+  return title_listing(job.spec, "\n") +
+         quantity_listing(quantities.table(), {quantities.of(answer)}, gear_columns(2),
+                          [&](const QuantityInfo& s) { return source_text(answer.rating, s.key); });
+}
+
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
   if (spec.drive) return answer_drive_rating(spec);
   return solved_answer<RatingAnswer>(
