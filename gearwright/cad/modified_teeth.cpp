@@ -280,7 +280,8 @@ Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
             return obstacle("the modification folds the surface beside the flank");
           const Vec2 back = turned_by(after, -side.twist() * row.z);
           const bool middle = arc + 1 == divided.arcs.size() && k == kExaminedPoints;
-          if (!middle && !(back.y() > 0.0)) return obstacle("the modified flanks of a tooth would cross");
+          if (!middle && !(back.y() > 0.0))
+            return obstacle("the modified flanks of a tooth would cross");
           before = after;
         }
       }
