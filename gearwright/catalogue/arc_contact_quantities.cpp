@@ -56,7 +56,7 @@ const Quantities<ArcContact>& ellipse_quantities() {
              "null if the gap closes", [](const A& a) { return semi_axis(a.gap[0]); });
     q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "",
              "null if the gap closes", [](const A& a) { return semi_axis(a.gap[1]); });
-    q.number("angle_deg", "angle of the major axis of the contact ellipse", "",
+    q.number("angle_deg", "major axis of the contact ellipse to the axis", "",
              "about the normal, from the projection of axis 1", &A::angle);
   });
   return kAll;

@@ -275,14 +275,14 @@ const Quantities<InternalMargins>& internal_quantities() {
   static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
     q.number("involute_margin_mm",
-             "involute interference: start of the path above the pinion's form point", "",
+             "involute: start of the path above the pinion's form point", "",
              "[T2.27]; negative if the tip reaches below it; null without such a limit",
              &M::involute);
-    q.number("trochoid_margin_deg", "trochoid interference: margin of the tips", "",
+    q.number("trochoid_margin_deg", "trochoid: tips pass each other", "",
              "[T2.28], of sharp tips without backlash; negative if they collide; null without such "
              "a limit",
              &M::trochoid);
-    q.number("trimming_margin_deg", "trimming: margin of radial assembly", "",
+    q.number("trimming_margin_deg", "trimming: radial assembly", "",
              "[T2.28]; negative if only axial mounting is possible; null without such a limit",
              &M::trimming);
   });

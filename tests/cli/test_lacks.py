@@ -197,9 +197,12 @@ class ByName(Asked):
         self.refused("search", search.format('["ratio", "weight"]'), "search.objective",
                      "unknown objective weight; did you mean mass?")
         self.refused("search", search.format('"colour"'), "search.objective", "contact_ratio, ratio, size", none=("did you mean",))
-        for wrong in ("POM", "PA66", "brass", "unobtainium"):
+        for wrong in ("brass", "unobtainium"):
             self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", "18CrNiMo7-6", "sigma_Hlim_MPa",
                          "youngs_modulus_MPa", none=("did you mean",))
+        for wrong in ("POM", "PA66"):  # no row of the table is a plastic
+            self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", "is a plastic", "sigma_Hlim_MPa",
+                         "youngs_modulus_MPa", none=("did you mean", "18CrNiMo7-6"))
         for wrong, near in (("C45", "C45N"), ("16mncr5", "16MnCr5"), ("18CrNiMo7", "18CrNiMo7-6")):
             self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", f"did you mean {near}?")
 
