@@ -54,7 +54,8 @@ def test_a_search_of_pairs_that_hold():
     load = {"power_kW": 10, "speed_rpm": 1480, "quality": 6, "face_load_factor": 1.2}
     # For designs that are drawn, the verdict would reject more.
     every_one = {**SEARCH["search"], "interference": "flag"}
-    wish = {"search": {**every_one, "safety_flank_min": 1.0, "safety_root_min": 1.4, "objective": "mass"},
+    wish = {"search": {**every_one, "safety_flank_min": 1.0, "safety_root_min": 1.4, "objective": "mass",
+                       "face_width_modules": 10},
             "gear1": steel, "gear2": steel, "rating": load}
     found = gw.search(wish, progress=False)
     every = gw.search({"search": every_one}, progress=False)
