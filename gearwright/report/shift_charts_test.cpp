@@ -42,7 +42,7 @@ TEST(ShiftChartPictures, TheDesignIsMarkedWhereItIsOnTheChart) {
 TEST(ShiftChartPictures, TwelveTeethReachTheSoundContactRatio) {
   const std::string figure = identical_gears_figure(testing::spur_problem(), Trial{});
   expect_sound_figure(figure);
-  EXPECT_NE(figure.find("From 12 teeth on some shift reaches it."), figure.npos);
+  EXPECT_NE(figure.find("From 12 teeth on, some shift reaches it."), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"curve share"), 5u);
   EXPECT_EQ(figure.find("required here"), figure.npos);
   SearchProblem quiet = testing::spur_problem();
