@@ -24,15 +24,6 @@ std::vector<Column> arc_columns(double radius, double begin, double end, int seg
   return columns;
 }
 
-WallLoop circle(double radius) {
-  // One wall, from the +y axis around the full circle.
-  const Complex top(0.0, radius);
-  WallLoop loop;
-  loop.walls.push_back(
-      {WallShape::circle, top, top, nullptr, {}, radius, pi / 2.0, pi / 2.0 + 2.0 * pi});
-  return loop;
-}
-
 WallLoop circle_with_keyway(double radius, double half, double bottom) {
   const double y = std::sqrt((radius - half) * (radius + half));
   const Complex left(-half, y);
@@ -78,6 +69,14 @@ std::optional<Error> rim_error(const ToothedBody& body, double room) {
   return std::nullopt;
 }
 
+WallLoop circle_loop(double radius) {
+  const Complex top(0.0, radius);
+  WallLoop loop;
+  loop.walls.push_back(
+      {WallShape::circle, top, top, nullptr, {}, radius, pi / 2.0, pi / 2.0 + 2.0 * pi});
+  return loop;
+}
+
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn) {
   GW_EXPECTS(bore.diameter > 0.0 && bore.keyway_width < bore.diameter && chord > 0.0);
   constexpr double kDown = -pi / 2.0;
@@ -111,18 +110,20 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) {
   if (body.outline.teeth < 0) {
-    if (auto error = rim_error(body, outer + kShortestArc_mm)) return *std::move(error);
-    return circle(body.bore->diameter / 2.0);
+    if (auto error = rim_error(body, body.limit_within(outer) + kShortestArc_mm))
+      return *std::move(error);
+    return circle_loop(body.bore->diameter / 2.0);
   }
   const Bore& bore = *body.bore;
-  if (auto error = bore_error(bore, inner - kShortestArc_mm)) return *std::move(error);
+  if (auto error = bore_error(bore, body.limit_within(inner) - kShortestArc_mm))
+    return *std::move(error);
   const double radius = bore.diameter / 2.0;
   const double half = bore.keyway_width / 2.0;
-  if (half == 0.0) return circle(radius);
+  if (half == 0.0) return circle_loop(radius);
   const double bottom = radius + bore.keyway_depth;
   // The sides of the slot are faces. If they were slivers, the slot is omitted.
   const double mouth = std::sqrt((radius - half) * (radius + half));
-  if (bottom - mouth < kShortestArc_mm) return circle(radius);
+  if (bottom - mouth < kShortestArc_mm) return circle_loop(radius);
   return circle_with_keyway(radius, half, bottom);
 }
 

@@ -32,6 +32,9 @@ std::optional<Error> rim_error(const ToothedBody& body, double room);
 /// Domain    a bore for which bore_error() returns no error (contract)
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn);
 
+/// One wall, from the +y axis around the full circle.
+WallLoop circle_loop(double radius);
+
 /// The loop of walls, without the slot if its sides would be slivers.
 ///
 /// Errors    those of bore_error and rim_error

@@ -5,11 +5,17 @@
 namespace gearwright {
 
 Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls) {
-  const bool ring = body.outline.teeth < 0;
-  const double b = body.face_width;
+  using brep::Side;
+  const Side side = body.outline.teeth < 0 ? Side::against : Side::along;
+  const std::vector<Band> bands = body.bands();
   brep::ShellWriter shell(out);
-  const brep::Rims teeth =
-      shell.add_walls(walls.teeth, walls.helix, b, ring ? brep::Side::against : brep::Side::along);
+  brep::Rims teeth = shell.add_walls(walls.teeth, walls.helices.front(), bands.front(), side);
+  if (bands.size() == 2) {
+    const brep::Rims upper = shell.add_walls(walls.teeth, walls.helices.back(), bands.back(), side,
+                                             body.grooved() ? nullptr : &teeth.top);
+    if (body.grooved()) shell.add_groove(body, teeth.top, upper.bottom);
+    teeth.top = upper.top;
+  }
   return shell.close(body, walls, teeth);
 }
 

@@ -13,6 +13,8 @@
 // than kHelixTarget_mm. A circle's x direction points away from the middle of its wall, so no wall
 // of less than a turn meets the seam at u = 0.
 //
+// A double-helical gear is two such stacks of walls, one on the other or with a groove between them.
+//
 //   Law   every edge is used twice, once in each direction
 #pragma once
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/cad/bore_loop.hpp"
 
 namespace gearwright::brep {
 
@@ -49,12 +50,12 @@ std::string spline_surface(const std::vector<Ids>& rows, const WallKnots& u, con
   return text + ",.UNSPECIFIED.)";
 }
 
-Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width,
-                            Side side) {
-  const std::vector<WallLevel> levels = levels_of(loop, face_width);
-  Corners below = corners(loop, levels.front());
-  Edges floor = level_edges(loop, levels.front(), below);
-  Rims rims{floor, {}};
+Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band,
+                            Side side, const Rim* base) {
+  const std::vector<WallLevel> levels = levels_of(band, loop.slices);
+  Corners below = base ? base->corners : corners(loop, levels.front());
+  Edges floor = base ? base->edges : level_edges(loop, levels.front(), below);
+  Rims rims{{below, floor}, {}};
   for (std::size_t s = 0; s + 1 < levels.size(); ++s) {
     const WallSlice slice = slice_between(levels[s], levels[s + 1], helix);
     Corners above = corners(loop, slice.high);
@@ -69,8 +70,21 @@ Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, doub
     below = std::move(above);
     floor = std::move(ceiling);
   }
-  rims.top = std::move(floor);
+  rims.top = {std::move(below), std::move(floor)};
   return rims;
+}
+
+void ShellWriter::add_groove(const ToothedBody& body, const Rim& below, const Rim& above) {
+  const bool ring = body.outline.teeth < 0;
+  const double gap = body.two_helices->gap;
+  const double radius = body.two_helices->groove_radius;
+  const Rims groove = add_walls(circle_loop(radius), fit_helix(0.0, radius), {0.0, gap, 0.0, 0.0},
+                                ring ? Side::against : Side::along);
+  const auto plane = [&](double z, const Rim& teeth, const Rim& round, Side side) {
+    add_cap(z, ring ? round.edges : teeth.edges, ring ? &teeth.edges : &round.edges, side);
+  };
+  plane(-gap / 2.0, below, groove.bottom, Side::along);
+  plane(gap / 2.0, above, groove.top, Side::against);
 }
 
 Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth) {
@@ -78,13 +92,13 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   const double b = body.face_width;
   std::optional<Rims> bore;
   if (walls.bore)
-    bore = add_walls(*walls.bore, fit_helix(0.0, walls.outer_radius), b,
+    bore = add_walls(*walls.bore, fit_helix(0.0, walls.outer_radius), {0.0, b, 0.0, 0.0},
                      ring ? Side::along : Side::against);
   GW_EXPECTS(!ring || bore.has_value());
   const Rims& outer = ring ? *bore : teeth;
   const Rims* inner = ring ? &teeth : (bore ? &*bore : nullptr);
-  add_cap(-b / 2.0, outer.bottom, inner ? &inner->bottom : nullptr, Side::against);
-  add_cap(b / 2.0, outer.top, inner ? &inner->top : nullptr, Side::along);
+  add_cap(-b / 2.0, outer.bottom.edges, inner ? &inner->bottom.edges : nullptr, Side::against);
+  add_cap(b / 2.0, outer.top.edges, inner ? &inner->top.edges : nullptr, Side::along);
   return finish(body.name);
 }
 

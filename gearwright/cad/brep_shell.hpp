@@ -30,9 +30,15 @@ struct Edge {
 using Corners = std::vector<Corner>;
 using Edges = std::vector<Edge>;
 
+/// The edges of a loop in one level, with their corners.
+struct Rim {
+  Corners corners;
+  Edges edges;
+};
+
 struct Rims {
-  Edges bottom;
-  Edges top;
+  Rim bottom;
+  Rim top;
 };
 
 /// Direction of a face relative to its surface.
@@ -45,8 +51,13 @@ class ShellWriter {
  public:
   explicit ShellWriter(Part21& out) : out_(out) {}
 
-  /// One face per wall and slice. `side` is `along` if the metal is inside the loop.
-  Rims add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width, Side side);
+  /// One face per wall and slice. `side` is `along` if the metal is inside the loop. The walls stand
+  /// on the rim `base`, or on a new one.
+  Rims add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band, Side side,
+                 const Rim* base = nullptr);
+
+  /// Adds the walls of the groove of a double-helical gear and the two planes beside it.
+  void add_groove(const ToothedBody& body, const Rim& below, const Rim& above);
 
   /// Adds the bore or the rim and the two end faces, and ends the solid.
   Brep close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth);

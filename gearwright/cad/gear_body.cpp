@@ -16,6 +16,13 @@ constexpr double kRackBack_mm = 1e-3;
 
 }  // namespace
 
+std::vector<Band> ToothedBody::bands() const {
+  if (!two_helices) return {{twist, face_width, 0.0, 0.0}};
+  const double width = (face_width - two_helices->gap) / 2.0;
+  const double middle = (two_helices->gap + width) / 2.0;
+  return {{-twist, width, -middle, two_helices->stagger}, {twist, width, middle, 0.0}};
+}
+
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore) {
   if (!gear.tooth)

@@ -25,7 +25,7 @@ Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
 // the next at the top) is nearer to the surface than the falling one. The section bulges from its
 // chord by chord·(n_2 − n_1)/8 along its normal.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
-  const double turn = levels.twist * levels.width / levels.steps;
+  const double turn = levels.band.twist * levels.band.width / levels.steps;
   const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;
   const SinCos full = sincos(turn);
   const SinCos half = sincos(0.5 * turn);
@@ -53,11 +53,11 @@ std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
 }
 
 // The columns at one level of a screw.
-Ring screw_ring(const std::vector<Column>& part, const std::vector<char>& crease, double twist,
+Ring screw_ring(const std::vector<Column>& part, const std::vector<char>& crease, const Band& band,
                 double z) {
-  const SinCos screw = sincos(twist * z);
+  const SinCos screw = sincos(band.angle(z));
   const auto screwed = [&](const Vec2& p, const Vec2& n) {
-    const Vec3 normal = screw_normal(p, n, twist);
+    const Vec3 normal = screw_normal(p, n, band.twist);
     const Vec2 plane = turned(normal.head<2>(), screw);
     return Vec3(plane.x(), plane.y(), normal.z());
   };
@@ -98,7 +98,8 @@ void MeshBuilder::add_shaded(std::uint32_t vertex, const Vec3& normal) {
 }
 
 // A level of copy 0, followed by its turned copies.
-void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, int copies) {
+void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, int copies,
+                           const WallEnds* below) {
   for (int k = 0; k < copies; ++k) {
     const SinCos tooth = sincos_turn(k, copies);
     const auto copied = [&](const Vec3& v) {
@@ -107,9 +108,11 @@ void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, in
     };
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
       const RingPoint& placed = ring.points[i];
-      const std::uint32_t vertex = next_vertex();
+      const std::size_t place = static_cast<std::size_t>(k) * ring.points.size() + i;
+      const std::uint32_t vertex =
+          below ? below->top + static_cast<std::uint32_t>(place) : next_vertex();
       const Vec2 p = turned(placed.point, tooth);
-      mesh_.vertices.emplace_back(p.x(), p.y(), ring.z);
+      if (!below) mesh_.vertices.emplace_back(p.x(), p.y(), ring.z);
       add_shaded(vertex, copied(placed.before));
       if (crease[i] != 0) add_shaded(vertex, copied(placed.after));
     }
@@ -117,14 +120,17 @@ void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, in
 }
 
 WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, const Levels& levels,
-                               bool inward) {
+                               bool inward, const WallEnds* below) {
   GW_EXPECTS(!part.empty() && copies >= 1 && levels.steps >= 1);
   const std::size_t first = mesh_.vertices.size();
   const std::size_t first_shaded = mesh_.shaded_vertices.size();
   const WallEdges edges = edges_of(part, copies, levels);
   for (int level = 0; level <= levels.steps; ++level)
-    add_ring(screw_ring(part, edges.crease, levels.twist, levels.z(level)), edges.crease, copies);
-  return add_quads(first, first_shaded, levels.steps, edges, copies, inward);
+    add_ring(screw_ring(part, edges.crease, levels.band, levels.z(level)), edges.crease, copies,
+             level == 0 ? below : nullptr);
+  const std::size_t ring = below ? 0 : part.size() * static_cast<std::size_t>(copies);
+  return add_quads(below ? below->top : first, first + ring, first_shaded, levels.steps, edges,
+                   copies, inward);
 }
 
 WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,
@@ -136,36 +142,42 @@ WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& 
     GW_EXPECTS(ring.points.size() == edges.crease.size());
     add_ring(ring, edges.crease, copies);
   }
-  return add_quads(first, first_shaded, static_cast<int>(rings.size()) - 1, edges, copies, inward);
+  const std::size_t ring = edges.crease.size() * static_cast<std::size_t>(copies);
+  return add_quads(first, first + ring, first_shaded, static_cast<int>(rings.size()) - 1, edges,
+                   copies, inward);
 }
 
-WallEnds MeshBuilder::add_quads(std::size_t first, std::size_t first_shaded, int steps,
-                                const WallEdges& edges, int copies, bool inward) {
+// The vertices of the lowest ring begin at `bottom`, and those of the others at `second`.
+WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::size_t first_shaded,
+                                int steps, const WallEdges& edges, int copies, bool inward) {
   const std::size_t columns = edges.crease.size();
   const std::size_t ring = columns * static_cast<std::size_t>(copies);
   const Shades shade_of = shades(edges.crease);
   const std::size_t ring_shaded = shade_of.count * static_cast<std::size_t>(copies);
   const auto index = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
+  const auto ring_at = [&](int level) {
+    return level == 0 ? bottom : second + ring * static_cast<std::size_t>(level - 1);
+  };
   for (int step = 0; step < steps; ++step) {
-    const std::size_t low = first + ring * static_cast<std::size_t>(step);
+    const std::size_t low = ring_at(step), high = ring_at(step + 1);
     const std::size_t low_shaded = first_shaded + ring_shaded * static_cast<std::size_t>(step);
     for (std::size_t k = 0; k < static_cast<std::size_t>(copies); ++k) {
       for (std::size_t i = 0; i < columns; ++i) {
         const std::size_t next_i = (i + 1) % columns;
         const std::size_t next_k = (k + (i + 1) / columns) % static_cast<std::size_t>(copies);
-        const std::size_t here = low + k * columns + i;
-        const std::size_t next = low + next_k * columns + next_i;
+        const std::size_t here = k * columns + i;
+        const std::size_t next = next_k * columns + next_i;
         const std::size_t shade = low_shaded + k * shade_of.count + shade_of.after[i];
         const std::size_t shade_next =
             low_shaded + next_k * shade_of.count + shade_of.before[next_i];
-        add_quad({index(here), index(next), index(next + ring), index(here + ring)},
+        add_quad({index(low + here), index(low + next), index(high + next), index(high + here)},
                  {index(shade), index(shade_next), index(shade_next + ring_shaded),
                   index(shade + ring_shaded)},
                  edges.rising[i] != 0, inward);
       }
     }
   }
-  return {index(first), index(first + ring * static_cast<std::size_t>(steps))};
+  return {index(bottom), index(ring_at(steps))};
 }
 
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,

@@ -25,11 +25,12 @@ struct Column {
 };
 
 struct Levels {
-  int steps;     ///< of equal height, ≥ 1
-  double twist;  ///< τ  rad/mm
-  double width;  ///< b  mm, from −b/2 to b/2
+  int steps;  ///< of equal height, ≥ 1
+  Band band;
 
-  double z(int level) const { return width * (2 * level - steps) / (2.0 * steps); }
+  double z(int level) const {
+    return band.middle + band.width * (2 * level - steps) / (2.0 * steps);
+  }
 };
 
 /// A column at one level, in place.
@@ -66,8 +67,10 @@ inline Vec2 turned(const Vec2& v, const SinCos& a) {
 class MeshBuilder {
  public:
   /// Adds a closed wall of `copies` equal parts. If `inward`, the material lies outside of it. Copy
-  /// k is copy 0 turned by sincos_turn(k, copies), bit for bit.
-  WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward);
+  /// k is copy 0 turned by sincos_turn(k, copies), bit for bit. The wall stands on the top ring of
+  /// the wall `below`, which has the same columns there, or on a ring of its own.
+  WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
+                    const WallEnds* below = nullptr);
 
   /// The same of a wall given level by level, from below.
   ///
@@ -102,9 +105,10 @@ class MeshBuilder {
   };
 
   static Shades shades(const std::vector<char>& crease);
-  void add_ring(const Ring& ring, const std::vector<char>& crease, int copies);
-  WallEnds add_quads(std::size_t first, std::size_t first_shaded, int steps, const WallEdges& edges,
-                     int copies, bool inward);
+  void add_ring(const Ring& ring, const std::vector<char>& crease, int copies,
+                const WallEnds* below = nullptr);
+  WallEnds add_quads(std::size_t bottom, std::size_t second, std::size_t first_shaded, int steps,
+                     const WallEdges& edges, int copies, bool inward);
   void add_shaded(std::uint32_t vertex, const Vec3& normal);
   void add_quad(const std::array<std::uint32_t, 4>& corners,
                 const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward);

@@ -99,11 +99,18 @@ std::vector<MeshCase> mesh_cases() {
   all.push_back({"ring cut by a pinion", testing::cut_ring()});
   all.push_back({"circular arcs", testing::arc_pinion()});
   all.push_back({"double circular arcs", testing::double_arcs()});
+  for (const double gap : {0.0, 4.0}) {
+    const std::string name = gap > 0.0 ? ", gap" : "";
+    all.push_back({"herringbone" + name, testing::herringbone(gap)});
+    all.push_back({"herringbone ring" + name, testing::herringbone_ring(gap)});
+  }
+  all.push_back({"staggered", testing::herringbone(4.0, 0.5)});
+  all.push_back({"staggered ring", testing::herringbone_ring(4.0, 0.5)});
   const std::size_t solid = all.size();
   for (std::size_t i = 0; i < solid; ++i) {
     if (all[i].body.outline.teeth < 0) continue;
     MeshCase bored = all[i];
-    const double root = bored.body.outline.arcs.front().begin_point.norm();
+    const double root = bored.body.limit_within(bored.body.outline.arcs.front().begin_point.norm());
     bored.name += " bore";
     bored.body.bore = Bore{1.3 * root};
     all.push_back(bored);
@@ -133,6 +140,21 @@ double perimeter(const Outline& outline) {
   return 2.0 * sum * std::abs(outline.teeth);
 }
 
+// The angle by which the section at the height z is turned.
+double turn_at(const ToothedBody& body, double z) {
+  if (!body.two_helices) return body.twist * z;
+  return body.twist * std::abs(z) + (z < 0.0 ? body.two_helices->stagger : 0.0);
+}
+
+// The area of the metal at each height, times its part of the face.
+double exact_volume(const ToothedBody& body) {
+  if (!body.grooved()) return metal_area(body) * body.face_width;
+  const double gap = body.two_helices->gap;
+  const double hole = body.bore ? bore_area(*body.bore) : 0.0;
+  const double groove = kPi * std::pow(body.two_helices->groove_radius, 2);
+  return metal_area(body) * (body.face_width - gap) + std::abs(groove - hole) * gap;
+}
+
 TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {
   for (const auto& [name, body] : mesh_cases()) {
     const TriangleMesh mesh = mesh_of(body);
@@ -147,7 +169,7 @@ TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {
 TEST(Mesh, EnclosesSectionAreaTimesFaceWidth) {
   for (const auto& [name, body] : mesh_cases()) {
     for (const double tolerance : {0.02, 0.005, 0.0005}) {
-      const double exact = metal_area(body) * body.face_width;
+      const double exact = exact_volume(body);
       double walls = perimeter(body.outline);
       if (body.bore) walls += kPi * body.bore->diameter;
       // The surface moves by less than the tolerance everywhere.
@@ -188,10 +210,12 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
                                        body.bore->diameter / 2.0 + body.bore->keyway_depth)
                           : 0.0;
   const double end = body.face_width / 2.0;
+  const double groove = body.grooved() ? body.two_helices->groove_radius : -1.0;
   double worst = 0.0;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    if (std::abs(a.z()) == end && a.z() == b.z() && b.z() == c.z()) continue;  // a cap
+    if (a.z() == b.z() && b.z() == c.z()) continue;  // a cap
+    if (std::abs(a.head<2>().norm() - groove) < 1e-9 * end) continue;
     if (a.head<2>().norm() < bore * (1 + 1e-9)) continue;
     // The screw maps each level to the next, so the lower quarter of the face represents all of it.
     if (std::min({a.z(), b.z(), c.z()}) > -end / 2.0) continue;
@@ -199,7 +223,7 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
     for (int i = 0; i <= 4; ++i) {
       for (int j = 0; i + j <= 4; ++j) {
         const Vec3 p = (i * a + j * b + (4 - i - j) * c) / 4.0;
-        const double back = -body.twist * p.z();
+        const double back = -turn_at(body, p.z());
         Vec2 q(std::cos(back) * p.x() - std::sin(back) * p.y(),
                std::sin(back) * p.x() + std::cos(back) * p.y());
         if (std::abs(std::atan2(q.y(), q.x())) > pitch_half) continue;

@@ -54,7 +54,7 @@ class ModifiedShell : public brep::ShellWriter {
     const std::size_t n = walls_.size() * static_cast<std::size_t>(copies_);
     Corners below = corners_at(0);
     Edges floor = level_edges_at(0, below);
-    Rims rims{floor, {}};
+    Rims rims{{below, floor}, {}};
     std::vector<Edges> chain(n);  // upright edges at the begin of each wall since the last plane
     std::size_t plane = 0;
     Edges plane_floor = floor;
@@ -85,7 +85,7 @@ class ModifiedShell : public brep::ShellWriter {
       below = std::move(above);
       floor = std::move(ceiling);
     }
-    rims.top = std::move(floor);
+    rims.top = {std::move(below), std::move(floor)};
     return rims;
   }
 

@@ -121,4 +121,12 @@ double metal_area(const ToothedBody& body) {
   return ring ? bore_area(*body.bore) - outline : outline - bore_area(*body.bore);
 }
 
+double metal_volume(const ToothedBody& body) {
+  const double toothed = metal_area(body) * body.face_width;
+  if (!body.grooved()) return toothed;
+  const auto& [gap, radius, stagger] = *body.two_helices;
+  const double removed = section_area(body.outline) - std::numbers::pi * radius * radius;
+  return toothed - std::abs(removed) * gap;
+}
+
 }  // namespace gearwright

@@ -52,9 +52,9 @@ void add_half_tooth(std::vector<StepFace>& faces, const BodyWalls& walls, std::s
       continue;
     }
     const SectionSpline& s = *arc.spline;
-    faces.push_back({arc.name, body, s.basis.degree(), s.basis.poles(), walls.helix.basis.degree(),
-                     walls.helix.basis.poles(),
-                     s.deviation_mm + walls.outer_radius * walls.helix.deviation});
+    const HelixSpline& helix = walls.helices.front();
+    faces.push_back({arc.name, body, s.basis.degree(), s.basis.poles(), helix.basis.degree(),
+                     helix.basis.poles(), s.deviation_mm + walls.outer_radius * helix.deviation});
   }
 }
 
@@ -120,7 +120,7 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
   std::vector<double> volumes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
-    volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_area(body) * body.face_width);
+    volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_volume(body));
     if (body.same_as) {
       report.volume_mm3 += volumes.back();
       parts.push_back(
@@ -155,7 +155,8 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
       parts.push_back({body.name, body.pose, brep.solid, body.colour});
       continue;
     }
-    const std::size_t faces = teeth.walls.size() * static_cast<std::size_t>(teeth.slices);
+    const std::size_t faces =
+        teeth.walls.size() * static_cast<std::size_t>(teeth.slices) * walls->helices.size();
     if (faces > kMaxStepFaces) return within(body.name, too_many(faces, teeth.slices));
     const Brep brep = add_brep(file, body, *walls);
     add_half_tooth(report.faces, *walls, i);

@@ -50,7 +50,7 @@ void expect_same_back(const ToothedBody& body) {
   ASSERT_TRUE(made) << made.error().message();
   const StepReport& report = made->report;
   EXPECT_LE(report.max_deviation_mm, 1e-4);
-  EXPECT_EQ(report.volume_mm3, metal_area(body) * body.face_width);
+  EXPECT_EQ(report.volume_mm3, metal_volume(body));
   const ReadStep back = read_step(made->text);
   EXPECT_EQ(back.refusals, 0);
   EXPECT_EQ(back.free_shapes, 1);
@@ -74,6 +74,28 @@ TEST_F(Step, PartsReadBackAsTheyWere) {
   auto ring = testing::plain_body(-12, 25.0, 0.2, 20.0, 0.08, 10.0, 0.03);
   ring.bore = Bore{60.0};
   expect_same_back(ring);
+}
+
+TEST_F(Step, DoubleHelicalGearsReadBackAsTheyWere) {
+  for (const double gap : {0.0, 4.0}) {
+    auto body = testing::herringbone(gap);
+    expect_same_back(body);
+    body.bore = Bore{20.0, 6.0, 2.8};
+    expect_same_back(body);
+    body.twist = -body.twist;
+    expect_same_back(body);
+    expect_same_back(testing::herringbone_ring(gap));
+  }
+  expect_same_back(testing::herringbone(4.0, 0.5));
+  expect_same_back(testing::herringbone_ring(4.0, 0.5));
+}
+
+TEST_F(Step, TheHalvesOfADoubleHelicalGearAreMirrorImages) {
+  const auto made = step_document({testing::herringbone(4.0)}, "part.step");
+  ASSERT_TRUE(made);
+  const ReadStep back = read_step(made->text);
+  ASSERT_EQ(back.solids.size(), 1u);
+  EXPECT_NEAR(centre_of_mass(back.solids[0]).Z(), 0.0, 1e-6);
 }
 
 TEST_F(Step, FewTeethReadBackAsTheyWere) {

@@ -6,6 +6,10 @@
 //
 // The section at height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
 //
+// A double-helical gear has two such screws of opposite twist, one above the other (`TwoHelices`):
+// the section at height z is the outline turned by τ|z|, so both halves of a tooth point to the apex
+// in the middle plane. A gap between the halves is a groove round the axis.
+//
 // Flank modifications move the flanks of this solid along their normals.
 //
 // A rack is a bar, whose teeth are straight: the section at height z is that of z = 0 with the teeth
@@ -18,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/gear/bore.hpp"
@@ -38,6 +43,23 @@ struct RackBlock {
   double middle_of(int k, int n) const { return (k - (n - 1) / 2.0) * pitch; }
 };
 
+/// The data that make an outline a double-helical gear, whose half at z > 0 has the body's twist.
+struct TwoHelices {
+  double gap = 0.0;            ///< mm, between the halves
+  double groove_radius = 0.0;  ///< mm, of the gear within the gap; not used if there is no gap
+  double stagger = 0.0;        ///< rad, by which the half at z < 0 is turned; 0 without a gap
+};
+
+/// One screw of a body: from middle − width/2 to middle + width/2.
+struct Band {
+  double twist;   ///< rad/mm
+  double width;   ///< mm
+  double middle;  ///< mm
+  double turn;    ///< rad, by which the outline is turned in the plane z = 0, or would be
+
+  double angle(double z) const { return twist * z + turn; }
+};
+
 struct ToothedBody {
   std::string name;         ///< "gear1", the name in a CAD tree
   Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
@@ -48,12 +70,20 @@ struct ToothedBody {
   std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
   std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
   std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
+  std::optional<TwoHelices> two_helices{};  ///< a double-helical gear
   /// What is removed from the right and the left flank of every tooth (cad/modified_teeth.hpp);
   /// null if the teeth are as cut. Drawings show the outline as cut.
   std::array<std::shared_ptr<const RemovalField>, 2> removal{};
   std::string unmodified{};  ///< why modifications of the gear are left out; empty if none are
 
   bool modified() const { return removal[0] && removal[1]; }
+  bool grooved() const { return two_helices && two_helices->gap > 0.0; }
+
+  /// The screws of the teeth, from below: one, or two of a double-helical gear.
+  std::vector<Band> bands() const;
+
+  /// The groove's radius, or that of the roots if there is no groove: the limit of a bore or a rim, mm.
+  double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };
 
 /// Colours that distinguish gears in contact in every viewer. The values are linear RGB, far apart

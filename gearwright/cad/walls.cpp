@@ -164,9 +164,8 @@ std::vector<Wall> tooth_walls(const std::vector<Piece>& pieces, const std::vecto
   return walls;
 }
 
-WallLoop loop_of(const std::vector<Wall>& tooth, int z, double twist, double face_width) {
+WallLoop loop_of(const std::vector<Wall>& tooth, int z, const Band& band) {
   WallLoop loop;
-  loop.twist = twist;
   loop.walls.reserve(tooth.size() * static_cast<std::size_t>(z));
   for (int k = 0; k < z; ++k) {
     for (const Wall& wall : tooth) loop.walls.push_back(turned(wall, k, z));
@@ -174,7 +173,7 @@ WallLoop loop_of(const std::vector<Wall>& tooth, int z, double twist, double fac
   double widest = 0.0;
   for (const Wall& wall : tooth) widest = std::max(widest, wall.end_angle - wall.begin_angle);
   const double most = std::min(pi, 1.5 * pi - widest);
-  loop.slices = std::max(1, static_cast<int>(std::ceil(std::abs(twist) * face_width / most)));
+  loop.slices = std::max(1, static_cast<int>(std::ceil(std::abs(band.twist) * band.width / most)));
   return loop;
 }
 
@@ -225,17 +224,20 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
     if (!(deviation <= kSectionMax_mm)) return unmet(*piece.arc, deviation);
   }
 
-  WallLoop teeth = loop_of(tooth_walls(pieces, fits, z), z, body.twist, body.face_width);
-  const double turn = body.twist * body.face_width / teeth.slices;
-  return BodyWalls{std::move(teeth), std::move(bore), fit_helix(turn, extent.outer),
+  const std::vector<Band> bands = body.bands();
+  WallLoop teeth = loop_of(tooth_walls(pieces, fits, z), z, bands.front());
+  std::vector<HelixSpline> helices;
+  for (const Band& band : bands)
+    helices.push_back(fit_helix(band.twist * band.width / teeth.slices, extent.outer));
+  return BodyWalls{std::move(teeth), std::move(bore), std::move(helices),
                    std::move(fits),  extent.inner,    extent.outer};
 }
 
-std::vector<WallLevel> levels_of(const WallLoop& loop, double face_width) {
+std::vector<WallLevel> levels_of(const Band& band, int slices) {
   std::vector<WallLevel> levels;
-  for (int i = 0; i <= loop.slices; ++i) {
-    const double z = face_width * (2 * i - loop.slices) / (2.0 * loop.slices);
-    levels.push_back({z, loop.twist * z, std::polar(1.0, loop.twist * z)});
+  for (int i = 0; i <= slices; ++i) {
+    const double z = band.middle + band.width * (2 * i - slices) / (2.0 * slices);
+    levels.push_back({z, band.angle(z), std::polar(1.0, band.angle(z))});
   }
   return levels;
 }

@@ -55,8 +55,7 @@ struct Wall {
 
 struct WallLoop {
   std::vector<Wall> walls;
-  double twist = 0.0;  ///< τ  rad/mm
-  int slices = 1;
+  int slices = 1;  ///< of each screw of the body
 };
 
 /// The result for one arc of the half outline.
@@ -67,11 +66,11 @@ struct ArcFit {
 
 struct BodyWalls {
   WallLoop teeth;
-  std::optional<WallLoop> bore;  ///< the rim of an internal gear
-  HelixSpline helix;             ///< turn of one slice of the teeth
-  std::vector<ArcFit> arcs;      ///< half a tooth, root to tip, without the slivers
-  double inner_radius;           ///< smallest radius of the outline, mm
-  double outer_radius;           ///< greatest radius of the outline, mm
+  std::optional<WallLoop> bore;      ///< the rim of an internal gear
+  std::vector<HelixSpline> helices;  ///< turn of one slice of the teeth, for each screw of the body
+  std::vector<ArcFit> arcs;          ///< half a tooth, root to tip, without the slivers
+  double inner_radius;               ///< smallest radius of the outline, mm
+  double outer_radius;               ///< greatest radius of the outline, mm
 };
 
 /// Cuts a body into walls.
@@ -87,11 +86,11 @@ Result<BodyWalls> make_walls(const ToothedBody& body);
 // through one layer. A pole of a wall in a slice is h_j c_i at the height z_j, where h_j and z_j
 // belong to the slice and c_i to the wall.
 
-/// A plane z = const, whose section is turned by e^{iτz}.
+/// A plane z = const, whose section is turned by an angle φ, which is τz for a body of one screw.
 struct WallLevel {
   double z;      ///< mm
-  double angle;  ///< τz  rad
-  Complex turn;  ///< e^{iτz}
+  double angle;  ///< φ  rad
+  Complex turn;  ///< e^{iφ}
 };
 
 /// The layer between two levels. Its helix is that of the body, turned to the middle of the slice.
@@ -106,8 +105,8 @@ struct WallSlice {
   bool straight() const { return low.angle == high.angle; }
 };
 
-/// From the bottom, z = −b/2, to the top, z = b/2.
-std::vector<WallLevel> levels_of(const WallLoop& loop, double face_width);
+/// From the bottom to the top of a screw.
+std::vector<WallLevel> levels_of(const Band& band, int slices);
 
 WallSlice slice_between(const WallLevel& low, const WallLevel& high, const HelixSpline& helix);
 

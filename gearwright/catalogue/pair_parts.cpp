@@ -274,8 +274,7 @@ const Quantities<InternalMargins>& internal_quantities() {
   using M = InternalMargins;
   static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
-    q.number("involute_margin_mm",
-             "involute: start of the path above the pinion's form point", "",
+    q.number("involute_margin_mm", "involute: start of the path above the pinion's form point", "",
              "[T2.27]; negative if the tip reaches below it; null without such a limit",
              &M::involute);
     q.number("trochoid_margin_deg", "trochoid: tips pass each other", "",

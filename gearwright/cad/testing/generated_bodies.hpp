@@ -7,6 +7,8 @@
 //   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the internal gear's root fillet
 //   arc_pinion      convex circular-arc teeth, β 20°
 //   double_arcs     convex and concave arcs with a step between them, β −20°
+//   herringbone     22 teeth, β 30°, without a gap, with one, or staggered by half a pitch
+//   herringbone_ring  ring_body of 36 teeth, with a gap
 //   rack_bar        rack of module 2 and width 20 mm, the back 12 mm below the datum line
 //
 // All mesh with their cutters without backlash at the centre distances given with them.
@@ -16,7 +18,9 @@
 #include <string>
 #include <utility>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/gear_body.hpp"
+#include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
@@ -50,6 +54,24 @@ inline ToothedBody two_teeth() { return body_of("two teeth", make_gear(two_teeth
 
 inline ToothedBody one_tooth() {
   return body_of("one tooth", make_gear(filleted_pinion(1, 2, 55, 0.75, 0.05, 0.5, 14.0)));
+}
+
+/// Face 30 mm. The groove is 1 mm deeper than the teeth.
+inline ToothedBody herringbone(double gap, double stagger_pitches = 0.0) {
+  auto body = body_of(
+      "herringbone",
+      make_gear(testing::plain_spec({.teeth = 22, .module = 2, .beta_deg = 30, .face_width = 30})));
+  const double root = body.outline.arcs.front().begin_point.norm();
+  body.two_helices = TwoHelices{gap, root - 1.0, stagger_pitches * 2 * kPi / 22};
+  return body;
+}
+
+inline ToothedBody herringbone_ring(double gap, double stagger_pitches = 0.0) {
+  auto body = ring_body(36, 2, 0.012, 30, 95);
+  body.name = "herringbone ring";
+  const double root = body.outline.arcs.front().begin_point.norm();
+  body.two_helices = TwoHelices{gap, root + 1.0, stagger_pitches * 2 * kPi / 36};
+  return body;
 }
 
 /// E = 61.106 mm
