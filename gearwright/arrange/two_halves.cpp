@@ -89,6 +89,20 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   made.half_face_width = half.spec.face_width;
   made.face_width = 2 * half.spec.face_width + given.gap;
   made.axial_shift_per_index_error = 1 / (2 * std::tan(beta));
+  if (given.gap > 0.0) {
+    const bool ring = half.internal();
+    const double root = half.root_diameter;
+    made.groove_diameter =
+        given.groove_diameter.value_or(root + (ring ? 0.5 : -0.5) * half.spec.normal_module);
+    if (ring ? !(*made.groove_diameter > root) : !(*made.groove_diameter < root)) {
+      return refused(
+          "double_helical.groove_diameter", *made.groove_diameter, {root},
+          ring ? "must be greater than the root diameter {} mm, because the groove of an "
+                 "internal gear is deeper than its teeth"
+               : "must be less than the root diameter {} mm, because the groove is deeper "
+                 "than the teeth");
+    }
+  }
   if (!given.hob_diameter) return made;
   const double h = std::abs(half.tip_diameter - half.root_diameter) / 2;
   const double d = *given.hob_diameter;

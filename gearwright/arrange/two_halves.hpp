@@ -17,11 +17,12 @@ namespace gearwright {
 
 /// The input as a drawing gives it. Its whole face width is that of the gear.
 struct DoubleHelical {
-  double gap = 0.0;                      ///< mm, between the halves
-  double stagger_pitches = 0.0;          ///< s, of the half at z < 0 relative to the other one
-  std::optional<double> hob_diameter{};  ///< d_a0  mm; if absent, the run-out is not computed
-  Angle hob_lead_angle{};                ///< γ_0
-  double hob_half_length = 0.0;          ///< l_0   mm
+  double gap = 0.0;                         ///< mm, between the halves
+  double stagger_pitches = 0.0;             ///< s, of the half at z < 0 relative to the other one
+  std::optional<double> groove_diameter{};  ///< mm, of the gear within the gap
+  std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
+  Angle hob_lead_angle{};                   ///< γ_0
+  double hob_half_length = 0.0;             ///< l_0   mm
 };
 
 /// The inputs of double-helical gears, one for each gear.
@@ -30,9 +31,10 @@ using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
 /// A double-helical gear, and the values derived from its input.
 struct Halves {
   DoubleHelical given;
-  double face_width = 0.0;             ///< b    mm
-  double half_face_width = 0.0;        ///< b_B  mm
-  std::optional<double> hob_run_out;   ///< mm, the least gap for the run-out of the hob
+  double face_width = 0.0;                ///< b    mm
+  double half_face_width = 0.0;           ///< b_B  mm
+  std::optional<double> groove_diameter;  ///< mm, as given or d_f ∓ m_n/2; none without a gap
+  std::optional<double> hob_run_out;      ///< mm, the least gap for the run-out of the hob
   double axial_shift_per_index_error;  ///< Δz/e, the axial shift by which floating distributes an
                                        ///< index error
 };
@@ -48,7 +50,8 @@ std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves);
 
 /// Formula   [T2.43], [T2.44]
 /// Domain    `half` has the face of one half
-/// Errors    `helix_angle` of 0, `double_helical.hob_diameter` of a hob that is less than twice as thick
+/// Errors    `helix_angle` of 0, `double_helical.groove_diameter` of a groove that is not deeper than
+///           the teeth, `double_helical.hob_diameter` of a hob that is less than twice as thick
 ///           as the teeth are deep
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
 

@@ -145,26 +145,33 @@ class Views {
     const auto metal = [&](double lo, double hi) {
       hatch(*sheet_, {origin_ + Vec2(x0, lo), origin_ + Vec2(x1, hi)});
     };
-    sheet_->rectangle(kOutline, {origin_ + Vec2(x0, -k_ * body_), origin_ + Vec2(x1, k_ * body_)});
+    const double limit = input_.body.limit_within(root_);  // no teeth between it and bore or rim
+    if (input_.body.grooved())
+      grooved(x0, x1, limit);
+    else
+      sheet_->rectangle(kOutline,
+                        {origin_ + Vec2(x0, -k_ * body_), origin_ + Vec2(x1, k_ * body_)});
     for (const double side : {-1.0, 1.0}) {
-      across(kOutline, side * k_ * root_);
-      if (ring()) across(kOutline, side * k_ * tip_);
+      if (!input_.body.grooved()) {
+        across(kOutline, side * k_ * root_);
+        if (ring()) across(kOutline, side * k_ * tip_);
+      }
       across(SheetLayer::axis, side * k_ * input_.reference_diameter / 2, kAxis);
     }
     across(SheetLayer::axis, 0.0, kAxis);
     if (ring()) {
-      metal(k_ * root_, k_ * body_);
-      metal(-k_ * body_, -k_ * root_);
+      metal(k_ * limit, k_ * body_);
+      metal(-k_ * body_, -k_ * limit);
     } else if (!bore_) {
-      metal(-k_ * root_, k_ * root_);
+      metal(-k_ * limit, k_ * limit);
     } else {
       const double r = bore_->radius, half = bore().keyway_width / 2;
       const double top = keyed() ? r + bore().keyway_depth : r;
       across(kOutline, -k_ * r);
       across(kOutline, k_ * top);
       if (keyed()) across(kOutline, k_ * std::sqrt(r * r - half * half));
-      metal(-k_ * root_, -k_ * r);
-      metal(k_ * top, k_ * root_);
+      metal(-k_ * limit, -k_ * r);
+      metal(k_ * top, k_ * limit);
       vertical(-r, r, x0, x0 - kFirst, diameter(r));
       if (keyed()) vertical(-r, top, x0, x0 - kFirst - kNext, millimetres(r + top));
     }
@@ -178,6 +185,22 @@ class Views {
     draw_dimension(
         *sheet_, {Direction::across, origin_.x() + x0, origin_.x() + x1, origin_.y() + y,
                   origin_.y() + y, origin_.y() + y - kFirst, millimetres(input_.body.face_width)});
+  }
+
+  // The outline of a double-helical gear with its groove, and the roots of both halves.
+  void grooved(double x0, double x1, double groove) {
+    const double half = (width_ - k_ * input_.body.two_helices->gap) / 2;
+    for (const double x : {x0, x1}) line(kOutline, {x, -k_ * body_}, {x, k_ * body_});
+    for (const double side : {-1.0, 1.0}) {
+      if (ring()) line(kOutline, {x0, side * k_ * body_}, {x1, side * k_ * body_});
+      for (const double x : {x0, x1 - half}) {
+        for (const double r : {tip_, root_})
+          line(kOutline, {x, side * k_ * r}, {x + half, side * k_ * r});
+        const double edge = x == x0 ? x + half : x;
+        line(kOutline, {edge, side * k_ * tip_}, {edge, side * k_ * groove});
+      }
+      line(kOutline, {x0 + half, side * k_ * groove}, {x1 - half, side * k_ * groove});
+    }
   }
 
   void vertical(double lo, double hi, double edge, double place, const std::string& words) {

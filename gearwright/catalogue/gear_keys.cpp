@@ -307,6 +307,10 @@ const KeyTable& double_helical_keys() {
        Key::number("stagger_pitches", "s", Range::inside(-1, 1), &D::stagger_pitches, "0",
                    "offset of the teeth at z < 0 from those at z > 0, in transverse pitches; the "
                    "mating gear has the same"),
+       Key::positive("groove_diameter_mm", "", &D::groove_diameter,
+                     "the root diameter less half a normal module (internal gear: plus)",
+                     "diameter of the gear within the gap")
+           .with_needs({"gap_mm"}),
        Key::positive(
            "hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",
            "outer diameter of the hob; a warning if its run-out needs a wider gap [T2.43]"),

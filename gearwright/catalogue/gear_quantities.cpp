@@ -26,6 +26,10 @@ void say_halves(Quantities<Halves>& q) {
   q.number("stagger_pitches", "stagger of the half at z < 0, pitches", "s", "as given",
            [](const H& h) { return h.given.stagger_pitches; })
       .always();
+  q.number("groove_diameter_mm", "groove diameter", "",
+           "diameter of the gear within the gap: as given, or the root diameter less m_n/2 "
+           "(internal gear: plus); null without a gap",
+           &H::groove_diameter);
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);
   q.number("axial_shift_per_index_error", "axial shift per index error", "Δz/e",
@@ -328,6 +332,14 @@ const Quantities<Warning>& warning_quantities() {
            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
   });
   return kAll;
+}
+
+ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves) {
+  ValueRecord record = gear_quantities().of(gear);
+  if (!halves) return record;
+  for (Member& member : record)
+    if (member.info->key == "face_width_mm") member.value = halves->face_width;
+  return record;
 }
 
 const Quantities<Halves>& double_helical_quantities() {

@@ -23,6 +23,9 @@ const Quantities<Gear>& gear_quantities();
 /// A fact about a gear or a pair that is not an error.
 const Quantities<Warning>& warning_quantities();
 
+/// The quantities of a gear. A double-helical one, whose half is `gear`, has its whole face width.
+ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves);
+
 /// Additional quantities of a gear of two halves.
 const Quantities<Halves>& double_helical_quantities();
 

@@ -168,7 +168,7 @@ NamedAmount named_error(std::size_t index, double value) {
 }
 
 bool wants_contact(const SolvedJob& job) {
-  if (!job.pair) return false;
+  if (!job.pair || job.halves[0]) return false;
   // Circular arcs touch in points, and their ellipse and pattern are the reason for choosing such a
   // pair.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||

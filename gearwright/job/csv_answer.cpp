@@ -149,7 +149,8 @@ std::string csv_cell(const Value& value) {
 std::string quantities_csv(const SolvedJob& job) {
   std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
   std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < job.gears.size(); ++i) records.push_back(gear_record(job, i));
+  for (std::size_t i = 0; i < job.gears.size(); ++i)
+    records.push_back(gear_record(job.gears[i], job.halves[i]));
   Rows gears;
   for (const ValueRecord& record : records) gears.push_back(&record);
   add_records("gears", gear_quantities().table(), gears, out);

@@ -123,17 +123,26 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// Results that need two gears. A rack and its pinion have geometry, a report and files.
-std::optional<Error> beyond_a_rack(const JobSpec& spec) {
-  if (!spec.rack) return std::nullopt;
+// Results that need two gears of one helix. A rack and its pinion have geometry, a report and files,
+// and double-helical gears have a rating too.
+std::optional<Error> beyond(const SolvedJob& job) {
+  const bool halves = job.halves[0] && job.pair;
+  if (!job.rack && !halves) return std::nullopt;
+  const JobSpec& spec = job.spec;
   const std::pair<const char*, bool> parts[] = {{"contact", spec.contact.given},
                                                 {"errors", spec.errors.given},
                                                 {"load", spec.load.given},
-                                                {"rating", spec.rating.given},
+                                                {"rating", spec.rating.given && job.rack},
                                                 {"compensate", spec.compensate.given},
                                                 {"scatter", spec.scatter.given}};
   for (const auto& [table, given] : parts) {
     if (!given) continue;
+    if (halves)
+      return Error{
+          table, "",
+          "is for gears of one helix, and these are double-helical; without this table, run "
+          "writes their report and files. For one half give its face width, without "
+          "`double_helical`, and half of the torque"};
     return Error{table, "",
                  "needs two gears, and gear 2 is a rack; without this table, run writes the report "
                  "and the files of the rack and its pinion. A gear 2 with teeth = 1000 in place of "
@@ -217,6 +226,18 @@ Error of_body(Error error, const std::string& name) {
   return {name, "", error.rule};
 }
 
+// The mating gears are staggered alike, so gear 2 is turned the other way unless it is internal.
+Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int which) {
+  const auto& [gap, stagger, groove, hob, lead, length] = halves.given;
+  if (stagger != 0.0 && gap == 0.0) {
+    return refused("double_helical.gap", gap,
+                   "must be greater than 0 for files of staggered halves, which do not meet in the "
+                   "middle plane");
+  }
+  const double turn = 2.0 * kPi * stagger / half.spec.teeth;
+  return TwoHelices{gap, halves.groove_diameter.value_or(0.0) / 2.0, which == 1 ? turn : -turn};
+}
+
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   const std::string name = gear_name(which);
   if (which == 2 && job.rack) {
@@ -244,6 +265,12 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear) : gear.bore,
                    Eigen::Isometry3d::Identity()};
+  if (const auto& halves = job.halves[static_cast<std::size_t>(which - 1)]) {
+    auto helices = two_helices_of(gear, *halves, which);
+    if (!helices) return within(name, helices.error());
+    body.face_width = halves->face_width;
+    body.two_helices = *helices;
+  }
   if (auto error = modify(body, gear, job.completed.gear(which).modifications))
     return within(name, *std::move(error));
   if (in_place && job.pair) {
@@ -325,7 +352,7 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
 
 Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                  const FileOptions& options) {
-  if (auto error = beyond_a_rack(job.spec)) return *error;
+  if (auto error = beyond(job)) return *error;
   if (auto error = missing_error(SpecUse::run, job.spec)) return *error;
   const auto contact = contact_part(job, options.progress);
   if (!contact) return contact.error();
@@ -348,6 +375,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
   report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
+  report.halves = job.halves;
   report.pair = job.pair;
   if (job.rack) report.rack = &*job.rack;
   if (job.pair && job.ends)

@@ -109,7 +109,8 @@ std::string title_listing(const JobSpec& spec, std::string_view before) {
 
 std::string gear_listing(const SolvedJob& job) {
   std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < job.gears.size(); ++i) records.push_back(gear_record(job, i));
+  for (std::size_t i = 0; i < job.gears.size(); ++i)
+    records.push_back(gear_record(job.gears[i], job.halves[i]));
   std::string text =
       title_listing(job.spec, "\n") +
       quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));

@@ -29,20 +29,12 @@ Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& resu
   return record;
 }
 
-ValueRecord gear_record(const SolvedJob& job, std::size_t i) {
-  ValueRecord record = gear_quantities().of(job.gears[i]);
-  if (!job.halves[i]) return record;
-  for (Member& member : record)
-    if (member.info->key == "face_width_mm") member.value = job.halves[i]->face_width;
-  return record;
-}
-
 Json job_record(const SolvedJob& job) {
   Json j = titled_record(job.spec);
   if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
   j["gears"] = Json::array();
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    Json gear = to_json(gear_record(job, i));
+    Json gear = to_json(gear_record(job.gears[i], job.halves[i]));
     if (job.halves[i]) gear.update(to_json(double_helical_quantities().of(*job.halves[i])));
     j["gears"].push_back(std::move(gear));
   }

@@ -8,9 +8,6 @@
 
 namespace gearwright {
 
-/// The record of gear i, from 0; for a double-helical gear that of one half, with the whole face.
-ValueRecord gear_record(const SolvedJob& job, std::size_t i);
-
 Json warnings_json(const std::vector<Warning>& warnings);
 /// A record that begins with `title`, if the spec has one.
 Json titled_record(const JobSpec& spec);

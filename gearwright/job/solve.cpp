@@ -44,7 +44,7 @@ std::optional<Error> find_halves(SolvedJob& job) {
 }
 
 // The gears and the pair; for double-helical gears those of one half.
-Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
+Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
                         "; the spec contains readings of an unknown gear; run gearwright identify, "
@@ -57,12 +57,6 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
     return absent_input("gear1.teeth",
                         "; the spec describes a search; run gearwright search, whose --take 1 "
                         "writes a spec for this verb");
-  }
-  if (spec.rack && scope != Scope::gears) {
-    return Error{"gear2.form", "rack",
-                 "makes a rack and pinion, which the verbs gear, pair, outline, export and run "
-                 "compute; this verb is for two gears. A gear 2 with teeth = 1000 in place of the "
-                 "rack differs from it by the order of 1/teeth"};
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
@@ -90,8 +84,9 @@ std::optional<Error> two_helices(const JobSpec& spec, Scope scope) {
       continue;
     return Error{
         gear_field(which, "double_helical"), "",
-        "is computed by the verbs gear, pair, measure and rate; this verb is for gears of one "
-        "helix. For one half give its face width, without `double_helical`, and half of "
+        "is computed by the verbs gear, pair, measure, rate, outline, export and run; this verb is "
+        "for gears of one helix. For one half give its face width, without `double_helical`, and "
+        "half of "
         "the torque"};
   }
   return std::nullopt;
@@ -111,16 +106,18 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   return found_by_fit && fit ? "fit" : "";
 }
 
-Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
-  if (auto error = two_helices(spec, scope)) return *error;
-  return solve_halves(spec, scope);
-}
-
-Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
-  if (!spec.rack) return solve(spec, scope);
-  if (auto error = two_helices(spec, scope)) return *error;
-  auto solved = solve_halves(spec, Scope::gears);
-  if (!solved) return solved;
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope, Kinds kinds) {
+  if (kinds == Kinds::one_helix)
+    if (auto error = two_helices(spec, scope)) return *error;
+  if (!spec.rack) return solve_gears(spec, scope);
+  if (kinds != Kinds::all && scope != Scope::gears) {
+    return Error{"gear2.form", "rack",
+                 "makes a rack and pinion, which the verbs gear, pair, outline, export and run "
+                 "compute; this verb is for two gears. A gear 2 with teeth = 1000 in place of the "
+                 "rack differs from it by the order of 1/teeth"};
+  }
+  auto solved = solve_gears(spec, Scope::gears);
+  if (!solved || kinds != Kinds::all) return solved;
   SolvedJob job = std::move(solved).take();
   auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm);
   if (!pair) return spelled(pair.error(), spec.given);
@@ -128,7 +125,5 @@ Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
   job.rack = std::move(pair).take();
   return job;
 }
-
-Result<SolvedJob> solve_pair(const JobSpec& spec) { return solve_halves(spec, Scope::pair); }
 
 }  // namespace gearwright

@@ -106,13 +106,22 @@ void add_rack(Group& group, const Gear& gear) {
   group.row("Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius));
 }
 
-Group teeth(const Gear& gear, const Records& r) {
+Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records& r) {
   Group group("Gear data, symbols of ISO 21771");
   group.row(r, "teeth");
   group.row(r, "normal_module_mm");
   group.row(r, "normal_pressure_angle_deg");
   group.row(r, "helix_angle_deg", Sign::dropped);
-  if (gear.spec.helix_angle.rad() != 0.0) group.row(r, "hand_of_helix");
+  if (halves)
+    group.row("Hand of helix", "",
+              fmt::format("double-helical, {} at z > 0", *r.value("hand_of_helix")));
+  else if (gear.spec.helix_angle.rad() != 0.0)
+    group.row(r, "hand_of_helix");
+  if (halves) {
+    const Records two{double_helical_quantities().of(*halves), {}};
+    for (const char* key : {"half_face_width_mm", "gap_mm", "groove_diameter_mm"})
+      group.row(two, key);
+  }
   group.row(r, "lead_mm", Sign::dropped);
   add_rack(group, gear);
   group.row(r, "profile_shift");
@@ -205,7 +214,7 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
     measure.ends = measure_end_records(job)[i];
   }
   std::vector<DataGroup> groups;
-  teeth(job.gears[i], gear).add_to(groups);
+  teeth(job.gears[i], job.halves[i], gear).add_to(groups);
   diameters(gear).add_to(groups);
   thickness(job.gears[i].internal(), gear, measure).add_to(groups);
   modifications(input.modifications).add_to(groups);

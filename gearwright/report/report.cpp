@@ -37,25 +37,30 @@ std::string default_title(const ReportInput& input) {
                      input.gears[1]->spec.teeth);
 }
 
-bool helical(const Gear& gear) { return gear.spec.helix_angle.rad() != 0.0; }
+const char* teeth_of(const Gear& gear, bool halves) {
+  return halves ? "Double-helical" : gear.spec.helix_angle.rad() != 0.0 ? "Helical" : "Spur";
+}
 
-std::string kind_of(const ArcPair&) { return "Circular-arc gear pair on parallel axes"; }
+std::string kind_of(const ArcPair&, bool halves) {
+  return fmt::format("{} gear pair on parallel axes",
+                     halves ? "Double-helical circular-arc" : "Circular-arc");
+}
 
-std::string kind_of(const CrossedPair& pair) {
+std::string kind_of(const CrossedPair& pair, bool) {
   return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°", pair.shaft_angle.deg());
 }
 
-std::string kind_of(const ParallelPair& pair) {
-  return fmt::format("{} gear pair on parallel axes{}", helical(pair.gears[0]) ? "Helical" : "Spur",
+std::string kind_of(const ParallelPair& pair, bool halves) {
+  return fmt::format("{} gear pair on parallel axes{}", teeth_of(pair.gears[0], halves),
                      pair.margins ? ", internal" : "");
 }
 
 std::string kind_of(const ReportInput& input) {
-  if (input.rack)
-    return fmt::format("{} rack and pinion", helical(*input.gears[0]) ? "Helical" : "Spur");
-  if (input.pair) return input.pair->visit([](const auto& pair) { return kind_of(pair); });
+  const bool halves = input.halves[0].has_value();
+  if (input.rack) return fmt::format("{} rack and pinion", teeth_of(*input.gears[0], false));
+  if (input.pair) return input.pair->visit([&](const auto& pair) { return kind_of(pair, halves); });
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
-  return fmt::format("{} {}{}", helical(*input.gears[0]) ? "Helical" : "Spur",
+  return fmt::format("{} {}{}", teeth_of(*input.gears[0], halves),
                      input.gears[0]->involute() ? "" : "circular-arc ",
                      input.gears[0]->internal() ? "internal gear" : "gear");
 }
@@ -95,7 +100,7 @@ std::string gear_section(const ReportInput& input) {
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
     pictures += tooth_figure(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
   }
-  const std::string table = gear_table(input.gears);
+  const std::string table = gear_table(input.gears, input.halves);
   if (input.gears.size() == 1) {
     return fmt::format("<section>\n<h2>{}</h2>\n", input.rack ? "Pinion" : "Gear") +
            in_columns(table, pictures) + "</section>\n";

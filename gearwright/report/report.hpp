@@ -5,10 +5,12 @@
 // taken from the gears and the pair and rounded to the digits of a drawing.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
@@ -34,6 +36,8 @@ struct ReportInput {
   std::string title;               ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; with a pair, its gears
+  std::array<std::optional<Halves>, 2>
+      halves{};                    ///< of double-helical gears, whose `gears` are halves
   std::optional<Pair> pair;        ///< none if the gears are not mounted
   const RackPair* rack = nullptr;  ///< the rack of the pinion, which is then the only gear; null if
                                    ///< none

@@ -104,9 +104,11 @@ void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears) {
+std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears,
+                                   const std::array<std::optional<Halves>, 2>& halves = {}) {
   std::vector<ValueRecord> records;
-  for (const Gear* g : gears) records.push_back(gear_quantities().of(*g));
+  for (std::size_t i = 0; i < gears.size(); ++i)
+    records.push_back(gear_record(*gears[i], halves[i]));
   return text_groups(gear_quantities().table(), records, kPage);
 }
 
@@ -184,11 +186,12 @@ std::vector<std::string> gear_headings(std::size_t gears) {
   return columns;
 }
 
-std::string gear_table(const std::vector<const Gear*>& gears) {
+std::string gear_table(const std::vector<const Gear*>& gears,
+                       const std::array<std::optional<Halves>, 2>& halves) {
   using namespace gear_group;
   // The rows of gears with few teeth are in a table of their own.
   std::vector<TextGroup> common, cutter;
-  for (TextGroup& g : gear_groups(gears)) {
+  for (TextGroup& g : gear_groups(gears, halves)) {
     if (g.title == kCutter)
       cutter.push_back(std::move(g));
     else if (g.title == kTeeth || g.title == kDiameters || g.title == kTooth)
@@ -196,6 +199,12 @@ std::string gear_table(const std::vector<const Gear*>& gears) {
   }
   TableBuilder table("Gear data, symbols of ISO 21771", gear_headings(gears.size()));
   table.groups(common);
+  if (halves[0] || halves[1]) {
+    std::vector<ValueRecord> records;
+    for (std::size_t i = 0; i < gears.size(); ++i)
+      if (halves[i]) records.push_back(double_helical_quantities().of(*halves[i]));
+    table.groups(text_groups(double_helical_quantities().table(), records, kPage));
+  }
   add_rack(table, gears);
   add_arcs(table, gears);
   table.groups(cutter);

@@ -2,9 +2,12 @@
 // html_text.hpp.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright {
@@ -12,8 +15,10 @@ namespace gearwright {
 /// "Gear 1", "Gear 2"
 std::vector<std::string> gear_headings(std::size_t gears);
 
-/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut.
-std::string gear_table(const std::vector<const Gear*>& gears);
+/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut. Of
+/// double-helical gears, `gears` are halves.
+std::string gear_table(const std::vector<const Gear*>& gears,
+                       const std::array<std::optional<Halves>, 2>& halves);
 
 /// Additional data of gears with few teeth: the points F, C and J, and circular fillets (symbols in
 /// gear_figures.hpp). Empty if no gear has any.

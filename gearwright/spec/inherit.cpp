@@ -114,6 +114,16 @@ void hand_on_edition(const Json& from, Json& to) {
   }
 }
 
+// Copies gap and stagger, but neither the groove nor the hob of gear 1.
+void hand_on_halves(const Json& from, Json& to) {
+  const auto halves = from.find("double_helical");
+  if (halves == from.end() || !halves->is_object() || to.contains("double_helical")) return;
+  Json own = Json::object();
+  for (const char* key : {"gap_mm", "stagger_pitches"})
+    if (halves->contains(key)) put(own, key, (*halves)[key]);
+  put(to, "double_helical", own);
+}
+
 // Straight flanks and double arcs cut both gears of a pair. F and P cut one gear each.
 bool cuts_both(const Json& rack) {
   if (rack.is_string()) return true;
@@ -199,9 +209,11 @@ Inherited inherit(const Json& tree) {
     made.noted.emplace_back("quality");
     hand_on_edition(*from, *to);
   }
-  if (parallel(tree) && !tree.contains("fit") && from->contains("face_width_mm") &&
-      !to->contains("face_width_mm"))
-    put(*to, "face_width_mm", (*from)["face_width_mm"]);
+  if (parallel(tree) && !tree.contains("fit")) {
+    if (from->contains("face_width_mm") && !to->contains("face_width_mm"))
+      put(*to, "face_width_mm", (*from)["face_width_mm"]);
+    hand_on_halves(*from, *to);
+  }
   if (has_any(*to, {"cut_by", "basic"})) return made;
   if (parallel(tree) && !from->contains("basic")) made.helix_angle = hand_on_helix(*from, *to);
   hand_on(*from, *to, "normal_module_mm");

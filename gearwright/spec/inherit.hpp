@@ -1,6 +1,6 @@
 // Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face
-// width, material, quality and the angle of the helix, of the opposite hand; an internal gear has the
-// same hand. A material that is only a name becomes a table.
+// width, gap and stagger of a double-helical gear, material, quality and the angle of the helix, of
+// the opposite hand; an internal gear has the same hand. A material that is only a name becomes a table.
 //
 // Internal to spec/ and the programs.
 #pragma once

@@ -35,6 +35,9 @@ PAIRS = {
     "spur": dict(z=(20, 33), m=2, beta=0, x=(0.0, 0.0), b=8),
     "undercut pinion": dict(z=(9, 40), m=3, beta=0, x=(0.2, -0.2), b=8),
     "left hand": dict(z=(13, 29), m=1.5, beta=-25, x=(0.4, 0.5), b=10),
+    "herringbone": dict(z=(17, 31), m=2, beta=30, x=(0.3, 0.1), b=14, halves="double_helical = {}"),
+    "double helical, staggered": dict(z=(13, 29), m=2, beta=-25, x=(0.4, 0.5), b=14,
+                                      halves="double_helical = { gap_mm = 4, stagger_pitches = 0.5 }"),
     "screws at 90 deg": dict(z=(12, 18), m=2, beta=(45, 45), x=(0.2, 0.1), b=22, shaft=90),
     "screws, off their least distance": dict(z=(11, 23), m=2, beta=(50, -20), x=(0.3, 0.2), b=30, shaft=29),
     "left-hand screws": dict(z=(9, 15), m=2, beta=(-50, -38), x=(0.3, 0.2), b=24, shaft=-88),
@@ -120,7 +123,7 @@ def spec(p):
     for i in (0, 1):
         lines += [f"[gear{i + 1}]", f"teeth = {p['z'][i]}", f"normal_module_mm = {p['m']}",
                   f"helix_angle_deg = {beta[i]}", f"profile_shift = {p['x'][i]}",
-                  f"face_width_mm = {p['b']}"]
+                  f"face_width_mm = {p['b']}", p.get("halves", "")]
     if "shaft" in p:
         lines += ["[pair]", f"shaft_angle_deg = {p['shaft']}"]
     return "\n".join(lines) + "\n"

@@ -1,7 +1,11 @@
-"""Double-helical gears: the verbs gear, pair and measure compute one half, the others reject the table."""
+"""Double-helical gears: the verbs gear, pair and measure compute one half, run and export write the whole gears,
+and the verbs for gears of one helix reject the table."""
 
 import json
+import struct
+import tempfile
 import unittest
+from pathlib import Path
 
 from cli import Run
 
@@ -67,15 +71,62 @@ class TwoHalves(unittest.TestCase):
         self.assertEqual(run.status, 1)
         self.assertIn("rating.face_load_factor", run.err)
 
-    def test_other_verbs_reject_it(self):
-        for verb in ("contact", "run"):
+    def test_verbs_for_one_helix_reject_it(self):
+        for verb in ("contact", "compensate"):
             run = Run(verb, PAIR.format(""))
             self.assertEqual(run.status, 1)
             for words in ("gear1.double_helical", "one half"):
                 self.assertIn(words, run.err)
 
+    def test_run_writes_the_whole_gears(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run("run", PAIR.format(""), "--out", folder)
+            self.assertEqual(run.status, 0, run.err)
+            report = (Path(folder) / "report.html").read_text()
+            for words in ("Double-helical gear pair", "150.0000", "Groove diameter"):
+                self.assertTrue(words in report, words)
+            for gear in (1, 2):  # 84 bytes, then 50 a triangle: the faces end at ±75 mm, and the groove at ±15 mm
+                data = (Path(folder) / f"gear{gear}.stl").read_bytes()[84:]
+                heights = {round(struct.unpack_from("<f", data, at + 20)[0], 3) for at in range(0, len(data), 50)}
+                self.assertEqual((min(heights), max(heights)), (-75, 75))
+                self.assertTrue({-15, 15} <= heights)
+                self.assertFalse([z for z in heights if abs(z) < 15])
+
+    def test_run_rejects_tables_for_one_helix(self):
+        for table in ("contact", "errors", "load", "compensate", "scatter"):
+            key = {"errors": "crossing_deg = 0.01", "load": "torque_Nm = 100"}.get(table, "")
+            run = Run("run", PAIR.format("") + f"[{table}]\n{key}\n")
+            self.assertEqual(run.status, 1, table)
+            self.assertIn("one helix", run.err)
+
+    def test_modifications_are_left_out_with_a_note(self):
+        spec = PAIR.format("").replace("[gear2]", "[gear1.modifications]\nlead_crowning_um = 10\n[gear2]", 1)
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run("run", spec, "--out", folder)
+            self.assertEqual(run.status, 0, run.err)
+            self.assertIn("modifications of double-helical gears are not in this version", run.out)
+
+    def test_gear_2_takes_the_halves_of_gear_1(self):
+        short = PAIR.format("").replace("face_width_mm = 150\n[gear2.double_helical]\ngap_mm = 30\n", "")
+        self.assertEqual(Run("pair", short, "--json").out, Run("pair", PAIR.format(""), "--json").out)
+
+    def test_a_groove_is_deeper_than_the_teeth(self):
+        gear = json.loads(Run("pair", PAIR.format(""), "--json").out)["gears"][0]
+        self.assertEqual(gear["groove_diameter_mm"], gear["root_diameter_mm"] - 1.5)
+        run = Run("pair", PAIR.format("groove_diameter_mm = 75"))
+        self.assertEqual(run.status, 1)
+        for words in ("gear1.double_helical.groove_diameter_mm = 75", "root diameter"):
+            self.assertIn(words, run.err)
+
+    def test_staggered_halves_without_a_gap_have_no_files(self):
+        spec = PAIR.format("").replace("gap_mm = 30", "stagger_pitches = 0.5")
+        run = Run("export", spec, "--step", "x.step")
+        self.assertEqual(run.status, 1)
+        self.assertIn("gear1.double_helical.gap_mm = 0", run.err)
+
     def test_halves_that_make_no_pair_are_errors(self):
-        for old, new, key in (("[gear2.double_helical]\ngap_mm = 30\n", "", "gear2.double_helical"),
+        for old, new, key in (("150\n[gear2.double_helical]\ngap_mm = 30", "120\n[gear2.double_helical]\ngap_mm = 10",
+                               "gear2.double_helical.gap_mm"),
                               ("helix_angle_deg = 28\n", "", "gear1.helix_angle_deg"),
                               ("gap_mm = 30\n\n", "gap_mm = 150\n", "gear1.double_helical.gap_mm")):
             run = Run("pair", PAIR.format("").replace(old, new, 1))
