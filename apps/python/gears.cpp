@@ -89,16 +89,25 @@ py::object load(const py::object& given) {
   return py::cast(GearValue{make_model(std::move(spec), folder, Scope::gears), 1});
 }
 
-// Adds every quantity of subject(self) as an attribute.
-template <class Self, class S, class Subject>
+template <class S>
+Value value_of(const Quantity<S>& q, const S& s) {
+  return q.exists && !q.exists(s) ? Value() : q.get(s);
+}
+
+// Adds every quantity as an attribute, which is value(self, quantity).
+template <class Self, class S, class GetValue>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
-                     const Subject& subject) {
-  for (const Quantity<S>& q : quantities.list()) {
-    bind_quantity(type, q.info, [&q, subject](const Self& self) {
-      const S& s = subject(self);
-      return q.exists && !q.exists(s) ? Value() : q.get(s);
-    });
-  }
+                     const GetValue& value) {
+  for (const Quantity<S>& q : quantities.list())
+    bind_quantity(type, q.info, [&q, value](const Self& self) { return value(self, q); });
+}
+
+// The quantity of a gear; of a double-helical gear, that of the whole gear.
+Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
+  if (!g.halves()) return value_of(q, g.gear());
+  for (Member& member : g.record())
+    if (member.info->key == q.info.key) return member.value;
+  return {};
 }
 
 // Values are equal if their specs are equal.
@@ -139,8 +148,7 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
       });
   bind_made(gear, gear_value);
   bind_value(gear);
-  bind_quantities(gear, gear_quantities(),
-                  [](const GearValue& g) -> const Gear& { return g.gear(); });
+  bind_quantities(gear, gear_quantities(), value_of_gear);
 
   py::class_<PairValue> pair(
       m, "Pair",
@@ -176,8 +184,9 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
   bind_made(pair, pair_value);
   bind_verdict(pair);
   bind_value(pair);
-  bind_quantities(pair, pair_quantities(),
-                  [](const PairValue& p) -> const Pair& { return p.pair(); });
+  bind_quantities(pair, pair_quantities(), [](const PairValue& p, const Quantity<Pair>& q) {
+    return value_of(q, p.pair());
+  });
 
   m.def("load", &load, py::arg("spec"),
         "Returns the Gear or the Pair of a spec: a TOML or JSON file, or a dict. Relative file "

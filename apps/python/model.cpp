@@ -127,4 +127,11 @@ Json GearValue::spec() const {
   return own;
 }
 
+ValueRecord GearValue::record() const {
+  ValueRecord all = gear_record(gear(), halves());
+  if (halves())
+    for (Member& member : double_helical_quantities().of(*halves())) all.push_back(member);
+  return all;
+}
+
 }  // namespace gearwright::python

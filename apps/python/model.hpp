@@ -59,9 +59,14 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
+  /// If the gear is double-helical; `gear()` is then one half.
+  const std::optional<Halves>& halves() const {
+    return model->job.halves[static_cast<std::size_t>(which - 1)];
+  }
   /// The table of the gear. For a gear of a pair it contains the computed profile shift.
   Json spec() const;
-  ValueRecord record() const { return gear_quantities().of(gear()); }
+  /// The quantities of the gear, and those of its halves.
+  ValueRecord record() const;
 };
 
 struct PairValue {

@@ -51,8 +51,9 @@ std::string verdict_line(const Verdict& v) {
 std::string gear_html(const GearValue& g) {
   const Gear& gear = g.gear();
   return framed(fmt::format("Gear with {} teeth", gear.spec.teeth),
-                definitions({&gear}) + "<div class=\"columns\"><div>" + gear_table({&gear}) +
-                    "</div><div>" + tooth_figure(gear, kShapes[0], "Gear") + "</div></div>\n");
+                definitions({&gear}) + "<div class=\"columns\"><div>" +
+                    gear_table({&gear}, {g.halves()}) + "</div><div>" +
+                    tooth_figure(gear, kShapes[0], "Gear") + "</div></div>\n");
 }
 
 std::string pair_html(const PairValue& p) {
@@ -84,7 +85,7 @@ std::string contact_html(const ContactValue& c) {
                              figure_html(flank_figure(r, 1, {.pattern = &r.patterns[1]}))));
 }
 
-std::string page_of(const Model& source, const std::vector<const Gear*>& gears, bool contact) {
+std::string page_of(const Model& source, const std::vector<int>& gears, bool contact) {
   SolvedJob job = source.job;
   std::optional<ContactPart> part;
   if (contact || wants_contact(job)) {
@@ -95,7 +96,10 @@ std::string page_of(const Model& source, const std::vector<const Gear*>& gears, 
   if (gears.size() == 2 && job.pair) load = part_of(job, load_part);
   ReportInput input;
   input.title = job.spec.title;
-  input.gears = gears;
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    input.gears.push_back(&job.gear(gears[i]));
+    input.halves[i] = job.halves[static_cast<std::size_t>(gears[i] - 1)];
+  }
   if (gears.size() == 2) input.pair = job.pair;
   if (part) input.contact = &part->report;
   if (load && load->report) input.load = &*load->report;
@@ -109,21 +113,20 @@ std::string page_of(const Model& source, const std::vector<const Gear*>& gears, 
 
 void bind_pictures(py::class_<GearValue>& gear, py::class_<PairValue>& pair,
                    py::class_<ContactValue>& contact) {
-  const auto both = [](const Model& m) {
-    return std::vector<const Gear*>{&m.job.pair->gear(1), &m.job.pair->gear(2)};
-  };
   gear.def("_repr_html_", &gear_html)
       .def(
-          "report", [](const GearValue& g) { return page_of(*g.model, {&g.gear()}, false); },
+          "report", [](const GearValue& g) { return page_of(*g.model, g.gears(), false); },
           "The program's report as one HTML page");
   pair.def("_repr_html_", &pair_html)
       .def(
-          "report", [both](const PairValue& p) { return page_of(*p.model, both(*p.model), false); },
+          "report", [](const PairValue& p) { return page_of(*p.model, p.gears(), false); },
           "The program's report as one HTML page");
   contact.def("_repr_html_", &contact_html)
       .def(
           "report",
-          [both](const ContactValue& c) { return page_of(*c.model, both(*c.model), true); },
+          [](const ContactValue& c) {
+            return page_of(*c.model, {1, 2}, true);
+          },
           "The program's report with this contact, as one HTML page");
 }
 

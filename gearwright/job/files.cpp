@@ -141,8 +141,7 @@ std::optional<Error> beyond(const SolvedJob& job) {
       return Error{
           table, "",
           "is for gears of one helix, and these are double-helical; without this table, run "
-          "writes their report and files. For one half give its face width, without "
-          "`double_helical`, and half of the torque"};
+          "writes their report and files"};
     return Error{table, "",
                  "needs two gears, and gear 2 is a rack; without this table, run writes the report "
                  "and the files of the rack and its pinion. A gear 2 with teeth = 1000 in place of "

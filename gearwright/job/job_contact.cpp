@@ -17,7 +17,10 @@ ContactErrors errors_of(const SolvedJob& job) {
   return errors;
 }
 
-Result<ContactSetup> setup_of(const SolvedJob& job) { return setup_of(job, errors_of(job)); }
+Result<ContactSetup> setup_of(const SolvedJob& job) {
+  if (auto error = one_helix_error(job)) return *error;
+  return setup_of(job, errors_of(job));
+}
 
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value) {

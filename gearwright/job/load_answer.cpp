@@ -6,11 +6,13 @@ namespace gearwright {
 
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress) {
   if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
+  if (auto error = one_helix_error(job)) return *error;
   return loaded(job, errors_of(job), job.spec.load, job.warnings, progress);
 }
 
 Result<LoadTask> load_task(SolvedJob& job) {
   if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
+  if (auto error = one_helix_error(job)) return *error;
   return load_task(job, errors_of(job), job.spec.load, job.warnings);
 }
 

@@ -78,21 +78,15 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   return job;
 }
 
-std::optional<Error> two_helices(const JobSpec& spec, Scope scope) {
-  for (const int which : {1, 2}) {
-    if (scope == Scope::gears || !spec.double_helical[static_cast<std::size_t>(which - 1)])
-      continue;
-    return Error{
-        gear_field(which, "double_helical"), "",
-        "is computed by the verbs gear, pair, measure, rate, outline, export and run; this verb is "
-        "for gears of one helix. For one half give its face width, without `double_helical`, and "
-        "half of "
-        "the torque"};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
+
+std::optional<Error> one_helix_error(const SolvedJob& job) {
+  if (!job.halves[0]) return std::nullopt;
+  return Error{
+      "gear1.double_helical", "",
+      "makes double-helical gears, and contact, load and tolerances are computed for gears of one "
+      "helix. For one half give its face width, without `double_helical`, and half of the torque"};
+}
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {
   if (spec.drive) return "";
@@ -106,18 +100,20 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   return found_by_fit && fit ? "fit" : "";
 }
 
-Result<SolvedJob> solve(const JobSpec& spec, Scope scope, Kinds kinds) {
-  if (kinds == Kinds::one_helix)
-    if (auto error = two_helices(spec, scope)) return *error;
-  if (!spec.rack) return solve_gears(spec, scope);
-  if (kinds != Kinds::all && scope != Scope::gears) {
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
+  if (spec.rack && scope != Scope::gears) {
     return Error{"gear2.form", "rack",
                  "makes a rack and pinion, which the verbs gear, pair, outline, export and run "
                  "compute; this verb is for two gears. A gear 2 with teeth = 1000 in place of the "
                  "rack differs from it by the order of 1/teeth"};
   }
-  auto solved = solve_gears(spec, Scope::gears);
-  if (!solved || kinds != Kinds::all) return solved;
+  return solve_gears(spec, scope);
+}
+
+Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
+  if (!spec.rack) return solve(spec, scope);
+  auto solved = solve(spec, Scope::gears);
+  if (!solved) return solved;
   SolvedJob job = std::move(solved).take();
   auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm);
   if (!pair) return spelled(pair.error(), spec.given);

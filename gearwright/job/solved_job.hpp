@@ -20,18 +20,18 @@ struct SolvedJob : Arranged {
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
-/// The pairs that a verb computes.
-enum class Kinds {
-  one_helix,       ///< two gears of one helix each
-  double_helical,  ///< these, and double-helical gears
-  all              ///< these, and a pinion with its rack
-};
+/// Errors    keys with their table, "gear2.profile_shift"; as arrange(), halve() and halves_of();
+///           `pair.shaft_angle` of double-helical gears on crossed axes; `gear2.form` of a rack, if
+///           the scope is more than the gears
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
-/// Errors    keys with their table, "gear2.profile_shift"; as arrange(), halve(), halves_of() and
-///           mount_rack(); `pair.shaft_angle` of double-helical gears on crossed axes;
-///           `gearN.double_helical` and `gear2.form` of a pair that is not among `kinds`, if the
-///           scope is more than the gears
-Result<SolvedJob> solve(const JobSpec& spec, Scope scope, Kinds kinds = Kinds::one_helix);
+/// As solve(), and of a pinion with its rack too.
+///
+/// Errors    as solve() and mount_rack()
+Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
+
+/// The error of a result that needs gears of one helix if the gears are double-helical.
+std::optional<Error> one_helix_error(const SolvedJob& job);
 
 /// "search", "identify" or "fit" if solve rejects the spec because its unknown numbers need that
 /// verb; empty for other errors. The error may already contain keys of the file.

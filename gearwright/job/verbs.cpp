@@ -39,7 +39,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
-  Kinds kinds = Kinds::one_helix;
+  bool rack = false;  // true if it accepts a rack
 };
 
 template <class Found>
@@ -48,7 +48,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
     SolvedJob job;
     Found found;
   };
-  auto solved = solve(spec, how.scope, how.kinds);
+  auto solved = how.rack ? solve_any(spec, how.scope) : solve(spec, how.scope);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
   auto found = how.find(job, progress);
@@ -85,7 +85,7 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
        .listing = [](const SolvedJob& job,
                      const AsSolved&) { return gear_listing(job) + pair_listing(job); },
        .csv = solved_csv,
-       .kinds = Kinds::all},
+       .rack = true},
       spec, progress);
 }
 
@@ -189,8 +189,7 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
                    const RatingAnswer& a) { return judge(job, {.rating = &a}); },
        .record = rating_json,
        .listing = rating_listing,
-       .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); },
-       .kinds = Kinds::double_helical},
+       .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); }},
       spec, progress);
 }
 

@@ -239,3 +239,14 @@ def test_load(tmp_path):
     with pytest.raises(gw.SpecError) as e:
         gw.load(path)
     assert e.value.key == "gear1.normal_module_mm"
+
+
+def test_a_double_helical_gear_is_the_whole_gear():
+    gear = gw.Gear(teeth=15, normal_module=1.5, helix_angle_deg=30, face_width=20, double_helical={"gap": 4})
+    assert gear.face_width == 20 and gear["half_face_width_mm"] == 8 and "Double-helical" in gear.report()
+    vertices, _ = gear.mesh()
+    assert vertices[:, 2].min() == -10 and vertices[:, 2].max() == 10 and 2 in vertices[:, 2]
+    pair = gw.Pair(gear, gw.Gear(teeth=40, normal_module=1.5, helix_angle_deg=-30, face_width=20, double_helical={"gap": 4}))
+    with pytest.raises(gw.SpecError) as e:
+        pair.contact()
+    assert e.value.key == "gear1.double_helical"
