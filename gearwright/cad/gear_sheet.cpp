@@ -50,6 +50,9 @@ constexpr std::array<Scale, 18> kScales{{{50, 1},
                                          {1, 10000}}};
 
 std::string millimetres(double value) { return short_decimals(value, 4); }
+std::string with_fit(const std::string& size, const std::string& fit) {
+  return fit.empty() ? size : size + " " + fit;
+}
 std::string diameter(double radius) { return "Ø" + millimetres(2 * radius); }
 
 // Both views have the same scale. The transverse view is drawn about the origin, the axial one to
@@ -91,7 +94,8 @@ class Views {
   bool keyed() const { return !ring() && bore_ && bore_->keyway; }
   const Bore& bore() const { return *input_.body.bore; }
   std::string keyway_words() const {
-    return "Keyway " + millimetres(bore().keyway_width) + " wide";
+    return "Keyway " + with_fit(millimetres(bore().keyway_width), input_.words.keyway_fit) +
+           " wide";
   }
   double shelf() const { return k_ * body_ + kShelf; }
   double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader rises at 60°
@@ -172,7 +176,7 @@ class Views {
       if (keyed()) across(kOutline, k_ * std::sqrt(r * r - half * half));
       metal(-k_ * limit, -k_ * r);
       metal(k_ * top, k_ * limit);
-      vertical(-r, r, x0, x0 - kFirst, diameter(r));
+      vertical(-r, r, x0, x0 - kFirst, with_fit(diameter(r), input_.words.bore_fit));
       if (keyed()) vertical(-r, top, x0, x0 - kFirst - kNext, millimetres(r + top));
     }
     double place = x1 + kFirst;
@@ -248,11 +252,14 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   if (!outline) return outline.error();
 
   const bool a4 = size == SheetSize::a4;
+  const char* const datum = body.outline.teeth < 0 ? "axis of the rim"
+                            : body.bore            ? "axis of the bore"
+                                                   : "axis of the gear";
   Sheet sheet{a4 ? Vec2(210, 297) : Vec2(420, 297), {}, {}, {}};
   const SheetBox frame = draw_frame(sheet);
   Sheet draft = sheet;
-  const SheetBox block =
-      draw_title_block(draft, frame, {input.words, "", a4 ? "A4" : "A3", input.number});
+  const SheetBox block = draw_title_block(
+      draft, frame, {input.words, "", a4 ? "A4" : "A3", input.number, input.mass, datum});
   const Place place = place_of(size, frame, block, input.data);
   const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
   for (const Scale& scale : kScales) {
@@ -264,7 +271,8 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
     const std::string words = fmt::format("{:g}:{:g}", scale.paper, scale.gear);
     views.draw(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
     draw_data(sheet, place.data, input.data, place.columns);
-    draw_title_block(sheet, frame, {input.words, words, a4 ? "A4" : "A3", input.number});
+    draw_title_block(sheet, frame,
+                     {input.words, words, a4 ? "A4" : "A3", input.number, input.mass, datum});
     return GearSheet{std::move(sheet), words, outline->deviation_mm};
   }
   contract_failed("postcondition", "a scale", __FILE__, __LINE__);

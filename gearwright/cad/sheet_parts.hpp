@@ -22,10 +22,11 @@ SheetBox draw_frame(Sheet& sheet);
 struct TitleBlock {
   const DrawingInput& words;
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
+  std::string mass, datum;            ///< "0.41 kg", empty if unknown; "axis of the bore"
 };
 
 /// Draws the title block at the lower right corner of `within`, 180 mm wide; returns the box that
-/// it covers.
+/// it covers. A field without words is an empty cell.
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
 
 /// Returns the size in mm of the data table with this number of columns.

@@ -114,6 +114,21 @@ void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cel
   }
 }
 
+// The symbol of first-angle projection (ISO 5456-2): a truncated cone and its view from the left.
+void first_angle(Sheet& sheet, const Vec2& middle) {
+  constexpr double kHeight = 4, kSmallEnd = 2, kLength = 4, kApart = 3;  // mm
+  const auto line = [&](const Vec2& a, const Vec2& b) {
+    sheet.line(SheetLayer::data, middle + a, middle + b);
+  };
+  const double left = -kApart / 2 - kLength, right = -kApart / 2;
+  const Vec2 views[] = {
+      {left, kSmallEnd / 2}, {right, kHeight / 2}, {right, -kHeight / 2}, {left, -kSmallEnd / 2}};
+  for (std::size_t i = 0; i < 4; ++i) line(views[i], views[(i + 1) % 4]);
+  const Vec2 centre(kApart / 2 + kHeight / 2, 0);
+  for (const double diameter : {kSmallEnd, kHeight})
+    sheet.circle(SheetLayer::data, middle + centre, diameter / 2);
+}
+
 }  // namespace
 
 SheetBox draw_frame(Sheet& sheet) {
@@ -140,13 +155,26 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
     y += height;
   };
   row(kFieldRow,
-      {{40, "Scale", block.scale},
-       {60, "Dimensions in", "mm, angles in degrees"},
-       {40, "Format", block.format},
-       {40, "Sheet", block.number}},
+      {{25, "Scale", block.scale},
+       {45, "Dimensions in", "mm, angles in degrees"},
+       {25, "Projection", ""},
+       {40, "Datum A", block.datum},
+       {22, "Format", block.format},
+       {23, "Sheet", block.number}},
       kUsual);
+  first_angle(sheet, {x + 84, within.lo.y() + 3.4});
   row(kTitle, {{125, "Title", w.title}, {55, "Drawing number", w.number}}, kLarge);
-  row(kFieldRow, {{90, "Material", w.material}, {50, "Author", w.author}, {40, "Date", w.date}},
+  row(kFieldRow,
+      {{75, "Material", w.material},
+       {25, "Mass", block.mass},
+       {45, "Author", w.author},
+       {35, "Date", w.date}},
+      kUsual);
+  row(kFieldRow,
+      {{60, "Heat treatment", w.heat_treatment},
+       {45, "Surface texture", w.surface_texture},
+       {35, "Edges", w.edges},
+       {40, "General tolerances", w.general_tolerances}},
       kUsual);
   if (!w.note.empty()) row(kFieldRow, {{kWidth, "Note", w.note}}, kUsual);
   const SheetBox all{{x, within.lo.y()}, {within.hi.x(), y}};

@@ -1,6 +1,33 @@
 #include "gearwright/catalogue/drawing_keys.hpp"
 
+#include "gearwright/inspection/thickness_series.hpp"
+
 namespace gearwright {
+
+namespace {
+
+// Of a common size, for which every fit of the table exists.
+constexpr double kAnySize = 20.0;
+
+std::optional<KeyFault> check_fits(DrawingInput& d, const KeyGiven&) {
+  const bool bore = d.bore_fit.empty() || d.bore_fit.starts_with('H');
+  if (!bore || (!d.bore_fit.empty() && !hole_deviations(d.bore_fit, kAnySize)))
+    return KeyFault{"bore_fit", "must be H1 to H12 of ISO 286, for example H7"};
+  const auto& k = d.keyway_fit;
+  if (!k.empty() && k != "JS9" && k != "N9" && k != "P9")
+    return KeyFault{"keyway_fit", "must be JS9, N9 or P9, the fits of DIN 6885"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool DrawingInput::given() const {
+  for (const std::string* words :
+       {&title, &number, &author, &date, &material, &note, &heat_treatment, &surface_texture,
+        &edges, &general_tolerances, &bore_fit, &keyway_fit})
+    if (!words->empty()) return true;
+  return false;
+}
 
 const KeyTable& drawing_keys() {
   using D = DrawingInput;
@@ -13,8 +40,24 @@ const KeyTable& drawing_keys() {
        Key::text("author", &D::author, "", "name of the author"),
        Key::text("date", &D::date, "", "in quotes, in any form; never filled in automatically"),
        Key::text("material", &D::material, "", "in words"),
+       Key::text("heat_treatment", &D::heat_treatment, "", "with hardness and depth")
+           .with_also({"hardness", "hardening"}),
+       Key::text("surface_texture", &D::surface_texture, "",
+                 "roughness of the flanks and of the other surfaces")
+           .with_also({"roughness", "surface"}),
+       Key::text("edges", &D::edges, "", "edges of undefined shape by ISO 13715"),
+       Key::text("general_tolerances", &D::general_tolerances, "",
+                 "of dimensions without a tolerance, by ISO 22081 or ISO 2768"),
+       Key::text("bore_fit", &D::bore_fit, "no limits",
+                 "fit of the bore by ISO 286, H1 to H12; the drawing has its limits")
+           .with_form("a fit such as \"H7\""),
+       Key::text("keyway_fit", &D::keyway_fit, "no limits",
+                 "fit of the width of the keyway by DIN 6885, JS9, N9 or P9; the drawing has the "
+                 "limits of width and depth")
+           .with_form("a fit such as \"JS9\""),
        Key::text("note", &D::note, "", "additional notes for the workshop")
-           .with_also({"notes", "remark", "comment"})}};
+           .with_also({"notes", "remark", "comment"})},
+      check_fits};
   return table;
 }
 

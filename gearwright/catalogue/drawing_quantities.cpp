@@ -14,6 +14,12 @@ const Quantities<DrawingInput>& drawing_quantities() {
     line("author", "author", &D::author);
     line("date", "date", &D::date);
     line("material", "material", &D::material);
+    line("heat_treatment", "heat treatment", &D::heat_treatment);
+    line("surface_texture", "surface texture", &D::surface_texture);
+    line("edges", "edges", &D::edges);
+    line("general_tolerances", "general tolerances", &D::general_tolerances);
+    line("bore_fit", "fit of the bore", &D::bore_fit);
+    line("keyway_fit", "fit of the keyway", &D::keyway_fit);
     line("note", "note", &D::note);
   });
   return kAll;

@@ -74,6 +74,13 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
     {26, 36, 50, 68, 96, 135, 210, 330, 540, 860, 1350, 2100},
 }};
 
+constexpr int kMaxGrade = 12;
+
+// ISO 286-1, table 3: fundamental deviation of P above IT7 by the first sizes, and of N above IT8 up
+// to 3 mm, µm below the nominal size.
+constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
+constexpr double kDeviationN = 4.0;
+
 // The row of the first border that is not below the value, or the number of rows if all are below
 // it.
 template <std::size_t n>
@@ -87,6 +94,13 @@ std::optional<int> whole(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
   return value;
+}
+
+// mm; none beyond the table.
+std::optional<double> tolerance_grade(int grade, double size) {
+  const std::size_t row = row_of(kSizes, size);
+  if (row == kSizes.size()) return std::nullopt;
+  return kGrades[row][static_cast<std::size_t>(grade - 1)] / kUmPerMm;
 }
 
 }  // namespace
@@ -116,12 +130,35 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
 Result<double> js_deviation(std::string_view tolerance, double center_distance) {
   const bool js = tolerance.starts_with("JS") || tolerance.starts_with("js");
   const int grade = js ? whole(tolerance.substr(2)).value_or(0) : 0;
-  if (grade < 1 || grade > 12)
+  if (grade < 1 || grade > kMaxGrade)
     return Error{"tolerance", std::string(tolerance), "must be JS1 to JS12 of ISO 286"};
-  const std::size_t row = row_of(kSizes, center_distance);
-  if (row == kSizes.size())
-    return refused("center_distance", center_distance, "ISO 286 ends at 3150 mm");
-  return kGrades[row][static_cast<std::size_t>(grade - 1)] / 2 / kUmPerMm;
+  const auto it = tolerance_grade(grade, center_distance);
+  if (!it) return refused("center_distance", center_distance, "ISO 286 ends at 3150 mm");
+  return *it / 2;
+}
+
+Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size) {
+  const std::size_t digits = std::min(fit.find_first_of("0123456789"), fit.size());
+  const std::string_view zone = fit.substr(0, digits);
+  const int grade = whole(fit.substr(digits)).value_or(0);
+  const bool keyway = fit == "N9" || fit == "P9";
+  if (!keyway && (grade < 1 || grade > kMaxGrade || (zone != "H" && zone != "JS")))
+    return Error{"fit", std::string(fit), "must be H1 to H12, JS1 to JS12, N9 or P9 of ISO 286"};
+  const auto it = tolerance_grade(grade, size);
+  const std::size_t row = row_of(kSizes, size);
+  if (!it || (keyway && row >= kDeviationP.size()))
+    return refused(
+        "size", size,
+        keyway ? "N9 and P9 are for keyways, at most 120 mm wide" : "ISO 286 ends at 3150 mm");
+  if (zone == "H") return std::array{0.0, *it};
+  if (zone == "JS") return std::array{-*it / 2, *it / 2};
+  const double upper = -(zone == "P" ? kDeviationP[row] : row == 0 ? kDeviationN : 0.0) / kUmPerMm;
+  return std::array{upper - *it, upper};
+}
+
+double keyway_depth_deviation(double width) {
+  constexpr double kNarrow = 6.0, kMedium = 32.0;  // widths of keys 6 x 6 and 32 x 18, mm
+  return width <= kNarrow ? 0.1 : width <= kMedium ? 0.2 : 0.3;
 }
 
 }  // namespace gearwright

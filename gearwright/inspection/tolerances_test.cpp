@@ -137,5 +137,28 @@ TEST(ThicknessSeries, are_those_of_the_tables) {
   EXPECT_FALSE(js_deviation("JS7", 4000));
 }
 
+// Printed limits of common bores and keyways, in µm.
+TEST(Tolerances, HolesAndKeyways) {
+  const auto um = [](std::string_view fit, double size) {
+    const auto mm = testing::taken(hole_deviations(fit, size));
+    return std::array{std::round(1e4 * mm[0]) / 10, std::round(1e4 * mm[1]) / 10};
+  };
+  EXPECT_EQ(um("H7", 20), (std::array{0.0, 21.0}));
+  EXPECT_EQ(um("H7", 50), (std::array{0.0, 25.0}));
+  EXPECT_EQ(um("H8", 100), (std::array{0.0, 54.0}));
+  EXPECT_EQ(um("JS9", 6), (std::array{-15.0, 15.0}));
+  EXPECT_EQ(um("N9", 10), (std::array{-36.0, 0.0}));
+  EXPECT_EQ(um("N9", 3), (std::array{-29.0, -4.0}));
+  EXPECT_EQ(um("P9", 6), (std::array{-42.0, -12.0}));
+  EXPECT_EQ(um("P9", 14), (std::array{-61.0, -18.0}));
+  for (const char* fit : {"", "H", "H13", "h7", "P8", "G7", "9"})
+    EXPECT_FALSE(hole_deviations(fit, 20)) << fit;
+  EXPECT_FALSE(hole_deviations("P9", 130));
+  EXPECT_FALSE(hole_deviations("H7", 4000));
+  EXPECT_EQ(keyway_depth_deviation(6), 0.1);
+  EXPECT_EQ(keyway_depth_deviation(8), 0.2);
+  EXPECT_EQ(keyway_depth_deviation(36), 0.3);
+}
+
 }  // namespace
 }  // namespace gearwright

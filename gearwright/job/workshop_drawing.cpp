@@ -11,10 +11,12 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/gear_sheet.hpp"
+#include "gearwright/cad/section.hpp"
 #include "gearwright/cad/sheet_files.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/solved_job.hpp"
 
@@ -128,6 +130,48 @@ Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records
   return group;
 }
 
+// A size with the limits of its fit; of a size without a fit, a blank for the limits.
+void size_rows(Group& group, const std::string& what, const std::string& symbol, double size,
+               const std::string& fit, const std::optional<std::array<double, 2>>& deviations) {
+  const std::string text = with_minus(short_decimals(size, 4));
+  group.row(what, symbol, fit.empty() ? text : text + " " + fit);
+  group.row("Limits", "",
+            deviations ? fixed_decimals(size + (*deviations)[0], 3) + " … " +
+                             fixed_decimals(size + (*deviations)[1], 3)
+                       : "");
+}
+
+std::optional<std::array<double, 2>> limits_of(const std::string& fit, double size) {
+  const auto deviations = hole_deviations(fit, size);
+  return deviations ? std::optional(*deviations) : std::nullopt;
+}
+
+Group bore_group(const Gear& gear, const DrawingInput& words) {
+  Group group("Bore and keyway");
+  if (gear.internal() || !gear.bore) return group;
+  const Bore& bore = *gear.bore;
+  size_rows(group, "Bore", "Ø", bore.diameter, words.bore_fit,
+            limits_of(words.bore_fit, bore.diameter));
+  if (!bore.has_keyway()) return group;
+  const double width = bore.keyway_width;
+  size_rows(group, "Keyway, width", "b", width, words.keyway_fit,
+            limits_of(words.keyway_fit, width));
+  std::optional<std::array<double, 2>> depth;
+  if (!words.keyway_fit.empty()) depth = {0.0, keyway_depth_deviation(width)};
+  size_rows(group, "Keyway, bore with depth", "d + t_2", bore.diameter + bore.keyway_depth, "",
+            depth);
+  return group;
+}
+
+// Empty if no material is given.
+std::string mass_of(const SolvedJob& job, int which, const ToothedBody& body) {
+  const MaterialInput& given = job.spec.gear(which).material;
+  if (!given.name) return "";
+  const auto material = material_of(given, "", job.spec.rating.input.edition);
+  if (!material) return "";
+  return fmt::format("{:.3g} kg", metal_volume(body) * material->density);
+}
+
 Group diameters(const Records& r) {
   Group group("Diameters");
   for (const char* key : {"reference_diameter_mm", "base_diameter_mm", "tip_diameter_mm",
@@ -217,6 +261,7 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   teeth(job.gears[i], job.halves[i], gear).add_to(groups);
   diameters(gear).add_to(groups);
   thickness(job.gears[i].internal(), gear, measure).add_to(groups);
+  bore_group(job.gears[i], job.spec.drawing).add_to(groups);
   modifications(input.modifications).add_to(groups);
   tolerances(input.tolerance, measure).add_to(groups);
   mate(job, which).add_to(groups);
@@ -264,6 +309,7 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
                          job.gear(which).bore.has_value(),
                          drawing_data(job, which),
                          words,
+                         mass_of(job, which, *body),
                          fmt::format("{}/{}", i + 1, gears.size())};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);
     const auto& material = job.spec.gear(which).material.name;

@@ -151,6 +151,9 @@ TEST(WorkshopDrawing, words_keep_off_lines_and_each_other) {
   expect_clear(gear("teeth = -60\nnormal_module_mm = 2\nface_width_mm = 20\n[gear1.bore]\n"
                     "diameter_mm = 150"),
                "ring");
+  expect_clear(gear("teeth = 22\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
+                    "double_helical = { gap_mm = 6 }\n[gear1.bore]\ndiameter_mm = 20"),
+               "double helical");
   expect_clear(gear("teeth = -200\nnormal_module_mm = 0.5\nface_width_mm = 300"), "long ring");
 }
 
@@ -166,14 +169,34 @@ TEST(WorkshopDrawing, takes_the_greatest_scale_that_has_room) {
   EXPECT_EQ(scale(great, SheetSize::a3), "1:20");
 }
 
+// True if a text of the drawing of gear 1 contains the words.
+bool contains(const std::string& toml, const std::string& words) {
+  const auto made = taken(workshop_sheets(solved(toml), {1}, SheetSize::a4, 0.001));
+  const auto& texts = made.sheets.front().texts;
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const auto& t) { return t.text.find(words) != std::string::npos; });
+}
+
+TEST(WorkshopDrawing, has_the_limits_of_bore_and_keyway) {
+  const std::string fits = "[drawing]\nbore_fit = \"H7\"\nkeyway_fit = \"P9\"\n";
+  const std::string toml = fits + (kFull + std::string(kFull).find("[gear1]"));
+  for (const char* words : {"Ø20 H7", "20.000 … 20.021", "6 P9", "5.958 … 5.988", "22.800 … 22.900",
+                            "axis of the bore"})
+    EXPECT_TRUE(contains(toml, words)) << words;
+  EXPECT_FALSE(contains(kFull, "H7"));
+}
+
+// A disc with the diameter of the pitch circle has nearly the mass of the gear.
+TEST(WorkshopDrawing, has_the_mass_of_a_gear_with_a_material) {
+  const std::string disc = "teeth = 60\nnormal_module_mm = 2\nface_width_mm = 20\n";
+  EXPECT_FALSE(contains(gear(disc), " kg"));
+  EXPECT_TRUE(
+      contains(gear(disc + "material = \"16MnCr5\""), "1.7"));  // π/4 120² 20 7.83e-6 = 1.77
+}
+
 // The material that a gear is rated by is that of its drawing, unless the title block names another.
 TEST(WorkshopDrawing, has_the_material_of_the_gear) {
-  const auto named = [](const std::string& toml) {
-    const auto made = taken(workshop_sheets(solved(toml), {1}, SheetSize::a4, 0.001));
-    const auto& texts = made.sheets.front().texts;
-    return std::any_of(texts.begin(), texts.end(),
-                       [](const auto& t) { return t.text.find("16MnCr5") != std::string::npos; });
-  };
+  const auto named = [](const std::string& toml) { return contains(toml, "16MnCr5"); };
   const std::string pinion = gear(
       "teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\nmaterial = { name = \"16MnCr5\" }");
   EXPECT_TRUE(named(pinion));

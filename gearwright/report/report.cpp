@@ -120,6 +120,10 @@ std::string title_block(const DrawingInput& drawing) {
   row("Author", drawing.author);
   row("Date", drawing.date);
   row("Material", drawing.material);
+  row("Heat treatment", drawing.heat_treatment);
+  row("Surface texture", drawing.surface_texture);
+  row("Edges", drawing.edges);
+  row("General tolerances", drawing.general_tolerances);
   row("Note", drawing.note);
   return "<dl class=\"titleblock\">" + rows + "</dl>\n";
 }
