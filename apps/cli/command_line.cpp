@@ -114,7 +114,7 @@ void CommandLine::add_answering() {
       "MODULE,ANGLE: describe the same teeth by this rack; one of the two may be empty");
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
-      "--expand", [&o] { o.take = 1; },
+      "--expand", [&o] { o.expand = true; },
       "Print the graph [drive] to which the spec expands and nothing else");
   drive
       ->add_option("--harmonics", o.harmonics,

@@ -73,10 +73,9 @@ int answering_verb(const Verb& verb, const Options& o) {
         {"--take", std::to_string(number),
          answer->specs.empty() ? none : fmt::format("there are {}", answer->specs.size())});
   }
-  if (o.take && o.json) {
-    print_json(answer->specs[number - 1]);
-  } else if (o.take) {
-    print(toml_text(answer->specs[number - 1]));
+  if (o.take || o.expand) {
+    const Json& spec = o.expand ? answer->expanded : answer->specs[number - 1];
+    o.json ? print_json(spec) : print(toml_text(spec));
   } else if (o.csv) {
     print(answer->csv());
   } else if (o.json) {

@@ -28,6 +28,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // rank of the proposal whose spec is printed
+  bool expand = false;                 // whether the graph of a drive is printed
   std::optional<int> harmonics;        // of drive: number of harmonics
   std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // of measure: number of points along each root fillet

@@ -10,6 +10,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/mesh_spec.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -161,11 +162,14 @@ std::string drive_listing(const Drive& drive) {
 }
 
 Result<Answer> answer_drive(const JobSpec& spec) {
-  auto answer = answer_of(spec, solve_drive(spec), drive_listing);
+  const auto solved = solve_drive(spec);
+  auto answer = answer_of(spec, solved, drive_listing);
   if (!answer) return answer.error();
   Answer whole = std::move(answer).take();
   if (spec.rating.given) whole.verdict->not_judged.emplace_back("rating");
-  whole.specs = {expanded_spec(spec.tree->tables, *spec.drive)};
+  whole.expanded = expanded_spec(spec.tree->tables, *spec.drive);
+  for (std::size_t m = 0; m < solved->drive.graph.meshes.size(); ++m)
+    whole.specs.push_back(mesh_spec(*solved, whole.expanded, m));
   return whole;
 }
 

@@ -257,7 +257,8 @@ constexpr Verb kVerbs[] = {
      "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash, "
      "error",
      "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
-     Take::none, "", run_drive},
+     Take::number, "Print the spec of this mesh as a pair and nothing else; 1 is the first mesh",
+     run_drive},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
      Take::none, "", run_measure},

@@ -42,6 +42,53 @@ class Examples(unittest.TestCase):
                 self.assertNotIn("nan", re.sub(r"<[^>]*>", "", page).lower().split())
 
 
+class Meshes(unittest.TestCase):
+    def test_the_spec_of_a_mesh_has_the_numbers_of_the_drive(self):
+        compared = 0
+        for example in EXAMPLES:
+            text = example.read_text()
+            meshes = Run("drive", text, "--json").json["drive"]["meshes"]
+            for number, (name, mesh) in enumerate(meshes.items(), 1):
+                with self.subTest(example=example.name, mesh=name):
+                    spec = Run("drive", text, "--take", str(number))
+                    self.assertEqual(spec.status, 0, spec.err)
+                    self.assertIn(name, spec.out.splitlines()[0])
+                    pair = Run("pair", spec.out, "--json").json["pair"]
+                    self.assertEqual({key: pair[key] for key in mesh["pair"]}, mesh["pair"])
+                    compared += 1
+        self.assertGreaterEqual(compared, 12)
+
+    def test_a_mesh_carries_its_torque(self):
+        """Three planets share the torque of the sun, and the ring's mesh has the same tooth force as the sun's."""
+        sun = Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out
+        ring = Run("drive", SET + "torque_Nm = 60\n", "--take", "2").out
+        torque = [float(re.search(r"torque_Nm = (\S+)", spec).group(1)) for spec in (sun, ring)]
+        self.assertAlmostEqual(torque[0], 20, 9)
+        self.assertAlmostEqual(torque[1], 20 * 25 / 20, 0)  # less the loss of the first mesh
+        self.assertEqual(Run("load", sun, "--json").status, 0)
+
+    def test_a_rack_is_gear_2(self):
+        drive = """
+[drive]
+fixed = ["frame"]
+input = "pinion"
+output = "bar"
+body = [{ name = "frame" }, { name = "pinion" }, { name = "bar" }]
+gear = [{ name = "r", body = "bar", form = "rack", teeth = 20 }, { name = "p", body = "pinion", teeth = 17, normal_module_mm = 2 }]
+mesh = [{ gears = ["r", "p"] }]
+"""
+        spec = Run("drive", drive, "--take", "1")
+        self.assertEqual(spec.status, 0, spec.err)
+        pair = Run("pair", spec.out, "--json")
+        self.assertEqual(pair.status, 0, pair.err)
+        self.assertEqual(pair.json["pair"]["kind"], "rack_and_pinion")
+
+    def test_a_mesh_that_is_not_there(self):
+        run = Run("drive", SET, "--take", "3")
+        self.assertEqual(run.status, 1)
+        self.assertIn("there are 2", run.err)
+
+
 class Files(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

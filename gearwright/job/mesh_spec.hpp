@@ -1,0 +1,17 @@
+// A mesh of a drive as a spec of its own, so that every verb for pairs applies to it.
+#pragma once
+
+#include "gearwright/job/drive_job.hpp"
+#include "gearwright/spec/json.hpp"
+
+namespace gearwright {
+
+/// The two gears of a mesh at their centre distance, with the shifts and tip diameters of the drive,
+/// the torque and the speed of the mesh relative to its carrier, and the tables for errors, contact
+/// and inspection of the drive. The gear of a rack is gear 2.
+///
+/// Laws      the pair of this spec has the numbers of the mesh in the drive
+/// Domain    expanded = expanded_spec() of the drive (contract)
+Json mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh);
+
+}  // namespace gearwright
