@@ -77,6 +77,11 @@ class TwoHalves(unittest.TestCase):
                   "shaft_diameter_mm = 60\narrangement = \"a\"\n")
         self.assertEqual(run.status, 1)
         self.assertIn("rating.face_load_factor", run.err)
+        run = Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n[rating]\ntorque_Nm = 4000\n"
+                  "speed_rpm = 1200\nquality = 6\n[gear2.shaft]\nbearings_mm = [-150, 150]\ndiameter_mm = 60\n")
+        self.assertEqual(run.status, 1)
+        for word in ("gear2.shaft", "rating.face_load_factor"):
+            self.assertIn(word, run.err)
 
     def test_other_verbs_reject_it(self):
         for verb in ("contact", "run"):
