@@ -156,7 +156,7 @@ int run_verb(const Options& o) {
     out += "_out";
   }
   if (spec->drive) return run_drive(o, door, *spec, out, options);
-  auto solved = solve_any(*spec, Scope::everything);
+  auto solved = solve(*spec, Scope::everything, {.rack = true});
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto made = watched("run", [&](Progress* h) {
@@ -189,7 +189,7 @@ int export_verb(const Options& o) {
   if (spec->drive) return export_drive(o, door, *spec, wanted);
   // A drawing contains data of the mating gear.
   const bool alone = o.gear && o.drawing.empty();
-  const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
+  const auto job = solve(*spec, alone ? Scope::gears : Scope::everything, {.rack = true});
   if (!job) return door.fail(job.error());
   const int count = job->parts();
   if (o.gear && *o.gear > count) {

@@ -138,7 +138,7 @@ int outline_verb(const Options& o) {
   Door door(o);
   const auto spec = door.read();
   if (!spec) return door.fail(spec.error());
-  const auto job = solve_any(*spec, Scope::gears);
+  const auto job = solve(*spec, Scope::gears, {.rack = true});
   if (!job) return door.fail(job.error());
   const int which = o.gear.value_or(1);
   if (which > job->parts()) {

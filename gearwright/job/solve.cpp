@@ -111,16 +111,12 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   return found_by_fit && fit ? "fit" : "";
 }
 
-Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
-  if (auto error = two_helices(spec, scope)) return *error;
-  return solve_halves(spec, scope);
-}
-
-Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
-  if (!spec.rack) return solve(spec, scope);
-  if (auto error = two_helices(spec, scope)) return *error;
-  auto solved = solve_halves(spec, Scope::gears);
-  if (!solved) return solved;
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope, OtherPairs also) {
+  const bool rack = spec.rack && also.rack;
+  auto refused = also.double_helical ? std::nullopt : two_helices(spec, scope);
+  if (refused) return *refused;
+  auto solved = solve_halves(spec, rack ? Scope::gears : scope);
+  if (!solved || !rack) return solved;
   SolvedJob job = std::move(solved).take();
   auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm);
   if (!pair) return spelled(pair.error(), spec.given);
@@ -128,7 +124,5 @@ Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
   job.rack = std::move(pair).take();
   return job;
 }
-
-Result<SolvedJob> solve_pair(const JobSpec& spec) { return solve_halves(spec, Scope::pair); }
 
 }  // namespace gearwright

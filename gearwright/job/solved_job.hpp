@@ -20,20 +20,19 @@ struct SolvedJob : Arranged {
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
-/// Errors    keys with their table, "gear2.profile_shift"; as arrange(); "gearN.double_helical" if
-/// the scope is more than the gears
-Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
+/// Pairs that a caller computes besides those of two gears of one helix.
+struct OtherPairs {
+  bool double_helical = false;
+  bool rack = false;
+};
 
-/// The mounted pair, also of double-helical gears.
+/// The gears, and by its scope their pair: for double-helical gears that of one half, for a rack the
+/// pinion with its rack.
 ///
-/// Errors    as solve() of a pair, halve() and halves_of(); `pair.shaft_angle` of double-helical gears
-///           on crossed axes
-Result<SolvedJob> solve_pair(const JobSpec& spec);
-
-/// As solve(), and of a pinion with its rack too.
-///
-/// Errors    as solve() and mount_rack()
-Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
+/// Errors    keys with their table, "gear2.profile_shift"; as arrange(), halve(), halves_of() and
+///           mount_rack(); `pair.shaft_angle` of double-helical gears on crossed axes; if the scope is
+///           more than the gears, `gearN.double_helical` and `gear2.form` of pairs that are not among `also`
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope, OtherPairs also = {});
 
 /// "search", "identify" or "fit" if solve rejects the spec because its unknown numbers need that
 /// verb; empty for other errors. The error may already contain keys of the file.

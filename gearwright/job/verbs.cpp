@@ -39,8 +39,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
-  bool halves = false;  // true if it accepts a pair of double-helical gears
-  bool rack = false;    // true if it accepts a rack
+  OtherPairs also{};
 };
 
 template <class Found>
@@ -49,9 +48,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
     SolvedJob job;
     Found found;
   };
-  auto solved = how.rack && spec.rack ? solve_any(spec, Scope::gears)
-                : how.halves          ? solve_pair(spec)
-                                      : solve(spec, how.scope);
+  auto solved = solve(spec, how.scope, how.also);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
   auto found = how.find(job, progress);
@@ -88,8 +85,7 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
        .listing = [](const SolvedJob& job,
                      const AsSolved&) { return gear_listing(job) + pair_listing(job); },
        .csv = solved_csv,
-       .halves = true,
-       .rack = true},
+       .also = {.double_helical = true, .rack = true}},
       spec, progress);
 }
 
@@ -194,7 +190,7 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
        .record = rating_json,
        .listing = rating_listing,
        .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); },
-       .halves = true},
+       .also = {.double_helical = true}},
       spec, progress);
 }
 
