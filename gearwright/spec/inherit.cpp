@@ -199,9 +199,7 @@ Inherited inherit(const Json& tree) {
     made.noted.emplace_back("quality");
     hand_on_edition(*from, *to);
   }
-  if (parallel(tree) && !tree.contains("fit") && from->contains("face_width_mm") &&
-      !to->contains("face_width_mm"))
-    put(*to, "face_width_mm", (*from)["face_width_mm"]);
+  if (parallel(tree) && !tree.contains("fit")) hand_on(*from, *to, "face_width_mm");
   if (has_any(*to, {"cut_by", "basic"})) return made;
   if (parallel(tree) && !from->contains("basic")) made.helix_angle = hand_on_helix(*from, *to);
   hand_on(*from, *to, "normal_module_mm");
