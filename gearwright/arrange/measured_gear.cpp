@@ -120,8 +120,7 @@ class Measuring {
     if (!found) {
       if (m.reference)
         warn(WarningCode::no_balls,
-             "There is no dimension over balls: no ball touches the usable "
-             "flanks.");
+             "There is no dimension over balls: no ball touches the usable flanks.");
       return std::nullopt;
     }
     if (!*found)
