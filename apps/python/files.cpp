@@ -228,8 +228,7 @@ Eigen::Matrix4d pose(const PairValue& pair, int which) {
 void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair) {
   gear.def("outline", &outline, py::arg("points") = 200,
            "Half a tooth in the section z = 0, root to tip: a dict of arrays (points, 2) in mm by "
-           "the name of the "
-           "arc. The tooth's centre line is the x axis, y > 0")
+           "the name of the arc. The tooth's centre line is the x axis, y > 0")
       .def("section", &section, py::arg("points") = 20,
            "The closed outline of all teeth in the section z = 0, (n, 2) in mm, counter-clockwise; "
            "points per arc")

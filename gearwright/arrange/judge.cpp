@@ -37,11 +37,13 @@ struct RatedAgain {
   Rating rating;
 };
 std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRating& nominal) {
-  const auto pair = rated_pair(*arranged.pair);
+  auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
-  auto rating = rate(*pair, *nominal.input);
+  RatedPair again = std::move(pair).take();
+  again.halves = nominal.pair->halves;
+  auto rating = rate(again, *nominal.input);
   if (!rating) return std::nullopt;
-  return RatedAgain{*pair, std::move(rating).take()};
+  return RatedAgain{std::move(again), std::move(rating).take()};
 }
 
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,

@@ -210,8 +210,7 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
                            const LoadInput& input, std::vector<Warning>& warnings) {
   if (input.torques.empty())
     return absent_input("load.torques",
-                        "; the report of a loaded pair needs a torque, not only "
-                        "probes");
+                        "; the report of a loaded pair needs a torque, not only probes");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   return task_of(arranged, errors, input, *bodies);

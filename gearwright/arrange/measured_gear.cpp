@@ -120,8 +120,7 @@ class Measuring {
     if (!found) {
       if (m.reference)
         warn(WarningCode::no_balls,
-             "There is no dimension over balls: no ball touches the usable "
-             "flanks.");
+             "There is no dimension over balls: no ball touches the usable flanks.");
       return std::nullopt;
     }
     if (!*found)
@@ -174,8 +173,7 @@ class Measuring {
     const ToleranceInput& asked = arranged_.completed.gear(which_).tolerance;
     if (!asked.quality) return std::nullopt;
     if (!has_class(asked.edition, *asked.quality)) {
-      return refused(gear_field(which_, "tolerance.quality"), *asked.quality,
-                     "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
+      return refused(gear_field(which_, "tolerance.quality"), *asked.quality, kClassesOfEditions);
     }
     ToleranceSubject subject = tolerance_subject(gear_);
     const ParallelPair* const mounted = request_.pair ? request_.pair->parallel() : nullptr;

@@ -162,13 +162,9 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
     const ToleranceInput& tolerance = gear->tolerance;
     const char* const key = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
     if (gear->cut_by)
-      return no(key,
-                "follows from the cutter, which determines the tooth "
-                "thickness; leave it out");
+      return no(key, "follows from the cutter, which determines the tooth thickness; leave it out");
     if (gear->basic)
-      return no(key,
-                "cannot be combined with `basic`, which gives the tooth "
-                "thickness");
+      return no(key, "cannot be combined with `basic`, which gives the tooth thickness");
     if (!nominal) {
       auto solved = arrange_nominal(given, Scope::gears);
       if (!solved) return solved.error();

@@ -50,8 +50,7 @@ std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& h
   return refused(
       gear_field(2, "double_helical.gap"), two->gap,
       fmt::format("the halves are not opposite each other: {:.6g} mm of a half touch, and the "
-                  "narrower half has {:.6g} mm; a wider gap belongs to the narrower "
-                  "gear",
+                  "narrower half has {:.6g} mm; a wider gap belongs to the narrower gear",
                   common, narrower));
 }
 

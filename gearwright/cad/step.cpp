@@ -67,8 +67,7 @@ void add_counts(StepReport& report, double volume, const Brep& brep) {
 Error too_many(std::size_t faces, int slices) {
   return {
       "faces", fmt::format("{}", faces),
-      fmt::format("the STEP solid would have {} faces; the limit is {}; fewer teeth{} would "
-                  "help",
+      fmt::format("the STEP solid would have {} faces; the limit is {}; fewer teeth{} would help",
                   faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 

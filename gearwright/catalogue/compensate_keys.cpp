@@ -58,9 +58,8 @@ const KeyTable& compensate_keys() {
            "that increases that error (less than 0.01 counts as none)",
            "cost of a pattern at the very end of the face [T8.24] (for circular arcs, whose "
            "contact moves along the face in any case, at the end of the profile): with a given "
-           "value the "
-           "transmission error may grow; if the total improvement is less than 0.001 arcsec, every "
-           "correction is 0"),
+           "value the transmission error may grow; if the total improvement is less than 0.001 "
+           "arcsec, every correction is 0"),
        Key::part(
            "range", compensate_range_keys,
            KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),

@@ -138,8 +138,7 @@ void say(Quantities<V>& q) {
   q.under(kLead);
   q.record<lead_quantities>(
       "lead",
-      "of circular-arc pairs, else null, because the lead of involute pairs is corrected by "
-      "slopes",
+      "of circular-arc pairs, else null, because the lead of involute pairs is corrected by slopes",
       &V::lead);
   q.add(Type::map, "spec", "spec", "", "the whole spec with the corrections in it", &V::spec)
       .always()

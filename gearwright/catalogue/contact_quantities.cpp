@@ -254,8 +254,7 @@ void say(Quantities<V>& q) {
   q.term(
        "harmonics_arcsec",
        "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as `positions` "
-       "resolves "
-       "[T8.18]; empty with `rotation1_deg` and where contact is lost",
+       "resolves [T8.18]; empty with `rotation1_deg` and where contact is lost",
        [](const V& v) {
          ValueList list;
          for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());

@@ -205,8 +205,7 @@ void say_limits(Quantities<V>& q) {
       .column("form_clearance_path#_mm")
       .doors(kJson);
   q.number("tip_alteration_mm", "tip alteration", "k m_n",
-           "applied value; 0 without "
-           "`shorten_tips`",
+           "applied value; 0 without `shorten_tips`",
            [](const V& v) { return v.row->tip_alteration; })
       .always()
       .column("tip_alteration_mm")

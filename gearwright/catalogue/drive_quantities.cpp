@@ -228,8 +228,7 @@ void say(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "of the output, the input turning evenly; 0 of flanks without modifications and [errors]; "
-      "null "
-      "with several inputs, without geometry, and where contact is lost",
+      "null with several inputs, without geometry, and where contact is lost",
       &Drive::error);
   q.record<drive_quantities>("stages", "of a train: each stage as a drive by itself",
                              [](const Drive& d) {

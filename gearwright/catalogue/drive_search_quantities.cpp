@@ -140,8 +140,7 @@ void say_search(Quantities<DriveSearchView>& q) {
   q.record<found_drive_quantities>(
        "designs",
        "best first, at most the number of `--top`; their numbers are those of the verb drive, "
-       "whose "
-       "verdict is green",
+       "whose verdict is green",
        [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
       .list({0})
       .always()

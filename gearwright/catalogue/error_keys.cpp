@@ -30,8 +30,7 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
        "f_Σβ as an angle: axis 1 turns about the centre line, > 0 towards +y: the axes cross, by "
-       "this "
-       "much more"},
+       "this much more"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
        "f_Σδ as an angle: axis 1 tilts towards gear 2, > 0 towards +x: the axes would meet"},

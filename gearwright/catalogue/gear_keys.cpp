@@ -300,8 +300,7 @@ const KeyTable& double_helical_keys() {
   static const KeyTable table{
       "double_helical",
       "Two halves of opposite hands on one body; `helix_angle_deg` is that of the half at z > 0, "
-      "and "
-      "`face_width_mm` contains both halves and the gap",
+      "and `face_width_mm` contains both halves and the gap",
       {Key::number("gap_mm", "", Range::not_negative(" (0: herringbone)"), &D::gap, "0",
                    "gap between the halves"),
        Key::number("stagger_pitches", "s", Range::inside(-1, 1), &D::stagger_pitches, "0",

@@ -178,9 +178,7 @@ void say(Quantities<Gear>& q) {
                       &Reference::base_diameter);
   q.term("tip_diameter_mm", "of the blank", &G::tip_diameter).always();
   q.number("root_diameter_mm", "root diameter", "d_f",
-           "negative if the rack passes through the "
-           "axis",
-           &G::root_diameter)
+           "negative if the rack passes through the axis", &G::root_diameter)
       .always();
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
            "start of the usable flank: the intersection with the root as cut, or C",

@@ -88,9 +88,7 @@ void say_position(Quantities<P>& q) {
            [](const P& p) { return p.position->root_stress; })
       .per_gear();
   q.record<load_point_quantities>(
-       "points",
-       "of the loaded points, in the order of `share`; double-arc teeth touch at "
-       "two",
+       "points", "of the loaded points, in the order of `share`; double-arc teeth touch at two",
        [](const P& p) -> const auto& { return p.position->pairs; })
       .list({0})
       .when([](const P& p) { return at_points(p); })

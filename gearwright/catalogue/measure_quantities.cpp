@@ -141,8 +141,7 @@ const Quantities<BallSizes>& size_quantities() {
     q.number("metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977", &S::metric)
         .always();
     q.word("inch", "nearest inch size",
-           "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in "
-           "by 1/16 in",
+           "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in by 1/16 in",
            [](const S& s) { return inch_text(s.inch); })
         .always();
     q.number("inch_mm", "the same in mm", "", "", [](const S& s) {
@@ -217,10 +216,8 @@ void say_measure(Quantities<GearMeasures>& q) {
   q.under(kSpan);
   q.record<span_quantities>("span", "null if none can be measured", &M::span);
   q.under("Other spans");
-  q.record<span_quantities>("spans",
-                            "all spans that can be measured, at most 31 around the usual "
-                            "one",
-                            &M::spans)
+  q.record<span_quantities>(
+       "spans", "all spans that can be measured, at most 31 around the usual one", &M::spans)
       .list({0})
       .always()
       .doors(kJson);

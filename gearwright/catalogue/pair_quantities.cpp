@@ -272,8 +272,7 @@ void say_contact(Quantities<V>& q) {
       .doors(kJson);
   q.record<interference_quantities>(
        "interference",
-       "reasons for an overlap; if overlap is not computed, all findings of circles and "
-       "corners",
+       "reasons for an overlap; if overlap is not computed, all findings of circles and corners",
        [](const V& v) { return interference_of(v); })
       .always()
       .list({0})

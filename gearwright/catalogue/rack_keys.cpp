@@ -82,8 +82,7 @@ const KeyTable& arc_rack_keys() {
   static const KeyTable table{
       "rack_circular_arc",
       "A rack with one circular arc for a flank: F cuts the convex teeth of one gear, P the "
-      "concave "
-      "ones of its mating gear; lengths in normal modules",
+      "concave ones of its mating gear; lengths in normal modules",
       {kind("circular_arc", "one circular arc for a flank"),
        Key::word("cutter", {"F", "P"}, KeyPlace::by<ArcRack, ArcRack::Cutter>(set_cutter),
                  kRequired, "`\"F\"` cuts convex teeth, `\"P\"` concave ones"),

@@ -58,8 +58,7 @@ std::optional<KeyFault> complete_load(RatingTable& rating) {
   if (!rating.spectrum.empty()) {
     if (in.life_h)
       return KeyFault{"life_h",
-                      "cannot be combined with a spectrum, whose steps have their own "
-                      "hours"};
+                      "cannot be combined with a spectrum, whose steps have their own hours"};
     const LoadBin& worst =
         *std::max_element(rating.spectrum.begin(), rating.spectrum.end(),
                           [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });

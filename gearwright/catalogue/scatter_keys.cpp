@@ -70,8 +70,7 @@ const KeyTable& scatter_keys() {
                    "confidence level of the intervals"),
        Key::flag("indices", &S::indices, "false",
                  "if true, computes first and total Sobol indices of each input [T14.10], for "
-                 "(inputs + 2) "
-                 "times the work"),
+                 "(inputs + 2) times the work"),
        Key::flag("worst_case", &S::worst_case, "false",
                  "if true, searches the greatest peak to peak and the least play within all ranges "
                  "[T14.15]"),

@@ -325,8 +325,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
        Q::least_play},
       {{"long_period_arcsec", "transmission error until the same teeth meet again", Unit::arcsec, 3,
         "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "
-        "with "
-        "`pitch` only, else null"},
+        "with `pitch` only, else null"},
        Q::long_period},
   }};
   return entries;

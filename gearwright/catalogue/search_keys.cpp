@@ -76,8 +76,7 @@ void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
 std::vector<Key> trial_keys() {
   return {
       Key::number("ratio", "u", {}, &P::ratio, kRequired,
-                  "the band of z2/z1, [1.9, 2.1]; z2 ≥ z1; negative for internal pairs, "
-                  "[-5, -4]")
+                  "the band of z2/z1, [1.9, 2.1]; z2 ≥ z1; negative for internal pairs, [-5, -4]")
           .with_list(kBand)
           .with_form(std::string("z2/z1, one number") + kBandForm),
       Key::number("pinion_teeth", "z1", Range::between(3, kMaxSearchTeeth), &P::pinion_teeth,

@@ -68,8 +68,7 @@ const Quantities<Finding>& finding_quantities() {
            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
     q.text("message", "one sentence for people", &F::message).always();
     q.text("at",
-           "the ends of the tolerances at which the finding occurs; null if it occurs as "
-           "drawn",
+           "the ends of the tolerances at which the finding occurs; null if it occurs as drawn",
            [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
     q.text("remedy",
            "a change that helps, tried before it is printed; null if no single change was found",
@@ -103,8 +102,7 @@ const Quantities<Verdict>& verdict_quantities() {
         .always()
         .list({0});
     q.add(Type::text, "not_judged", "not judged", "",
-          "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, "
-          "`rating`",
+          "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, `rating`",
           [](const V& v) { return ValueList(v.not_judged.begin(), v.not_judged.end()); })
         .always()
         .list({0});

@@ -200,8 +200,7 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
   const std::string field = fmt::format("errors.cutter_lead[{}]", which - 1);
   if (gear.twist() == 0.0)
     return refused(field, delta,
-                   "a spur gear has no lead that could change; give it a helix "
-                   "angle");
+                   "a spur gear has no lead that could change; give it a helix angle");
   if (gear.cut_by)
     return refused(field, delta,
                    fmt::format("the gear is cut by a pinion cutter, whose guide determines the "

@@ -347,8 +347,7 @@ class Search {
     double face = p_.face_width.value_or(0.0);
     if (!needed)
       return stopped(14,
-                     fmt::format("the contact ratio {:.3f}, which a helix angle would "
-                                 "increase",
+                     fmt::format("the contact ratio {:.3f}, which a helix angle would increase",
                                  pair.mesh.true_ratio),
                      p_.contact_ratio - pair.mesh.true_ratio);
     if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);

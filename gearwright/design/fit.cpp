@@ -222,8 +222,7 @@ Result<Fit> fit(const FitProblem& p) {
         std::pair{p.shaft_angle.has_value(), "pair.shaft_angle"}}) {
     if (known) continue;
     return absent_input(field,
-                        "; to find helix angles both centre distance and shaft angle are "
-                        "needed");
+                        "; to find helix angles both centre distance and shaft angle are needed");
   }
   return min_distance_designs(p);
 }

@@ -56,8 +56,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   const auto& carrier_b = graph.body(b).carrier;
   if (carrier_a && carrier_b && carrier_a != carrier_b)
     return wrong(
-        fmt::format("its planets ride on two carriers, {} and {}; meshed planets ride on "
-                    "one",
+        fmt::format("its planets ride on two carriers, {} and {}; meshed planets ride on one",
                     graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
   if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
     return wrong("its planets have different numbers of copies; meshed planets need equal numbers");

@@ -244,8 +244,7 @@ Figure whole_figure(const MeshScene& s, const Bounds& window, const Bounds& fram
           ? "The pinion in the internal gear with axes and directions of rotation; a frame marks "
             "the part that the picture of the mesh shows."
           : "The pinion in the internal gear, with axes and directions of rotation. Only circles "
-            "are "
-            "drawn for the internal gear. A frame marks the part that the picture of the mesh "
+            "are drawn for the internal gear. A frame marks the part that the picture of the mesh "
             "shows.";
   add_circles(f, s, false);
   const Bounds all = extent_of(s);

@@ -18,10 +18,9 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
     return refused("teeth", spec.teeth,
                    "an internal gear cannot have circular-arc teeth, because a rack cuts them");
   if (spec.profile_shift != 0.0) {
-    return refused("profile_shift", spec.profile_shift,
-                   why +
-                       "; the position of its arc centres (`rack.center_b`) determines the "
-                       "depth");
+    return refused(
+        "profile_shift", spec.profile_shift,
+        why + "; the position of its arc centres (`rack.center_b`) determines the depth");
   }
   for (const auto* fillet :
        {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {

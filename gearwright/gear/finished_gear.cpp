@@ -51,8 +51,7 @@ std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
         "the cutter's flank begins at a normal angle of {:.4f}°; without undercut it would begin "
-        "at "
-        "{:.4f}°.",
+        "at {:.4f}°.",
         arcs->flank_begin.deg(), arcs->undercut_limit->deg());
   }
   const auto free_shift = gear.involute()->undercut_free_profile_shift;
@@ -89,8 +88,7 @@ void warn_about_ring(Gear& gear) {
   if (gear.tip_diameter < gear.reference().base_diameter) {
     warn(gear, WarningCode::tip_below_base,
          fmt::format("The internal gear's tip {:.4f} mm lies inside its base circle {:.4f} mm: the "
-                     "flank has no "
-                     "involute there.",
+                     "flank has no involute there.",
                      gear.tip_diameter, gear.reference().base_diameter));
   }
   warn_about_tip(gear);

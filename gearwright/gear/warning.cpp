@@ -18,8 +18,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "contact is lost at some positions"},
     // There is no such gear.
     {C::through_axis, "through_axis", kProblem,
-     "the cutter passes through the axis of the gear; "
-     "no outline",
+     "the cutter passes through the axis of the gear; no outline",
      "the cutter passes through the axis"},
     {C::severed, "severed", kProblem,
      "the root fillets of both sides meet below the tip; no outline",
@@ -68,9 +67,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "exit [T2.27]",
      "the tips collide"},
     {C::overlap, "overlap", kProblem,
-     "the outlines overlap, and no other code explains the "
-     "overlap",
-     "the teeth overlap"},
+     "the outlines overlap, and no other code explains the overlap", "the teeth overlap"},
     {C::root_safety, "root_safety", kCaution,
      "a safety factor against root breakage is below the required one; below 1 the level is red",
      "the safety against root breakage is too small"},
@@ -225,8 +222,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
      "the bottom land of the cutter ends the tooth below the tip diameter of the blank"},
     {C::default_face_width, "default_face_width", kNote,
-     "b is 10 m_n, because no face width is "
-     "given"},
+     "b is 10 m_n, because no face width is given"},
     {C::default_cutter, "default_cutter", kNote,
      "internal gear without `cut_by`: its fillets are those of a default cutter; the message has "
      "its number of teeth"},

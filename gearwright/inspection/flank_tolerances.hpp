@@ -51,6 +51,11 @@ struct FlankToleranceValues {
 /// The classes that the edition has: 1 to 11, or 0 to 12.
 bool has_class(FlankTolerances edition, int quality);
 
+/// The rule of an error for a class that the edition does not have.
+inline constexpr const char* kClassesOfEditions =
+    "is not a grade of this edition; ISO 1328-1:2013 has the grades 1 to 11, and ISO 1328-1:1995 "
+    "has 0 to 12";
+
 /// True if the gear lies in the range of the edition's formulas.
 bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
 

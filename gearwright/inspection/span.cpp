@@ -100,8 +100,7 @@ Result<Span> span_over(const Gear& gear, int k) {
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;
   if (span.place == ContactPlace::beyond_tip && !near) {
     return no(
-        fmt::format("the anvils would touch at a diameter of {} mm, beyond the tip at {} mm; "
-                    "{}",
+        fmt::format("the anvils would touch at a diameter of {} mm, beyond the tip at {} mm; {}",
                     format_number(span.contact_diameter, flank->tip),
                     format_number(flank->tip, span.contact_diameter), range_text(gear, *flank)));
   }

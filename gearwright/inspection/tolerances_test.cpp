@@ -70,6 +70,10 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   const auto pinion = of(341.183, 360, 24), wheel = of(1350.514, 360, 95);
   EXPECT_EQ(pinion.single_pitch, 14.0);
   EXPECT_EQ(wheel.single_pitch, 17.0);
+  EXPECT_EQ(pinion.profile_form, 18.0);
+  EXPECT_EQ(wheel.profile_form, 22.0);
+  EXPECT_EQ(pinion.helix_slope, 18.0);
+  EXPECT_EQ(wheel.helix_slope, 19.0);
   EXPECT_NEAR(*pinion.base_pitch, 13.10, 0.05);
   EXPECT_NEAR(*wheel.base_pitch, 15.90, 0.05);
   EXPECT_EQ(*pinion.sector_pitch, 26.0);

@@ -61,8 +61,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     return fail("gear1.teeth", "the internal gear of a pair is gear 2; exchange the two gears");
   if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
     return fail("pair.shaft_angle",
-                "gears of few teeth are designed for parallel axes; leave "
-                "it out");
+                "gears of few teeth are designed for parallel axes; leave it out");
   return std::nullopt;
 }
 

@@ -175,8 +175,7 @@ TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
 TEST(LoadAnswer, SlicesThatAreTooFineAreRefusedBeforeAnyTable) {
   for (const char* helix : {"0", "20"}) {
     SolvedJob job =
-        loaded_job(std::string("gear1 = { teeth = 20, normal_module_mm = 2, helix_angle_deg "
-                               "= ") +
+        loaded_job(std::string("gear1 = { teeth = 20, normal_module_mm = 2, helix_angle_deg = ") +
                    helix + R"(, face_width_mm = 20 }
 gear2 = { teeth = 40, face_width_mm = 20 }
 load = { torque_Nm = 50, slices = 128 }

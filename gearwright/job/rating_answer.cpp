@@ -1,6 +1,7 @@
 #include "gearwright/job/rating_answer.hpp"
 
 #include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/job_contact.hpp"
 
 namespace gearwright {
@@ -33,7 +34,8 @@ std::optional<Error> two_halves(const SolvedJob& job, RatingAnswer& answer) {
   if (!job.halves[0]) return std::nullopt;
   const RatingInput& in = answer.input;
   if (!in.face_load_factor && (in.mounting || in.shafts)) {
-    return Error{in.mounting ? "rating.mounting" : "gear1.shaft", "",
+    return Error{in.mounting ? "rating.mounting" : gear_field(in.shafts->of[0] ? 1 : 2, "shaft"),
+                 "",
                  "gives the face load factor of gears of one helix; for double-helical gears give "
                  "rating.face_load_factor"};
   }

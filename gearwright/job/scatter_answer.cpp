@@ -43,15 +43,14 @@ class Grades {
         if (auto error = needs_grade(which)) return error;
         continue;
       }
+      const std::string field =
+          input.quality ? "scatter.quality" : gear_field(which, "tolerance.quality");
       if (!has_class(own.edition, *quality))
-        return Error{"scatter.quality", std::to_string(*quality),
-                     own.edition == FlankTolerances::iso_2013
-                         ? "is not a grade of ISO 1328-1:2013; its grades are 1 to 11"
-                         : "is not a grade of ISO 1328-1:1995; its grades are 0 to 12"};
+        return Error{field, std::to_string(*quality), kClassesOfEditions};
       const auto flank = graded_flank(job_.pair->gear(which), own.edition, *quality);
       if (!flank)
         return Error{
-            "scatter.quality", std::to_string(*quality),
+            field, std::to_string(*quality),
             "is for involute teeth with a usable flank; give the ranges in [scatter.errors]"};
       add_flank(which, *flank);
       helix_total_ = std::max(helix_total_, flank->helix_total);
@@ -132,10 +131,6 @@ class Grades {
   double helix_total_ = 0.0;  // F_β of the worse gear  mm
 };
 
-std::optional<Error> add_graded(const SolvedJob& job, std::vector<ScatterTolerance>& all) {
-  return Grades(job, all).add();
-}
-
 constexpr int kPositions = 32;  // per pitch, if [contact] has none; the peak to peak needs no more
 
 Distribution distribution_of(const DistributionSpec& spec) {
@@ -202,7 +197,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
     const ScatterGear& gear = input.gears[static_cast<std::size_t>(which - 1)];
     if (auto error = add_gear(job, which, gear, all)) return *error;
   }
-  if (auto error = add_graded(job, all)) return *error;
+  if (auto error = Grades(job, all).add()) return *error;
   return all;
 }
 

@@ -242,6 +242,8 @@ TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
   EXPECT_EQ(scatter_answered(by_gear)["scatter"], scatter);
   expect_refused(R"({"gear1": {"pitch": "F_p"}})", "scatter.gear1.pitch", "needs a grade");
   expect_refused(R"({"quality": 12})", "scatter.quality", "1 to 11");
+  by_gear["gear2"]["tolerance"]["quality"] = 12;
+  expect_spec_refused(by_gear, "gear2.tolerance.quality", "1 to 11");
   expect_refused(R"({"quality": 6, "gear1": {"helix_waves": [4, 1]}})", "scatter.gear1.helix_waves",
                  "lower one first");
 }

@@ -63,10 +63,8 @@ std::string compare(const std::string& path, const Json* got, const Json& want,
     const double g = got->get<double>();
     const double allowed = std::max(tolerance.relative * std::abs(w), tolerance.absolute);
     if (std::abs(g - w) <= allowed) return {};
-    return fmt::format(
-        "{}: got {}, expected {}, difference {:.3g}, allowed "
-        "{:.3g}",
-        path, g, w, g - w, allowed);
+    return fmt::format("{}: got {}, expected {}, difference {:.3g}, allowed {:.3g}", path, g, w,
+                       g - w, allowed);
   }
   if (*got == want) return {};
   return fmt::format("{}: got {}, want {}", path, json_text(*got), json_text(want));

@@ -338,10 +338,8 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   const bool pdf = format == SheetFormat::pdf;
   const int unknown = pdf ? letters_not_in_pdf(made->sheets) : 0;
   if (unknown > 0)
-    note += fmt::format(
-        "; {} letters are not in the fonts of a PDF and appear as question "
-        "marks",
-        unknown);
+    note += fmt::format("; {} letters are not in the fonts of a PDF and appear as question marks",
+                        unknown);
   std::string bytes = pdf                          ? sheets_pdf(made->sheets, about)
                       : format == SheetFormat::svg ? sheets_svg(made->sheets, about)
                                                    : sheets_dxf(made->sheets);

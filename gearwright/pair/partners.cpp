@@ -106,10 +106,9 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
     return refused(
         gear_field(2, "normal_module"), g2.normal_module,
         fmt::format(
-            "the normal base pitches differ by {:.6g} mm: gear 1 has {} mm, gear 2 {} "
-            "mm; gears mesh only with equal m_n cos α_n. At this pressure angle the "
-            "module would have to be {:.9g} mm, at this base helix the base diameter {:.9g} "
-            "mm",
+            "the normal base pitches differ by {:.6g} mm: gear 1 has {} mm, gear 2 {} mm; gears "
+            "mesh only with equal m_n cos α_n. At this pressure angle the module would have to be "
+            "{:.9g} mm, at this base helix the base diameter {:.9g} mm",
             p2 - p1, format_number(p1, p2), format_number(p2, p1), g2.normal_module * p1 / p2,
             2 * gears[1].radius * p1 / p2));
   }

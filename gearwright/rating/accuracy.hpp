@@ -3,11 +3,10 @@
 //   f_pt, f_pb    single pitch deviation, and on the base circle f_pb = f_pt cos α_t
 //   f_fα, f_Hβ    profile form and helix slope deviation        all in µm
 //
-// ISO 6336 of 2006 is used with ISO 1328-1:1995, whose formulas use the geometric mean of a range
-// of module, diameter and face width. ISO 6336 of 2019 is used with ISO 1328-1:2013, which uses the
-// values of the gear.
+// ISO 6336 of 2006 is used with ISO 1328-1:1995, and ISO 6336 of 2019 with ISO 1328-1:2013.
 #pragma once
 
+#include "gearwright/inspection/flank_tolerances.hpp"
 #include "gearwright/rating/factor.hpp"
 #include "gearwright/rating/rated_pair.hpp"
 
@@ -19,9 +18,11 @@ struct Tolerances {
   double f_pt, f_pb, f_falpha, f_Hbeta;  ///< µm
 };
 
-/// Formula   ISO 1328-1:1995, clause 6 and annexes (grade 5 times 2^((Q − 5)/2), rounded as there);
-///           ISO 1328-1:2013, clause 5
-/// Domain    kBestGrade ≤ grade ≤ kWorstGrade (contract)
+/// The edition of ISO 1328-1 that an edition of ISO 6336 uses.
+FlankTolerances tolerance_edition(RatingEdition edition);
+
+/// Formula   flank_tolerances() of that edition
+/// Domain    has_class() (contract)
 Tolerances tolerances(RatingEdition edition, int grade, const RatedGear& gear, double normal_module,
                       double alpha_t);
 

@@ -104,8 +104,7 @@ TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, doub
     if (k < 1.0) return Factor{1.0, "ISO 6336-1, 8.3", "below 1: taken as 1"};
     if (k > most)
       return Factor{std::max(1.0, most), "ISO 6336-1, 8.3",
-                    "one tooth pair carries the whole "
-                    "load"};
+                    "one tooth pair carries the whole load"};
     return Factor{k, "ISO 6336-1, 8.3", low ? "ε_γ ≤ 2" : "ε_γ > 2"};
   };
   return {limited(e / (pair.epsilon_alpha * Z_epsilon * Z_epsilon)),

@@ -1,5 +1,7 @@
 #include "gearwright/rating/missing_inputs.hpp"
 
+#include <string>
+
 #include "gearwright/base/missing.hpp"
 
 namespace gearwright {
@@ -19,6 +21,10 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
                      "; the face load factor needs the helix slopes; give the accuracy grade of "
                      "ISO 1328, `quality` = 6 for example, or the misalignment"));
   }
+  if (in.quality)
+    for (const int grade : *in.quality)
+      if (!has_class(tolerance_edition(in.edition), grade))
+        missing.push_back({"rating.quality", std::to_string(grade), kClassesOfEditions});
   if (!in.speed && !in.dynamic_factor) {
     missing.push_back(
         absent_input("rating.speed",

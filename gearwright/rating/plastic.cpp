@@ -50,8 +50,7 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
 Factor given_or_one(const std::optional<double>& factor) {
   return factor ? Factor{*factor, "", kGivenFactor}
                 : Factor{1.0, "VDI 2736-2",
-                         "not given: 1; the guideline gives 1 … 1.25 for the "
-                         "product"};
+                         "not given: 1; the guideline gives 1 … 1.25 for the product"};
 }
 
 // The factors of ISO 6336 that the guideline does not contain.

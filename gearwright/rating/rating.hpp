@@ -78,8 +78,8 @@ struct Rating {
   std::vector<Warning> limits;                   ///< limits of the standard that this pair exceeds
 };
 
-/// Inputs that the standard needs and that are missing, independent of the pair, as the errors of
-/// rate().
+/// Inputs that the standard needs and that are missing, and a grade that its edition of ISO 1328-1
+/// does not have, independent of the pair, as the errors of rate().
 std::optional<Error> missing_input(const RatingInput& input);
 
 /// Formula   [T11.1], [T11.22], [T11.40]

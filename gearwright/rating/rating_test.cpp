@@ -364,6 +364,12 @@ TEST(Rating, WhatIsMissingIsNamed) {
   in = testing::helical_24_95_load();
   in.quality.reset();
   EXPECT_EQ(field(in), "rating.quality");
+  in.quality = {6, 12};
+  EXPECT_TRUE(rate(pair, in));
+  in.edition = RatingEdition::iso_2019;
+  EXPECT_EQ(field(in), "rating.quality");
+  in.quality = {11, 1};
+  EXPECT_TRUE(rate(pair, in));
   in = testing::helical_24_95_load();
   in.face_load_factor.reset();
   EXPECT_EQ(field(in), "rating.face_load_factor");

@@ -150,10 +150,9 @@ std::string section_figure(const InvolutePair& pair) {
       section_svg(pair),
       fmt::format(
           "<strong>Section normal to the teeth</strong> of the common rack, through the leading "
-          "line, "
-          "gear 1 below: the lines at their true length under {} = {}°. Tip cylinders full, pitch "
-          "cylinders dash-dot, base cylinders dashed; the pitch planes lie {} = {} mm apart, the "
-          "lines {} mm on either side of the centre line, along the teeth.",
+          "line, gear 1 below: the lines at their true length under {} = {}°. Tip cylinders full, "
+          "pitch cylinders dash-dot, base cylinders dashed; the pitch planes lie {} = {} mm apart, "
+          "the lines {} mm on either side of the centre line, along the teeth.",
           symbol_html("α_wn"),
           fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
           fixed(m.pitch_plane_distance, kLengthDigits),

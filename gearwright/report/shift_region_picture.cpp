@@ -43,9 +43,8 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region) {
                         symbol_html("λ"), problem.lambda);
   return fmt::format(
       ": the filled region, in normal modules, {}; faint: the rectangle of the shift limits. "
-      "{}Thin "
-      "dashed: {}; thick where that is feasible. Dots: the middles at the least and the greatest "
-      "{}. Ringed: the design. Edges of the region:",
+      "{}Thin dashed: {}; thick where that is feasible. Dots: the middles at the least and the "
+      "greatest {}. Ringed: the design. Edges of the region:",
       area, problem.center_distance ? "Thin: the centre distances, mm. " : "", line,
       symbol_html("Σx"));
 }

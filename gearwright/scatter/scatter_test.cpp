@@ -65,6 +65,11 @@ TEST(Scatter, ThreadsDoNotMatterUnderLoad) {
     // The sample next to a percentile is one of those under load, the first 4 of 8.
     for (const Percentile& p : s.loaded[0].peak_to_peak->percentiles) EXPECT_LT(p.sample % 8, 4u);
   }
+  // They have the numbers of a family that consists of them.
+  task.samples = 4;
+  const Scatter few = done(setup, task);
+  EXPECT_EQ(few.loaded[0].peak_to_peak->mean.value, all[0].loaded[0].peak_to_peak->mean.value);
+  EXPECT_EQ(few.loaded[0].max_pressure->greatest, all[0].loaded[0].max_pressure->greatest);
 }
 
 TEST(Scatter, ThreadsDoNotMatter) {

@@ -132,12 +132,6 @@ bool cuts_both(const Json& rack) {
   return kind == rack.end() || *kind == "straight" || *kind == "double_circular_arc";
 }
 
-// Copies `key` of `from` into the readings as `reading`, if the readings do not have it.
-void lend(const Json* from, const std::string& key, Json& readings, const std::string& reading) {
-  if (!from || !from->is_object() || !from->contains(key) || readings.contains(reading)) return;
-  put(readings, reading, (*from)[key]);
-}
-
 }  // namespace
 
 bool is_rack(const Json& gear) {
@@ -172,24 +166,6 @@ Json with_named_materials(const Json& tree) {
   return whole;
 }
 
-Json with_mating_gear(const Json& tree) {
-  const auto table = [&](const char* name) -> const Json* {
-    const auto it = tree.find(name);
-    return it == tree.end() ? nullptr : &*it;
-  };
-  Json whole = tree;
-  for (const auto& [unknown, mate] : {std::pair{"gear1", "gear2"}, std::pair{"gear2", "gear1"}}) {
-    if (!table(unknown) || !is_unknown_gear(*table(unknown))) continue;
-    Json& readings = whole[unknown]["measured"];
-    if (!readings.is_object() || readings.contains("mating_teeth")) continue;
-    if (!table(mate) || !table(mate)->contains("teeth")) continue;
-    lend(table("pair"), "center_distance_mm", readings, "center_distance_mm");
-    if (readings.contains("center_distance_mm"))
-      lend(table(mate), "teeth", readings, "mating_teeth");
-  }
-  return whole;
-}
-
 Inherited inherit(const Json& tree) {
   Inherited made{tree, false};
   const auto gear = [&](const char* name) -> Json* {
@@ -200,6 +176,7 @@ Inherited inherit(const Json& tree) {
   const Json* from = gear("gear1");
   Json* to = gear("gear2");
   if (!from || !to) return made;
+  if (is_unknown_gear(*to) && !has_module(*from)) return made;
   if (from->contains("material") && !to->contains("material")) {
     put(*to, "material", (*from)["material"]);
     made.noted.emplace_back("material");
@@ -210,8 +187,7 @@ Inherited inherit(const Json& tree) {
     hand_on_edition(*from, *to);
   }
   if (parallel(tree) && !tree.contains("fit")) {
-    if (from->contains("face_width_mm") && !to->contains("face_width_mm"))
-      put(*to, "face_width_mm", (*from)["face_width_mm"]);
+    hand_on(*from, *to, "face_width_mm");
     hand_on_halves(*from, *to);
   }
   if (has_any(*to, {"cut_by", "basic"})) return made;

@@ -26,13 +26,10 @@ bool is_rack(const Json& gear);
 /// [material] with this name.
 Json with_named_materials(const Json& tree);
 
-/// The spec in which the readings of an unknown gear have the number of teeth of its mating gear
-/// and the centre distance of [pair], if both are given there and not in the readings.
-Json with_mating_gear(const Json& tree);
-
 /// Copies values for the gears of a mounted pair, which both have teeth. A gear that is cut by a
 /// gear or given by its base cylinder takes no shape. No helix is taken if the axes cross at a
-/// given angle, and no rack of arcs that cuts only one gear of a pair.
+/// given angle, no rack of arcs that cuts only one gear of a pair, and nothing by an unknown gear
+/// whose mating gear has no module.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

@@ -280,8 +280,7 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     for (const auto& [key, why] :
          {std::pair{"cut_by", "the cutter itself is cut by a rack; leave this out"},
           std::pair{"profile_shift_pair",
-                    "belongs into the table of the gear that is cut, not "
-                    "into cut_by"},
+                    "belongs into the table of the gear that is cut, not into cut_by"},
           std::pair{"modifications",
                     "a cutter has no flank modifications; write those of the gear into the gear's "
                     "own table"}}) {

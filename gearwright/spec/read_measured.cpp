@@ -6,6 +6,9 @@
 
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/inspection_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -32,6 +35,24 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
             [](const SpanReading& a, const SpanReading& b) { return a.teeth < b.teeth; });
 }
 
+// Adds the data of the mating gear to readings that have none.
+void add_mating_gear(const Json& tree, int mate, Json& readings) {
+  const std::string name = gear_field(mate);
+  if (!tree.contains(name) || !tree[name].is_object() || is_rack(tree[name])) return;
+  TableReader gear(gear_keys(), tree[name], name);
+  gear.refuse_unknown();
+  if (readings.contains("mating_teeth") || !gear.has("teeth")) return;
+  if (!readings.contains("center_distance_mm")) {
+    const Json pair = tree.value("pair", Json::object());
+    const auto distance = TableReader(pair_keys(), pair, "pair").number("center_distance_mm");
+    if (!distance) return;
+    readings["center_distance_mm"] = *distance;
+  }
+  GearInput mating;
+  gear.read(*gear_keys().find("teeth"), mating);
+  readings["mating_teeth"] = mating.cylindrical.teeth;
+}
+
 }  // namespace
 
 bool has_module(const Json& gear) {
@@ -44,20 +65,24 @@ bool is_unknown_gear(const Json& gear) {
   return gear.is_object() && gear.contains("measured") && !has_module(gear);
 }
 
-std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std::string& path) {
-  if (!gear || !gear->is_object() || !gear->contains("measured")) return nullptr;
-  const Json& node = (*gear)["measured"];
-  if (!node.is_object())
-    throw SpecError{{path + ".measured", shown(node), "must be a table, [" + path + ".measured]"}};
+std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which) {
+  const std::string path = gear_field(which);
+  const Json gear = tree.value(path, Json());
+  if (!gear.is_object() || !gear.contains("measured")) return nullptr;
+  Json readings = gear["measured"];
+  if (!readings.is_object())
+    throw SpecError{
+        {path + ".measured", shown(readings), "must be a table, [" + path + ".measured]"}};
   IdentifyProblem p;
   // Other data of a known gear are read with the gears.
-  const bool unknown = is_unknown_gear(*gear);
+  const bool unknown = is_unknown_gear(gear);
   Json known = Json::object();
   for (const Key& key : unknown_gear_keys().keys) {
     const std::string name(key.key);
-    if (gear->contains(name)) known[name] = (*gear)[name];
+    if (gear.contains(name)) known[name] = gear[name];
   }
-  TableReader outside(unknown_gear_keys(), unknown ? *gear : known, path);
+  if (unknown) add_mating_gear(tree, 3 - which, readings);
+  TableReader outside(unknown_gear_keys(), unknown ? gear : known, path);
   GearInput like;
   outside.read(like);
   p.teeth = like.cylindrical.teeth;
@@ -67,7 +92,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std
   for (const char* key : {"normal_module_mm", "normal_diametral_pitch_per_in"}) outside.number(key);
   outside.table("measured");
   outside.finish();
-  TableReader t(measured_keys(), node, path + ".measured");
+  TableReader t(measured_keys(), readings, path + ".measured");
   read_spans(t, p);
   t.read_whole(p);
   return std::make_shared<const IdentifyProblem>(std::move(p));

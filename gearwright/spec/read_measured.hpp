@@ -16,9 +16,11 @@ bool has_module(const Json& gear);
 /// True for a table of a gear with readings and without a module, which identify has to find.
 bool is_unknown_gear(const Json& gear);
 
-/// The readings of that table of a gear; none if the table is absent or has no readings.
+/// The readings of gear 1 or 2; none if its table is absent or has no readings. Those of an unknown
+/// gear contain the number of teeth of its mating gear and the centre distance of [pair], if both are
+/// given there and not among the readings.
 ///
 /// Throws    SpecError
-std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std::string& path);
+std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
 
 }  // namespace gearwright

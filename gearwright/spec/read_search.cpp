@@ -62,8 +62,7 @@ void check_teeth(TableReader& t, SearchProblem& p) {
            "more teeth");
   if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
     t.fail("ratio",
-           "must contain values below -1, because an internal gear has more teeth than "
-           "its pinion");
+           "must contain values below -1, because an internal gear has more teeth than its pinion");
   const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * p.pinion_teeth[1];
   if (!(most <= kMaxSearchTeeth)) {
     t.fail("ratio",
@@ -139,8 +138,7 @@ void check_objectives(const TableReader& t, const SearchProblem& p) {
       t.fail("objective", "sliding is not available on crossed axes");
     if (objective == Objective::safety)
       t.fail("objective",
-             "safety is not available on crossed axes, because ISO 6336 covers "
-             "parallel axes only");
+             "safety is not available on crossed axes, because ISO 6336 covers parallel axes only");
   }
 }
 

@@ -137,8 +137,7 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   }
   if (problem.shift_step)
     t.fail(by,
-           "cannot be combined with shift_step, whose points are not rated; leave one of them "
-           "out");
+           "cannot be combined with shift_step, whose points are not rated; leave one of them out");
   SearchRating wanted;
   wanted.input = rating.input;
   wanted.power_kW = rating.power;

@@ -179,7 +179,7 @@ std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::st
 }
 
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
-  Inherited made = inherit(with_mating_gear(with_named_materials(given)));
+  Inherited made = inherit(with_named_materials(given));
   if (is_drive(made.tree) || is_drive_search(made.tree.value("search", Json())))
     lend_speed(made.tree);
   const Json& tree = made.tree;
@@ -194,14 +194,14 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
   // With [search], a gear's table without teeth contains only the data that the search does not
-  // choose.
+  // choose. The mating gear of an unknown gear may have only its number of teeth.
   const auto is_gear = [&](const Json* gear) {
     const Json* other = gear == gear_1 ? gear_2 : gear_1;
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&
            !(gear == gear_2 && is_rack(*gear)) &&
            !(other && is_unknown_gear(*other) && !has_module(*gear));
   };
-  spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
+  spec.measured = {read_measured(tree, 1), read_measured(tree, 2)};
   const bool unknown = spec.measured[0] || spec.measured[1];
   for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // spec/read_drive.cpp
   if (is_drive(tree)) {

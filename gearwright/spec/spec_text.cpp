@@ -31,10 +31,7 @@ constexpr int kDeepest = 32;  // nested tables; a spec has three levels
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
 Error too_deep() {
-  return syntax_error(
-      fmt::format("it has more than {} nested "
-                  "tables",
-                  kDeepest));
+  return syntax_error(fmt::format("it has more than {} nested tables", kDeepest));
 }
 
 // Members are appended to an object without a check for duplicates, which would take quadratic
@@ -79,9 +76,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     if (!open_.back().keys.insert(name).second)
-      throw SpecError{{printable(name, 60), "",
-                       "occurs twice in one table; leave one of them "
-                       "out"}};
+      throw SpecError{
+          {printable(name, 60), "", "occurs twice in one table; leave one of them out"}};
     open_.back().key = name;
     return true;
   }

@@ -282,9 +282,8 @@ std::optional<double> TableReader::one_of(const std::string& key, const std::str
     const KeyAlias& alias = entry(way).alias;
     const double here = alias.value ? alias.value(*given, cos_beta) : *given;
     if (value && std::abs(here - *value) > kSameInput * std::abs(*value))
-      fail(way, fmt::format("contradicts {}; both give the {}; leave one of them "
-                            "out",
-                            first, what));
+      fail(way,
+           fmt::format("contradicts {}; both give the {}; leave one of them out", first, what));
     if (value) continue;
     value = here;
     first = way;

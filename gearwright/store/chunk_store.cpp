@@ -248,8 +248,7 @@ void ChunkStore::Impl::square_accounts() {
     if (files.there(chunk)) continue;
     journal.forget(chunk);
     notes.push_back(
-        fmt::format("{} is in the journal but not in the folder; it will be computed "
-                    "again",
+        fmt::format("{} is in the journal but not in the folder; it will be computed again",
                     files.path(chunk).string()));
   }
   transaction.commit();

@@ -353,10 +353,9 @@ TEST_F(ParquetRead, ChunksFillTheFile) {
   write_rows(file_, random_rows(70'000));
   const json chunks = rows(
       "select data_page_offset as begin, total_compressed_size as size, total_uncompressed_size as "
-      "plain, "
-      "row_group_bytes as group_plain, row_group_compressed_bytes as group_size, row_group_id as "
-      "id from "
-      "parquet_metadata(getvariable('file')) order by row_group_id, column_id");
+      "plain, row_group_bytes as group_plain, row_group_compressed_bytes as group_size, "
+      "row_group_id as id from parquet_metadata(getvariable('file')) order by row_group_id, "
+      "column_id");
   ASSERT_EQ(chunks.size(), 2 * kEveryType.size());
   std::size_t position = 4;
   std::size_t plain[2] = {}, size[2] = {};

@@ -154,8 +154,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     if (end.y() * m + thinner < -kSameRackPoint * m) {
       return refused(
           "rack.addendum", rack.addendum,
-          fmt::format("the two sides of the cutter's space overlap by {} modules at the "
-                      "height {}",
+          fmt::format("the two sides of the cutter's space overlap by {} modules at the height {}",
                       format_number(-2 * (end.y() + thinner / m)), format_number(end.x())));
     }
     if (arc.cuts == ArcName::flank && arc.radius != 0.0) {

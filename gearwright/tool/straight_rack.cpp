@@ -131,8 +131,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     if (!rack.named) {
       return refused(
           "rack.root_fillet_radius", rho, {greatest},
-          "does not fit between the flanks of the cutter's tip; the greatest (full radius) "
-          "is {}");
+          "does not fit between the flanks of the cutter's tip; the greatest (full radius) is {}");
     }
     rho = greatest;
     result.became_full_radius = true;
@@ -197,8 +196,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
     return refused(
         "rack.tool_addendum", edge.flank_end_height / m, {-edge.flank_begin_depth / m},
-        "the straight flank would end before it starts; it starts {} modules from the datum "
-        "line");
+        "the straight flank would end before it starts; it starts {} modules from the datum line");
   }
   edge.arcs.push_back(line(ArcName::flank,
                            {normal_pressure_angle, std::numbers::pi * m / 4,

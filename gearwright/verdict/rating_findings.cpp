@@ -32,8 +32,7 @@ std::string rating_remedy(const JudgedRating& rating) {
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
   if (!text.empty()) return text + " would hold.";
   text = fmt::format(
-      "Neither a face width up to {:g} modules nor a steel of the list is "
-      "sufficient alone.",
+      "Neither a face width up to {:g} modules nor a steel of the list is sufficient alone.",
       kMostFaceModules);
   const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
   // The value is rounded down, so that the printed torque is permissible.

@@ -121,8 +121,7 @@ std::string standing(const Judged& judged) {
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +
                               (judged.rating ? safety_words({judged.rating->rating}) : "");
   if (!judged.contact || !judged.errors) return nominal;
-  return "Under the errors, a tooth pair is in contact at every position. Without "
-         "errors: " +
+  return "Under the errors, a tooth pair is in contact at every position. Without errors: " +
          nominal;
 }
 

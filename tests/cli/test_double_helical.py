@@ -64,12 +64,28 @@ class TwoHalves(unittest.TestCase):
         self.assertIn("two halves that carry equally", Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n"
                       "[rating]\ntorque_Nm = 4000\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n").out)
 
+    def test_the_halves_share_the_load_at_the_ends_of_the_tolerances(self):
+        """The least safety is 1.15 as drawn; with the load on one half alone it would be 0.8."""
+        both = PAIR.format("") + "".join(f'[gear{n}.tolerance]\nthickness_series = "cd25"\n' for n in (1, 2))
+        run = Run("rate", both + '[pair]\ncenter_distance_tolerance = "js7"\n[gear1.material]\nname = "18CrNiMo7-6"\n'
+                  "[rating]\ntorque_Nm = 2500\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n", "--json")
+        answer = json.loads(run.out)
+        self.assertEqual(answer["verdict"]["level"], "green", answer["verdict"])
+        flank, root = (min(answer["rating"][key]) for key in ("S_H", "S_F"))
+        self.assertIn(f"The least safety against pitting is {flank:.2f}, against root breakage {root:.2f}.",
+                      answer["verdict"]["headline"])
+
     def test_a_mounting_of_one_helix_is_an_error(self):
         run = Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n[rating]\ntorque_Nm = 4000\n"
                   "speed_rpm = 1200\nquality = 6\n[rating.mounting]\nbearing_span_mm = 300\npinion_offset_mm = 0\n"
                   "shaft_diameter_mm = 60\narrangement = \"a\"\n")
         self.assertEqual(run.status, 1)
         self.assertIn("rating.face_load_factor", run.err)
+        run = Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n[rating]\ntorque_Nm = 4000\n"
+                  "speed_rpm = 1200\nquality = 6\n[gear2.shaft]\nbearings_mm = [-150, 150]\ndiameter_mm = 60\n")
+        self.assertEqual(run.status, 1)
+        for word in ("gear2.shaft", "rating.face_load_factor"):
+            self.assertIn(word, run.err)
 
     def test_verbs_for_one_helix_reject_it(self):
         for verb in ("contact", "compensate"):

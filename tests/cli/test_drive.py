@@ -152,6 +152,16 @@ class Files(unittest.TestCase):
             self.assertEqual(made.json["drive"]["meshes"][mesh]["rating"], rated.json["drive"]["meshes"][mesh]["rating"])
         self.assertIn(">Strength</h2>", (made.folder / "o/report.html").read_text())
 
+    def test_the_headline_names_the_least_safeties(self):
+        light = SET + ("torque_Nm = 10\nspeed_rpm = 100\nmaterial = \"42CrMo4\"\nthickness_allowance_mm = -0.05\n"
+                       "[rating]\nquality = 6\nface_load_factor = 1.2\n")
+        answer = Run("rate", light, "--json").json
+        self.assertEqual(answer["verdict"]["level"], "green", answer["verdict"])
+        ratings = [mesh["rating"] for mesh in answer["drive"]["meshes"].values()]
+        flank, root = (min(s for r in ratings for s in r[key]) for key in ("S_H", "S_F"))
+        self.assertIn(f"The least safety against pitting is {flank:.2f}, against root breakage {root:.2f}.",
+                      answer["verdict"]["headline"])
+
     def test_two_torques_that_differ(self):
         spec = SET + "torque_Nm = 30\nspeed_rpm = 100\nmaterial = \"42CrMo4\"\n[rating]\nquality = 6\nface_load_factor = 1.2\n"
         refused = Run("rate", spec + "torque_Nm = 40\n", "--json")

@@ -165,6 +165,14 @@ class Measuring(Asked):
         self.assertEqual(self.ok("identify", inside)["identify"], self.ok("identify", beside)["identify"])
         alone = inside.replace("mating_teeth = 43\ncenter_distance_mm = 64\n", "")
         self.assertNotEqual(self.ok("identify", alone)["identify"], self.ok("identify", beside)["identify"])
+        swapped = ('[gear1]\nteeth = 43\nmaterial = "16MnCr5"\nface_width_mm = 20\n[gear2]\nteeth = 21\n'
+                   '[gear2.measured]\ntip_diameter_mm = 45.9\n[pair]\ncenter_distance_mm = 64\n')
+        self.assertEqual(self.ok("identify", swapped)["identify"]["candidates"],
+                         self.ok("identify", beside)["identify"]["candidates"])
+        for old, new, key, word in (("teeth = 43", "teeth = 43.5", "gear2.teeth", "whole"),
+                                    ("teeth = 43", "teeth = 43\nmodul = 2", "gear2.modul", "module"),
+                                    ("= 64", "= -64", "pair.center_distance_mm", "greater than 0")):
+            self.refused(beside.replace(old, new), key, word, verb="identify")
         taken = Run("identify", beside, "--take", 1)  # a pair that can be computed
         self.assertAlmostEqual(self.ok("pair", taken.out)["pair"]["center_distance_mm"], 64, delta=1e-12)
 
