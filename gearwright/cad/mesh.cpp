@@ -275,7 +275,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
     const double z = levels.z(up ? levels.steps : 0);
     builder.begin_cap(up);
     if (!ring) {
-      const SinCos screw{std::sin(body.twist * z), std::cos(body.twist * z)};
+      const SinCos screw = sincos_of(body.twist * z);
       std::vector<Vec2> points;
       for (const Column& column : circle_part) points.push_back(turned(column.point, screw));
       circle_first = builder.add_points(points, copies, z);

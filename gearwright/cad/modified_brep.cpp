@@ -9,6 +9,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/brep_shell.hpp"
+#include "gearwright/cad/screw.hpp"
 
 namespace gearwright {
 
@@ -28,10 +29,6 @@ struct ToothWall {
   bool left;                       // side of the arc; its poles run from tip to root there
   Wall land;                       // a circle
 };
-
-Vec3 turned_point(const Vec3& p, const SinCos& turn) {
-  return {turn.cos * p.x() - turn.sin * p.y(), turn.sin * p.x() + turn.cos * p.y(), p.z()};
-}
 
 WallKnots backward(WallKnots knots) {
   std::reverse(knots.distinct.begin(), knots.distinct.end());
@@ -144,7 +141,7 @@ class ModifiedShell : public brep::ShellWriter {
     const auto& rows = poles(i, layer);
     Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
     if (!wall(i).left) p.y() = -p.y();
-    return turned_point(p, tooth(i));
+    return turned_about_axis(p, tooth(i));
   }
   WallKnots knots_u(std::size_t i) const {
     const ToothWall& w = wall(i);

@@ -8,6 +8,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/cad/screw.hpp"
 #include "gearwright/cad/walls.hpp"
 
 namespace gearwright {
@@ -26,11 +27,6 @@ constexpr double kCurvatureStep = 1e-3;
 // Heights at which the teeth are examined.
 constexpr int kExaminedRows = 33;
 constexpr int kExaminedPoints = 16;
-
-Vec2 turned_by(const Vec2& v, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
 
 Error obstacle(const std::string& why) { return {"modifications", "", why}; }
 
@@ -132,32 +128,29 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
 // its curvature and the slope of that, which is in error by the fourth power of the distance.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
-  const double side = outline_->side();
-  const auto normal = [&](double angle) {
-    return Vec2(side * Vec2(-std::sin(angle), std::cos(angle)));
-  };
+  const auto normal = [&](double angle) { return section_normal(outline_->side(), angle); };
   if (u <= 1.0) return {a.point(u), normal(a.at(u).tangent_angle)};
   const CurvePoint end = a.at(1.0), before = a.at(1.0 - kCurvatureStep);
   const double step = (end.point - before.point).norm();
   const double s = (u - 1.0) / kCurvatureStep * step;
   const double k = end.curvature, k1 = (k - before.curvature) / step;
   const double x = s - k * k * s * s * s / 6, y = k * s * s / 2 + k1 * s * s * s / 6;
-  return {a.end_point + turned_by({x, y}, end.tangent_angle),
+  return {a.end_point + turned({x, y}, end.tangent_angle),
           normal(end.tangent_angle + k * s + k1 * s * s / 2)};
 }
 
 Vec3 ModifiedSide::moved(std::size_t arc, double u, double zeta) const {
   const auto [p, e] = nominal(arc, u);
-  const Vec3 n = Vec3(e.x(), e.y(), twist_ * (e.x() * p.y() - e.y() * p.x())).normalized();
+  const Vec3 n = screw_normal(p, e, twist_);
   const double c = field_->at(std::log(p.norm()), zeta).c;
-  const Vec2 xy = turned_by(p - c * n.head<2>(), twist_ * zeta);
+  const Vec2 xy = turned(p - c * n.head<2>(), twist_ * zeta);
   return {xy.x(), xy.y(), zeta - c * n.z()};
 }
 
 double ModifiedSide::zeta_at(const ToothLevel& level, std::size_t arc, double u) const {
   if (level.kink || twist_ == 0.0) return level.z;
   const auto [p, e] = nominal(arc, u);
-  const Vec3 n = Vec3(e.x(), e.y(), twist_ * (e.x() * p.y() - e.y() * p.x())).normalized();
+  const Vec3 n = screw_normal(p, e, twist_);
   const double at = std::log(p.norm());
   // ζ = z + c n_z converges by the slope of c, 1 in 5 at most, in every step.
   double zeta = level.z;
@@ -199,7 +192,7 @@ ModifiedSide::Row ModifiedSide::row(const ToothLevel& low, const ToothLevel& hig
     const Vec3 end = tip ? flank(last_, row.edge, row) : flank(first_, 0.0, row);
     const Arc& arc = outline_->arcs[tip ? last_ : first_];
     row.shift[tip] =
-        turned_by(end.head<2>(), -twist_ * end.z()) - (tip ? arc.end_point : arc.begin_point);
+        turned(end.head<2>(), -twist_ * end.z()) - (tip ? arc.end_point : arc.begin_point);
     row.end_z[tip] = end.z();
   }
   return row;
@@ -230,7 +223,7 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
       const bool joint = tip == 1 ? arc == last_ + 1 && u == 0.0 : arc + 1 == first_ && u == 1.0;
       const double w = joint ? 1.0 : weight(arc, p.norm());
       const double z = w * row.end_z[tip] + (1 - w) * row.z;
-      const Vec2 xy = turned_by(p + w * row.shift[tip], twist_ * z);
+      const Vec2 xy = turned(p + w * row.shift[tip], twist_ * z);
       return {xy.x(), xy.y(), z};
     }
     case Role::land: break;
@@ -244,7 +237,7 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
     p = a.begin_point.norm() * Vec2(std::cos(angle), std::sin(angle));
     z = (1 - u) * row.end_z[1] + u * row.z;
   }
-  const Vec2 xy = turned_by(p, twist_ * z);
+  const Vec2 xy = turned(p, twist_ * z);
   return {xy.x(), xy.y(), z};
 }
 
@@ -278,7 +271,7 @@ Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
           const Vec2 step = after - before;
           if (!(step.x() * std::cos(along) + step.y() * std::sin(along) > 0.0))
             return obstacle("the modification folds the surface beside the flank");
-          const Vec2 back = turned_by(after, -side.twist() * row.z);
+          const Vec2 back = turned(after, -side.twist() * row.z);
           const bool middle = arc + 1 == divided.arcs.size() && k == kExaminedPoints;
           if (!middle && !(back.y() > 0.0))
             return obstacle("the modified flanks of a tooth would cross");
@@ -306,7 +299,7 @@ double ModifiedTeeth::removed_volume(double face_width) const {
         for (int k = 0; k <= kPoints; ++k) {
           const double u = static_cast<double>(k) / kPoints;
           const Vec2 cut = outline().arcs[arc].point(u);
-          const Vec2 moved = turned_by(s.point(arc, u, row).head<2>(), -s.twist() * row.z);
+          const Vec2 moved = turned(s.point(arc, u, row).head<2>(), -s.twist() * row.z);
           if (begun) {
             // The quadrangle between two pairs of points.
             area += cross(moved - cut_before, cut - moved_before);
