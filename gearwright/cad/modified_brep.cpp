@@ -30,13 +30,6 @@ struct ToothWall {
   Wall land;                       // a circle
 };
 
-WallKnots backward(WallKnots knots) {
-  std::reverse(knots.distinct.begin(), knots.distinct.end());
-  for (double& knot : knots.distinct) knot = 1.0 - knot;
-  std::reverse(knots.multiplicity.begin(), knots.multiplicity.end());
-  return knots;
-}
-
 class ModifiedShell : public brep::ShellWriter {
  public:
   ModifiedShell(Part21& out, const ToothedBody& body, const ModifiedTeeth& teeth,

@@ -46,10 +46,6 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   return worst;
 }
 
-WallKnots knots_of(const BSplineBasis& basis) {
-  return {basis.degree(), basis.distinct_knots(), basis.multiplicities()};
-}
-
 // One side of the teeth, with the parameter of every arc: its own, or its relative length.
 class SideFitter {
  public:
@@ -59,8 +55,7 @@ class SideFitter {
       bases_.emplace_back(1, 2);
       if (side.role(arc) == ModifiedSide::Role::land) continue;
       const Arc& a = side.outline().arcs[arc];
-      SectionSpline cut = fit_section(a, {a.begin_point.x(), a.begin_point.y()},
-                                      {a.end_point.x(), a.end_point.y()}, kTargetU_mm);
+      SectionSpline cut = fit_section(a, kTargetU_mm);
       if (cut.by_length) lengths_.back().emplace(*a.curve, a.begin, a.end);
       bases_.back() = std::move(cut.basis);
     }
@@ -259,12 +254,9 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, const std::vector<d
                               l > 0 ? &above[side][arc] : nullptr, end, upper[arc]);
         const double off = deviation(faces[arc], fitter, arc, layer, along_v);
         faces[arc].deviation_mm = off;
-        if (!(off <= kSectionMax_mm)) {
-          return Error{"", "",
-                       fmt::format("the modified {} cannot be drawn as a spline closer than "
-                                   "{:.1e} mm; at most {:.0e} mm is allowed",
-                                   to_string(teeth.outline().arcs[arc].name), off, kSectionMax_mm)};
-        }
+        if (!(off <= kSectionMax_mm))
+          return no_spline(fmt::format("modified {}", to_string(teeth.outline().arcs[arc].name)),
+                           off);
       }
       fit.faces[side].push_back(std::move(faces));
       above[side] = std::move(upper);

@@ -20,8 +20,6 @@ constexpr double kSmooth = 1e-6;
 // Starts of reliefs nearer to each other, or to the end of an arc, make no division, mm. A linear
 // relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
-// A land is a circle about the axis, mm.
-constexpr double kRoundLand_mm = 1e-8;
 // Step along the arc for the slope of the curvature at its end, relative to its parameter.
 constexpr double kCurvatureStep = 1e-3;
 // Heights at which the teeth are examined.
@@ -29,14 +27,6 @@ constexpr int kExaminedRows = 33;
 constexpr int kExaminedPoints = 16;
 
 Error obstacle(const std::string& why) { return {"modifications", "", why}; }
-
-bool round_land(const Arc& arc) {
-  if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
-  const double radius = arc.begin_point.norm();
-  for (const double u : {0.25, 0.5, 0.75, 1.0})
-    if (std::abs(arc.point(u).norm() - radius) > kRoundLand_mm) return false;
-  return true;
-}
 
 std::optional<Error> obstacle_of(const Outline& outline) {
   const auto flank = [](const Arc& arc) { return arc.name == ArcName::flank; };
@@ -56,25 +46,6 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   if (std::abs(outline.teeth) == 1 && std::any_of(arcs.begin(), arcs.end(), round_land))
     return obstacle("a land of the single tooth spans more than half a turn");
   return std::nullopt;
-}
-
-// The outline without slivers, its ends on the middles of space and tooth to the last bit.
-Outline tidied(const Outline& outline) {
-  Outline tidy{outline.teeth, {}};
-  Vec2 cursor = outline.arcs.front().begin_point;
-  for (const Arc& arc : outline.arcs) {
-    const Vec2 middle = arc.point(0.5);
-    if ((middle - arc.begin_point).norm() + (arc.end_point - middle).norm() < kShortestArc_mm)
-      continue;
-    tidy.arcs.push_back(arc);
-    tidy.arcs.back().begin_point = cursor;
-    cursor = arc.end_point;
-  }
-  const SinCos space = sincos_turn(1, 2LL * std::abs(outline.teeth));
-  Vec2 &root = tidy.arcs.front().begin_point, &tip = tidy.arcs.back().end_point;
-  root = root.norm() * Vec2(space.cos, space.sin);
-  tip = {tip.norm(), 0.0};
-  return tidy;
 }
 
 // The starts of reliefs as radii, growing.

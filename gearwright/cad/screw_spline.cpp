@@ -155,15 +155,14 @@ bool runs_evenly(const Arc& arc) {
   return slowest * kSteps > kSlowest * sum;
 }
 
-double distance(Complex a, const Vec2& b) { return std::hypot(a.real() - b.x(), a.imag() - b.y()); }
-
 }  // namespace
 
 Complex SectionSpline::at(double u) const { return value(basis, poles, u); }
 Complex HelixSpline::at(double v) const { return value(basis, poles, v); }
 
-SectionSpline fit_section(const Arc& arc, Complex begin, Complex end, double target_mm) {
-  GW_EXPECTS(distance(begin, arc.begin_point) < 1e-5 && distance(end, arc.end_point) < 1e-5);
+SectionSpline fit_section(const Arc& arc, double target_mm) {
+  const Complex begin(arc.begin_point.x(), arc.begin_point.y());
+  const Complex end(arc.end_point.x(), arc.end_point.y());
   const Curve& curve = *arc.curve;
   const ArcLength length(curve, arc.begin, arc.end);
   const Candidate by_length = fit_to(

@@ -40,8 +40,7 @@ struct SectionSpline {
   Complex at(double u) const;
 };
 
-/// Fits a spline of degree 5 to the arc from `begin` to `end`, with the fewest poles that reach the
-/// target.
+/// Fits a spline of degree 5 to the arc, with the fewest poles that reach the target.
 ///
 /// Both the curve's own parameter and its arc length are tried, and the one with fewer poles is
 /// used. A trochoid needs fewer poles by length, an involute near its base circle by roll angle.
@@ -50,12 +49,11 @@ struct SectionSpline {
 /// halved.
 ///
 /// Units     mm
-/// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
+/// Domain    the arc's ends lie within 1e-5 mm of its curve
 /// Accuracy  deviation_mm ≤ target, or the best that kMaxPoles gave, which the caller must check.
 ///           The error has at most 5 lobes between two knots. 24 points miss the top of a lobe by a
 ///           half step of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
-SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
-                          double target_mm = kSectionTarget_mm);
+SectionSpline fit_section(const Arc& arc, double target_mm = kSectionTarget_mm);
 
 inline constexpr int kMaxPoles = 240;
 
