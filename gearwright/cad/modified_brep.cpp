@@ -1,6 +1,5 @@
 #include "gearwright/cad/modified_brep.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -17,11 +16,6 @@ namespace {
 
 using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids, brep::Rims,
     brep::Side;
-
-// Least distance of a plane from the start of an end relief, relative to the height of a slice. The
-// line where a relief begins leaves its plane by c sin β_b, a hundredth of a module.
-constexpr double kNearPlane = 0.02;
-constexpr int kMoreSlices = 5;
 
 // A wall of tooth 0, counter-clockwise: an arc of a side, or a land.
 struct ToothWall {
@@ -227,26 +221,6 @@ class ModifiedShell : public brep::ShellWriter {
 };
 
 }  // namespace
-
-std::vector<double> modified_planes(const ModifiedTeeth& teeth, const WallLoop& loop,
-                                    double face_width) {
-  const auto near = [&](const std::vector<double>& planes) {
-    for (const bool left : {false, true})
-      for (const double kink : teeth.side(left).field().kinks_z())
-        for (const double z : planes)
-          if (std::abs(z - kink) < kNearPlane * (planes[1] - planes[0])) return true;
-    return false;
-  };
-  const auto cut_by = [&](int slices) {
-    std::vector<double> planes;
-    for (int i = 0; i <= slices; ++i)
-      planes.push_back(face_width * (2 * i - slices) / (2.0 * slices));
-    return planes;
-  };
-  for (int slices = loop.slices; slices > 1 && slices < loop.slices + kMoreSlices; ++slices)
-    if (auto planes = cut_by(slices); !near(planes)) return planes;
-  return cut_by(loop.slices);
-}
 
 Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
                        const ModifiedTeeth& teeth, const ModifiedFit& fit) {

@@ -20,6 +20,10 @@ namespace {
 constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
 constexpr int kLineChecks = 12, kFaceChecks = 8;  // places between neighbouring knots
 constexpr int kRowsU = 7;  // rows of a layer on which the basis along u is examined
+// Least distance of a plane from the start of an end relief, relative to the height of a slice. The
+// line where a relief begins leaves its plane by c sin β_b, a hundredth of a module.
+constexpr double kNearPlane = 0.02;
+constexpr int kMoreSlices = 5;
 
 using Point = std::function<Vec3(double)>;
 
@@ -113,14 +117,12 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
       found = rows.insert(rows.end(), {v, fitter.side().row(layer.low, layer.high, v)});
     return found->second;
   };
-  const ModifiedSide& side = fitter.side();
   for (std::size_t arc = 0; arc < fitter.arcs(); ++arc) {
     if (!fitter.is_face(arc)) continue;
     for (const double x : {0.0, 0.3, 0.7, 1.0}) {
-      const bool root = x == 0.0 && arc > 0 && !fitter.is_face(arc - 1);
-      const bool tip = x == 1.0 && arc == side.last_flank() && side.has_edge();
-      const bool faded = x == 1.0 && arc + 1 < fitter.arcs() && !fitter.is_face(arc + 1);
-      const double target = root || tip || faded ? kHelixTarget_mm : kTargetV_mm;
+      const bool on_root_land = x == 0.0 && arc > 0 && !fitter.is_face(arc - 1);
+      const bool on_tip_land = x == 1.0 && arc + 1 < fitter.arcs() && !fitter.is_face(arc + 1);
+      const double target = on_root_land || on_tip_land ? kHelixTarget_mm : kTargetV_mm;
       const std::vector<double> worst =
           errors(basis, [&](double v) { return fitter.point(arc, x, row_at(v)); });
       if (*std::max_element(worst.begin(), worst.end()) > target) return false;
@@ -197,30 +199,40 @@ double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t
   return worst;
 }
 
-std::vector<ToothLevel> levels_between(const ModifiedTeeth& teeth,
-                                       const std::vector<double>& planes) {
-  std::vector<ToothLevel> levels;
-  for (const double z : planes) levels.push_back({z, false});
-  std::vector<double> kinks;
-  for (const bool left : {false, true}) {
-    const auto& own = teeth.side(left).field().kinks_z();
-    kinks.insert(kinks.end(), own.begin(), own.end());
+}  // namespace
+
+std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width) {
+  const std::vector<double> kinks = teeth.kinks_z();
+  const auto cut_by = [&](int n) {
+    std::vector<ToothLevel> planes;
+    for (int i = 0; i <= n; ++i) planes.push_back({face_width * (2 * i - n) / (2.0 * n)});
+    return planes;
+  };
+  const auto near = [&](const std::vector<ToothLevel>& planes) {
+    const double least = kNearPlane * (planes[1].z - planes[0].z);
+    for (const double kink : kinks)
+      for (const ToothLevel& plane : planes)
+        if (std::abs(plane.z - kink) < least) return true;
+    return false;
+  };
+  std::vector<ToothLevel> levels = cut_by(slices);
+  for (int n = slices; n > 1 && n < slices + kMoreSlices; ++n) {
+    if (auto planes = cut_by(n); !near(planes)) {
+      levels = std::move(planes);
+      break;
+    }
   }
-  std::sort(kinks.begin(), kinks.end());
-  kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
   for (const double z : kinks) levels.push_back({z, true});
   std::sort(levels.begin(), levels.end(),
             [](const ToothLevel& a, const ToothLevel& b) { return a.z < b.z; });
   return levels;
 }
 
-}  // namespace
-
-Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, const std::vector<double>& planes) {
-  GW_EXPECTS(planes.size() >= 2);
+Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels) {
+  GW_EXPECTS(levels.size() >= 2);
   std::array<SideFitter, 2> fitters{SideFitter(teeth.side(false)), SideFitter(teeth.side(true))};
   ModifiedFit fit;
-  fit.levels = levels_between(teeth, planes);
+  fit.levels = std::move(levels);
   for (SideFitter& fitter : fitters)
     for (std::size_t arc = 0; arc < fitter.arcs(); ++arc)
       for (std::size_t l = 0; l + 1 < fit.levels.size() && fitter.is_face(arc); ++l)

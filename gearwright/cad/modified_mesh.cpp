@@ -58,13 +58,9 @@ class GridMaker {
   }
 
   std::vector<double> levels(const std::vector<SectionPoint>& half, double step) const {
-    std::vector<double> starts{-width_ / 2, width_ / 2};
-    for (const bool left : {false, true}) {
-      const auto& kinks = teeth_.side(left).field().kinks_z();
-      starts.insert(starts.end(), kinks.begin(), kinks.end());
-    }
-    std::sort(starts.begin(), starts.end());
-    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    std::vector<double> starts = teeth_.kinks_z();
+    starts.insert(starts.begin(), -width_ / 2);
+    starts.push_back(width_ / 2);
     std::vector<double> all{starts.front()};
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
       const double lo = starts[i], hi = starts[i + 1];

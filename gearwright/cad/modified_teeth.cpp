@@ -212,20 +212,28 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
   return {xy.x(), xy.y(), z};
 }
 
-Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
-  GW_EXPECTS(body.removal[0] && body.removal[1]);
+std::vector<double> ModifiedTeeth::kinks_z() const {
+  std::vector<double> all = right_.field().kinks_z();
+  all.insert(all.end(), left_.field().kinks_z().begin(), left_.field().kinks_z().end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+Result<ModifiedTeeth> ModifiedTeeth::of(
+    const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal) {
   const Outline tidy = tidied(body.outline);
   if (auto error = obstacle_of(tidy)) return *error;
   Outline divided{body.outline.teeth, {}};
   for (const Arc& arc : tidy.arcs) {
     if (arc.name == ArcName::flank) {
-      append_divided(arc, starts(body.removal), divided.arcs);
+      append_divided(arc, starts(removal), divided.arcs);
     } else {
       divided.arcs.push_back(arc);
     }
   }
-  const ModifiedTeeth teeth{ModifiedSide(divided, -body.twist, body.removal[0]),
-                            ModifiedSide(divided, body.twist, body.removal[1])};
+  const ModifiedTeeth teeth{ModifiedSide(divided, -body.twist, removal[0]),
+                            ModifiedSide(divided, body.twist, removal[1])};
   const double half = body.face_width / 2;
   for (const bool left : {false, true}) {
     const ModifiedSide& side = teeth.side(left);

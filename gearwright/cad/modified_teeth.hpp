@@ -95,14 +95,18 @@ class ModifiedSide {
 /// Both sides of the teeth of a body.
 class ModifiedTeeth {
  public:
-  /// Domain    a body with both fields of removal (contract)
+  /// The teeth of a body with what is removed from their right and left flanks.
+  ///
   /// Errors    the rule says why these teeth cannot be made with their modifications: pointed
   ///           teeth, flanks in pieces, no root fillet, flanks that would cross
-  static Result<ModifiedTeeth> of(const ToothedBody& body);
+  static Result<ModifiedTeeth> of(
+      const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal);
 
   /// The outline as cut, with its flank divided where a relief of either side begins.
   const Outline& outline() const { return right_.outline(); }
   const ModifiedSide& side(bool left) const { return left ? left_ : right_; }
+  /// Heights at which an end relief of either side begins, growing, mm.
+  std::vector<double> kinks_z() const;
 
   /// Volume removed from all teeth, mm³.
   ///

@@ -21,7 +21,6 @@
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/gear/bore.hpp"
-#include "gearwright/gear/modifications.hpp"
 #include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
@@ -38,6 +37,8 @@ struct RackBlock {
   double middle_of(int k, int n) const { return (k - (n - 1) / 2.0) * pitch; }
 };
 
+class ModifiedTeeth;
+
 struct ToothedBody {
   std::string name;         ///< "gear1", the name in a CAD tree
   Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
@@ -48,12 +49,10 @@ struct ToothedBody {
   std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
   std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
   std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
-  /// What is removed from the right and the left flank of every tooth (cad/modified_teeth.hpp);
-  /// null if the teeth are as cut. Drawings show the outline as cut.
-  std::array<std::shared_ptr<const RemovalField>, 2> removal{};
+  /// The teeth with flank modifications, made by modify(); null if they are as cut. Drawings show the
+  /// outline as cut.
+  std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< why modifications of the gear are left out; empty if none are
-
-  bool modified() const { return removal[0] && removal[1]; }
 };
 
 /// Colours that distinguish gears in contact in every viewer. The values are linear RGB, far apart
