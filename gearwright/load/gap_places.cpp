@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace gearwright {
 
@@ -95,8 +95,8 @@ double last_inside(const FlankPatch& b, const At& at, double good, double bad, d
 
 }  // namespace
 
-GapSearch::GapSearch(const ContactPair& pair, const std::vector<double>& heights)
-    : pair_(pair), heights_(heights) {
+GapSearch::GapSearch(const ContactPair& pair, std::vector<double> heights)
+    : pair_(pair), heights_(std::move(heights)) {
   double widest = 0.0;
   for (const FlankPatch& a : pair.patches(1)) {
     widest = std::max(widest, std::abs(a.twist) * std::max(std::abs(a.z_lo), std::abs(a.z_hi)));
@@ -107,7 +107,7 @@ GapSearch::GapSearch(const ContactPair& pair, const std::vector<double>& heights
     for (const FlankPatch& b : pair.patches(2)) {
       GapField field(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
       if (rows.empty()) {
-        for (const double z : heights) {
+        for (const double z : heights_) {
           Rows& at = rows.emplace_back();
           for (int i = 0; i < kRows; ++i) at[i] = field.point_at_rest(row_of(a, i), z);
         }

@@ -34,7 +34,8 @@ class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< of a flank, at which the search starts
   /// `heights` are those of the slices, mm, of gear 1 in N.
-  GapSearch(const ContactPair& pair, const std::vector<double>& heights);
+  GapSearch(const ContactPair& pair, std::vector<double> heights);
+  const std::vector<double>& heights() const { return heights_; }
   /// All tooth pairs that face each other anywhere at the heights, at a rotation in N.
   std::vector<PairPlaces> places(double rotation);
 
