@@ -27,27 +27,15 @@ constexpr int kMoreSlices = 5;
 
 using Point = std::function<Vec3(double)>;
 
-std::vector<double> between(const BSplineBasis& basis, int n) {
-  const std::vector<double> knots = basis.distinct_knots();
-  std::vector<double> all;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    for (int k = 0; k < n; ++k) all.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / n);
-  return all;
-}
-
 // The greatest error of the spline through the points of a line, span by span.
 std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   Eigen::MatrixXd samples(basis.poles(), 3);
   for (int i = 0; i < basis.poles(); ++i)
     samples.row(i) = exact(basis.greville()[static_cast<std::size_t>(i)]).transpose();
   const Eigen::MatrixXd poles = basis.interpolate(samples);
-  const std::vector<double> places = between(basis, kLineChecks);
-  std::vector<double> worst(places.size() / kLineChecks, 0.0);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3 error = basis.evaluate(poles, places[i]) - exact(places[i]);
-    worst[i / kLineChecks] = std::max(worst[i / kLineChecks], error.norm());
-  }
-  return worst;
+  return worst_by_span(basis, kLineChecks, [&](double at) {
+    return (Vec3(basis.evaluate(poles, at)) - exact(at)).norm();
+  });
 }
 
 // One side of the teeth, with the parameter of every arc: its own, or its relative length.
@@ -83,17 +71,9 @@ class SideFitter {
   void refine(std::size_t arc, const ModifiedSide::Row& row) {
     const Point exact = [&](double x) { return point(arc, x, row); };
     while (true) {
-      const BSplineBasis& basis = bases_[arc];
-      const std::vector<double> worst = errors(basis, exact);
-      std::vector<double> knots = basis.knots();
-      const std::vector<double> at = basis.distinct_knots();
-      for (std::size_t i = 0; i < worst.size(); ++i)
-        if (worst[i] > kTargetU_mm) knots.push_back(0.5 * (at[i] + at[i + 1]));
-      if (knots.size() == basis.knots().size()) return;
-      std::sort(knots.begin(), knots.end());
-      BSplineBasis finer(basis.degree(), std::move(knots));
-      if (finer.poles() > kMaxPoles) return;
-      bases_[arc] = std::move(finer);
+      auto finer = refined(bases_[arc], errors(bases_[arc], exact), kTargetU_mm);
+      if (!finer || finer->poles() > kMaxPoles) return;
+      bases_[arc] = *std::move(finer);
     }
   }
 
@@ -180,7 +160,7 @@ double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t
                  const Layer& layer, const BSplineBasis& along_v) {
   const BSplineBasis& along_u = fitter.basis(arc);
   double worst = 0.0;
-  for (const double v : between(along_v, kFaceChecks)) {
+  for (const double v : places_between_knots(along_v, kFaceChecks)) {
     const ModifiedSide::Row row = fitter.side().row(layer.low, layer.high, v);
     const BSplineBasis::Local local = along_v.local(v);
     Eigen::MatrixXd line(along_u.poles(), 3);
@@ -191,7 +171,7 @@ double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t
                face.poles[static_cast<std::size_t>(i)][static_cast<std::size_t>(local.first) + j];
       line.row(i) = sum.transpose();
     }
-    for (const double x : between(along_u, kFaceChecks)) {
+    for (const double x : places_between_knots(along_u, kFaceChecks)) {
       const Vec3 error = along_u.evaluate(line, x) - fitter.point(arc, x, row);
       worst = std::max(worst, error.norm());
     }

@@ -14,6 +14,8 @@
 #pragma once
 
 #include <complex>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "gearwright/generation/outline.hpp"
@@ -56,6 +58,18 @@ struct SectionSpline {
 SectionSpline fit_section(const Arc& arc, double target_mm = kSectionTarget_mm);
 
 inline constexpr int kMaxPoles = 240;
+
+/// Places between the knots, none of which is a Greville point: (k + ½)/n of each span.
+std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
+
+/// The greatest error at those places, span by span.
+std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
+                                  const std::function<double(double)>& error);
+
+/// The basis with every span halved that misses the target, or nothing if all of those spans are
+/// already so short that the curve is torn there and more knots do not help.
+std::optional<BSplineBasis> refined(const BSplineBasis& basis,
+                                    const std::vector<double>& span_deviation, double target);
 
 struct HelixSpline {
   BSplineBasis basis;          ///< degree 5; degree 1 without twist
