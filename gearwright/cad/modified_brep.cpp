@@ -50,15 +50,19 @@ class ModifiedShell : public brep::ShellWriter {
         chain[i].push_back(uprights[i]);
         if (!wall(i).arc) continue;
         const Edge& right = uprights[(i + 1) % n];
-        const Id around = bound({floor[i]}, {right}, {ceiling[i]}, {uprights[i]});
-        const Id spline = surface(i, l, floor[i], right, ceiling[i], uprights[i]);
+        const Id around =
+            face_bound({&floor[i], 1}, {&right, 1}, {&ceiling[i], 1}, {&uprights[i], 1});
+        const Id spline =
+            spline_between({floor[i], right, ceiling[i], uprights[i]}, knots_u(i), fit_.along_v[l],
+                           [&](std::size_t a, std::size_t b) { return pole(i, l, a, b); });
         add_face({around}, spline, side);
       }
       if (!fit_.levels[l + 1].kink) {
         const double middle = 0.5 * twist_ * (fit_.levels[plane].z + fit_.levels[l + 1].z);
         for (std::size_t i = 0; i < n; ++i) {
           if (wall(i).arc) continue;
-          const Id around = bound({plane_floor[i]}, chain[(i + 1) % n], {ceiling[i]}, chain[i]);
+          const Id around =
+              face_bound({&plane_floor[i], 1}, chain[(i + 1) % n], {&ceiling[i], 1}, chain[i]);
           const Id round = cylinder(land(i), middle);
           add_face({around}, round, side);
         }
@@ -167,12 +171,8 @@ class ModifiedShell : public brep::ShellWriter {
         continue;
       }
       const std::size_t b = level == 0 ? 0 : poles(i, layer).front().size() - 1;
-      Ids ids{from.point};
-      for (std::size_t a = 1; a + 1 < poles_u(i, layer); ++a)
-        ids.push_back(out_.point(pole(i, layer, a, b)));
-      ids.push_back(to.point);
-      const Id curve = out_.add(brep::spline_curve(ids, knots_u(i)));
-      all.push_back(edge(from, to, curve, std::move(ids)));
+      all.push_back(spline_edge(from, to, poles_u(i, layer), knots_u(i),
+                                [&](std::size_t a) { return pole(i, layer, a, b); }));
     }
     return all;
   }
@@ -180,38 +180,11 @@ class ModifiedShell : public brep::ShellWriter {
   Edges uprights_in(std::size_t layer, const Corners& below, const Corners& above) {
     Edges all;
     for (std::size_t i = 0; i < below.size(); ++i) {
-      const std::size_t nv = poles(0, layer).front().size();
-      Ids ids{below[i].point};
-      for (std::size_t b = 1; b + 1 < nv; ++b) ids.push_back(out_.point(upright_pole(i, layer, b)));
-      ids.push_back(above[i].point);
-      const Id curve = out_.add(brep::spline_curve(ids, fit_.along_v[layer]));
-      all.push_back(edge(below[i], above[i], curve, std::move(ids)));
+      all.push_back(spline_edge(below[i], above[i], poles(0, layer).front().size(),
+                                fit_.along_v[layer],
+                                [&](std::size_t b) { return upright_pole(i, layer, b); }));
     }
     return all;
-  }
-
-  Id surface(std::size_t i, std::size_t layer, const Edge& bottom, const Edge& right,
-             const Edge& top, const Edge& left) {
-    const std::size_t nu = poles_u(i, layer), nv = left.poles.size();
-    std::vector<Ids> rows{left.poles};
-    for (std::size_t a = 1; a + 1 < nu; ++a) {
-      Ids row{bottom.poles[a]};
-      for (std::size_t b = 1; b + 1 < nv; ++b) row.push_back(out_.point(pole(i, layer, a, b)));
-      row.push_back(top.poles[a]);
-      rows.push_back(std::move(row));
-    }
-    rows.push_back(right.poles);
-    return out_.add(brep::spline_surface(rows, knots_u(i), fit_.along_v[layer]));
-  }
-
-  // Counter-clockwise around the face; every side leads along the loop, or upwards.
-  Id bound(const Edges& bottom, const Edges& right, const Edges& top, const Edges& left) {
-    Ids uses;
-    for (const Edge& e : bottom) uses.push_back(oriented(e.edge, ".T."));
-    for (const Edge& e : right) uses.push_back(oriented(e.edge, ".T."));
-    for (const Edge& e : top) uses.push_back(oriented(e.edge, ".F."));
-    for (auto e = left.rbegin(); e != left.rend(); ++e) uses.push_back(oriented(e->edge, ".F."));
-    return edge_loop(uses);
   }
 
   const ModifiedFit& fit_;
