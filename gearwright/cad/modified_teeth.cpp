@@ -99,34 +99,26 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
 // its curvature and the slope of that, which is in error by the fourth power of the distance.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
-  const auto normal = [&](double angle) { return section_normal(outline_->side(), angle); };
-  if (u <= 1.0) return {a.point(u), normal(a.at(u).tangent_angle)};
+  const auto place = [&](const Vec2& p, double angle) {
+    const Vec3 n = screw_normal(p, section_normal(outline_->side(), angle), twist_);
+    return Place{p, n, std::log(p.norm())};
+  };
+  if (u <= 1.0) return place(a.point(u), a.at(u).tangent_angle);
   const CurvePoint end = a.at(1.0), before = a.at(1.0 - kCurvatureStep);
   const double step = (end.point - before.point).norm();
   const double s = (u - 1.0) / kCurvatureStep * step;
   const double k = end.curvature, k1 = (k - before.curvature) / step;
   const double x = s - k * k * s * s * s / 6, y = k * s * s / 2 + k1 * s * s * s / 6;
-  return {a.end_point + turned({x, y}, end.tangent_angle),
-          normal(end.tangent_angle + k * s + k1 * s * s / 2)};
+  return place(a.end_point + turned({x, y}, end.tangent_angle),
+               end.tangent_angle + k * s + k1 * s * s / 2);
 }
 
-Vec3 ModifiedSide::moved(std::size_t arc, double u, double zeta) const {
-  const auto [p, e] = nominal(arc, u);
-  const Vec3 n = screw_normal(p, e, twist_);
-  const double c = field_->at(std::log(p.norm()), zeta).c;
-  const Vec2 xy = turned(p - c * n.head<2>(), twist_ * zeta);
-  return {xy.x(), xy.y(), zeta - c * n.z()};
-}
-
-double ModifiedSide::zeta_at(const ToothLevel& level, std::size_t arc, double u) const {
+double ModifiedSide::zeta_at(const ToothLevel& level, const Place& at) const {
   if (level.kink || twist_ == 0.0) return level.z;
-  const auto [p, e] = nominal(arc, u);
-  const Vec3 n = screw_normal(p, e, twist_);
-  const double at = std::log(p.norm());
   // ζ = z + c n_z converges by the slope of c, 1 in 5 at most, in every step.
   double zeta = level.z;
   for (int i = 0; i < 40; ++i) {
-    const double next = level.z + field_->at(at, zeta).c * n.z();
+    const double next = level.z + removed(at, zeta) * at.n.z();
     const bool same = std::abs(next - zeta) < 1e-15 * (1 + std::abs(level.z));
     zeta = next;
     if (same) break;
@@ -134,10 +126,17 @@ double ModifiedSide::zeta_at(const ToothLevel& level, std::size_t arc, double u)
   return zeta;
 }
 
-double ModifiedSide::zeta_in(const Row& row, std::size_t arc, double u) const {
-  if (row.v == 0.0) return zeta_at(row.low, arc, u);
-  if (row.v == 1.0) return zeta_at(row.high, arc, u);
-  return (1 - row.v) * zeta_at(row.low, arc, u) + row.v * zeta_at(row.high, arc, u);
+double ModifiedSide::zeta_in(const Row& row, const Place& at) const {
+  if (row.v == 0.0) return zeta_at(row.low, at);
+  if (row.v == 1.0) return zeta_at(row.high, at);
+  return (1 - row.v) * zeta_at(row.low, at) + row.v * zeta_at(row.high, at);
+}
+
+Vec3 ModifiedSide::flank(std::size_t arc, double u, const Row& row) const {
+  const Place at = nominal(arc, u);
+  const double zeta = zeta_in(row, at), c = removed(at, zeta);
+  const Vec2 xy = turned(at.p - c * at.n.head<2>(), twist_ * zeta);
+  return {xy.x(), xy.y(), zeta - c * at.n.z()};
 }
 
 // The secant method for |M| = r_a, from the nominal edge.

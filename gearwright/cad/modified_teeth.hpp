@@ -71,16 +71,17 @@ class ModifiedSide {
   double twist() const { return twist_; }
 
  private:
+  // A point of the outline with the normal of the screw surface there.
   struct Place {
-    Vec2 p, normal;
+    Vec2 p;
+    Vec3 n;
+    double u;  // ln |p|
   };
   Place nominal(std::size_t arc, double u) const;
-  Vec3 moved(std::size_t arc, double u, double zeta) const;
-  double zeta_at(const ToothLevel& level, std::size_t arc, double u) const;
-  double zeta_in(const Row& row, std::size_t arc, double u) const;
-  Vec3 flank(std::size_t arc, double u, const Row& row) const {
-    return moved(arc, u, zeta_in(row, arc, u));
-  }
+  double removed(const Place& at, double zeta) const { return field_->at(at.u, zeta).c; }
+  double zeta_at(const ToothLevel& level, const Place& at) const;
+  double zeta_in(const Row& row, const Place& at) const;
+  Vec3 flank(std::size_t arc, double u, const Row& row) const;
   double edge_of(const Row& row) const;
   double weight(std::size_t arc, double rho) const;
 
