@@ -64,7 +64,8 @@ Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, cons
     const std::size_t n = loop.walls.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Sides sides{floor[i], uprights[(i + 1) % n], ceiling[i], uprights[i]};
-      const Id bound = wall_bound(sides);
+      const Id bound =
+          face_bound({&sides.bottom, 1}, {&sides.right, 1}, {&sides.top, 1}, {&sides.left, 1});
       add_face({bound}, wall_surface(loop.walls[i], slice, sides, below[i]), side);
     }
     below = std::move(above);
@@ -179,6 +180,30 @@ Edge ShellWriter::edge(const Corner& from, const Corner& to, Id curve, Ids poles
           std::move(poles)};
 }
 
+Edge ShellWriter::spline_edge(const Corner& from, const Corner& to, std::size_t n,
+                              const WallKnots& knots,
+                              const std::function<Vec3(std::size_t)>& pole) {
+  Ids poles{from.point};
+  for (std::size_t k = 1; k + 1 < n; ++k) poles.push_back(out_.point(pole(k)));
+  poles.push_back(to.point);
+  const Id curve = out_.add(spline_curve(poles, knots));
+  return edge(from, to, curve, std::move(poles));
+}
+
+Id ShellWriter::spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
+                               const std::function<Vec3(std::size_t, std::size_t)>& pole) {
+  std::vector<Ids> rows{sides.left.poles};
+  for (std::size_t a = 1; a + 1 < sides.bottom.poles.size(); ++a) {
+    Ids row{sides.bottom.poles[a]};
+    for (std::size_t b = 1; b + 1 < sides.left.poles.size(); ++b)
+      row.push_back(out_.point(pole(a, b)));
+    row.push_back(sides.top.poles[a]);
+    rows.push_back(std::move(row));
+  }
+  rows.push_back(sides.right.poles);
+  return out_.add(spline_surface(rows, u, v));
+}
+
 Edges ShellWriter::level_edges(const WallLoop& loop, const WallLevel& level, const Corners& at) {
   const std::size_t n = loop.walls.size();
   Edges result;
@@ -186,20 +211,19 @@ Edges ShellWriter::level_edges(const WallLoop& loop, const WallLevel& level, con
     const Wall& wall = loop.walls[i];
     const Corner& from = at[i];
     const Corner& to = at[(i + 1) % n];
-    Ids poles;
-    Id curve = 0;
     switch (wall.shape) {
       case WallShape::spline:
-        poles.push_back(from.point);
-        for (std::size_t k = 1; k + 1 < wall.poles.size(); ++k)
-          poles.push_back(out_.point(point_at(wall.poles[k], level)));
-        poles.push_back(to.point);
-        curve = out_.add(spline_curve(poles, *wall.knots));
+        result.push_back(spline_edge(from, to, wall.poles.size(), *wall.knots, [&](std::size_t k) {
+          return point_at(wall.poles[k], level);
+        }));
         break;
-      case WallShape::circle: curve = circle(wall, level.angle, level.z); break;
-      case WallShape::line: curve = line(from.point, along(wall, level.turn)); break;
+      case WallShape::circle:
+        result.push_back(edge(from, to, circle(wall, level.angle, level.z), {}));
+        break;
+      case WallShape::line:
+        result.push_back(edge(from, to, line(from.point, along(wall, level.turn)), {}));
+        break;
     }
-    result.push_back(edge(from, to, curve, std::move(poles)));
   }
   return result;
 }
@@ -212,13 +236,14 @@ Edges ShellWriter::upright_edges(const WallLoop& loop, const WallSlice& slice, c
                                  const Corners& above) {
   Edges result;
   for (std::size_t i = 0; i < loop.walls.size(); ++i) {
-    Ids poles{below[i].point};
-    for (std::size_t j = 1; j + 1 < slice.helix.size(); ++j)
-      poles.push_back(out_.point(climbing_pole(loop.walls[i].begin, slice, j)));
-    poles.push_back(above[i].point);
-    const Id curve = slice.straight() ? line(below[i].point, Vec3::UnitZ())
-                                      : out_.add(spline_curve(poles, slice.knots));
-    result.push_back(edge(below[i], above[i], curve, std::move(poles)));
+    if (slice.straight()) {
+      const Id curve = line(below[i].point, Vec3::UnitZ());
+      result.push_back(edge(below[i], above[i], curve, {below[i].point, above[i].point}));
+      continue;
+    }
+    result.push_back(
+        spline_edge(below[i], above[i], slice.helix.size(), slice.knots,
+                    [&](std::size_t j) { return climbing_pole(loop.walls[i].begin, slice, j); }));
   }
   return result;
 }
@@ -226,18 +251,10 @@ Edges ShellWriter::upright_edges(const WallLoop& loop, const WallSlice& slice, c
 Id ShellWriter::wall_surface(const Wall& wall, const WallSlice& slice, const Sides& sides,
                              const Corner& begin) {
   switch (wall.shape) {
-    case WallShape::spline: {
-      std::vector<Ids> rows{sides.left.poles};
-      for (std::size_t i = 1; i + 1 < wall.poles.size(); ++i) {
-        Ids row{sides.bottom.poles[i]};
-        for (std::size_t j = 1; j + 1 < slice.helix.size(); ++j)
-          row.push_back(out_.point(climbing_pole(wall.poles[i], slice, j)));
-        row.push_back(sides.top.poles[i]);
-        rows.push_back(std::move(row));
-      }
-      rows.push_back(sides.right.poles);
-      return out_.add(spline_surface(rows, *wall.knots, slice.knots));
-    }
+    case WallShape::spline:
+      return spline_between(sides, *wall.knots, slice.knots, [&](std::size_t a, std::size_t b) {
+        return climbing_pole(wall.poles[a], slice, b);
+      });
     case WallShape::circle: return cylinder(wall, slice.middle_angle);
     case WallShape::line: {
       GW_EXPECTS(slice.straight());
@@ -261,10 +278,14 @@ Id ShellWriter::edge_loop(const Ids& uses) {
   return out_.add(text + ")");
 }
 
-// Counter-clockwise around the face, seen from the side to which its surface normal points.
-Id ShellWriter::wall_bound(const Sides& sides) {
-  return edge_loop({oriented(sides.bottom.edge, ".T."), oriented(sides.right.edge, ".T."),
-                    oriented(sides.top.edge, ".F."), oriented(sides.left.edge, ".F.")});
+Id ShellWriter::face_bound(std::span<const Edge> bottom, std::span<const Edge> right,
+                           std::span<const Edge> top, std::span<const Edge> left) {
+  Ids uses;
+  for (const Edge& e : bottom) uses.push_back(oriented(e.edge, ".T."));
+  for (const Edge& e : right) uses.push_back(oriented(e.edge, ".T."));
+  for (const Edge& e : top) uses.push_back(oriented(e.edge, ".F."));
+  for (auto e = left.rbegin(); e != left.rend(); ++e) uses.push_back(oriented(e->edge, ".F."));
+  return edge_loop(uses);
 }
 
 Id ShellWriter::loop(const Edges& edges) {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,8 +70,24 @@ class ShellWriter {
   /// The circle of a wall that is turned by `turn`, at the height z.
   Id circle(const Wall& wall, double turn, double z);
   Id cylinder(const Wall& wall, double turn);
-  Id oriented(Id edge, const char* sense);
-  Id edge_loop(const Ids& uses);
+  /// An edge along a spline whose inner poles are pole(1) … pole(n − 2).
+  Edge spline_edge(const Corner& from, const Corner& to, std::size_t n, const WallKnots& knots,
+                   const std::function<Vec3(std::size_t)>& pole);
+
+  /// The edges around a face, which lead along the loop or upwards.
+  struct Sides {
+    const Edge& bottom;
+    const Edge& right;
+    const Edge& top;
+    const Edge& left;
+  };
+  /// The spline between its edges; pole(a, b) are its inner poles, a along the loop, b upwards.
+  Id spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
+                    const std::function<Vec3(std::size_t, std::size_t)>& pole);
+  /// The bound counter-clockwise around a face, seen from the side to which its surface normal
+  /// points.
+  Id face_bound(std::span<const Edge> bottom, std::span<const Edge> right,
+                std::span<const Edge> top, std::span<const Edge> left);
   /// The first loop is the outer one. All run counter-clockwise, seen from the side to which the
   /// surface normal points.
   void add_face(const Ids& loops, Id surface, Side side);
@@ -77,13 +95,6 @@ class ShellWriter {
   Part21& out_;
 
  private:
-  struct Sides {
-    const Edge& bottom;
-    const Edge& right;
-    const Edge& top;
-    const Edge& left;
-  };
-
   void add_cap(double z, const Edges& outer, const Edges* inner, Side side);
   Brep finish(const std::string& name);
   Id centre(double z);
@@ -98,7 +109,8 @@ class ShellWriter {
                       const Corners& above);
   Id wall_surface(const Wall& wall, const WallSlice& slice, const Sides& sides,
                   const Corner& begin);
-  Id wall_bound(const Sides& sides);
+  Id oriented(Id edge, const char* sense);
+  Id edge_loop(const Ids& uses);
   Id loop(const Edges& edges);
 
   Ids faces_;

@@ -28,14 +28,9 @@ Result<Facts> draw_biarcs(const Outline& outline, const Contour& contour, double
   return Facts{static_cast<int>(polygon->points.size()), polygon->deviation_mm};
 }
 
-SectionSpline fit_between_ends(const Arc& arc, double tolerance) {
-  const auto complex = [](const Vec2& p) { return Complex(p.x(), p.y()); };
-  return fit_section(arc, complex(arc.begin_point), complex(arc.end_point), tolerance);
-}
-
 Result<Facts> draw_splines(const Outline& outline, const Contour& contour, double tolerance,
                            DxfEntities& entities) {
-  const auto fits = fit_arcs(outline, contour, tolerance, fit_between_ends);
+  const auto fits = fit_arcs(outline, contour, tolerance, fit_section);
   if (!fits) return fits.error();
   for (const ContourPiece& piece : contour.pieces) {
     if (piece.land && piece.sweep == 0.0) {

@@ -52,15 +52,17 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
     body.unmodified = "the gear has no usable flank";
     return std::nullopt;
   }
+  std::array<std::shared_ptr<const RemovalField>, 2> removal;
   for (const std::size_t side : {0U, 1U}) {
     auto field = make_removal_field(flanks[side], flank_extent(gear));
     if (!field)
       return within(side == 0 ? "modifications.right" : "modifications.left", field.error());
-    body.removal[side] = std::make_shared<const RemovalField>(std::move(field).take());
+    removal[side] = std::make_shared<const RemovalField>(std::move(field).take());
   }
-  if (const auto teeth = ModifiedTeeth::of(body); !teeth) {
+  if (auto teeth = ModifiedTeeth::of(body, removal)) {
+    body.modified = std::make_shared<const ModifiedTeeth>(std::move(teeth).take());
+  } else {
     body.unmodified = teeth.error().rule;
-    body.removal = {};
   }
   return std::nullopt;
 }

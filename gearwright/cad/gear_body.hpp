@@ -8,6 +8,7 @@
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {

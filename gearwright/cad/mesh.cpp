@@ -115,12 +115,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   const double reach = body.bore ? bore_reach(*body.bore) : 0.0;
   double given = std::min(options.chord_tolerance_mm, kWallShare * std::abs(limit - reach));
   if (body.grooved()) given = std::min(given, kWallShare * std::abs(root.norm() - limit));
-  std::optional<ModifiedTeeth> modified;
-  if (body.modified()) {
-    auto made = ModifiedTeeth::of(body);
-    if (!made) return made.error();
-    modified = std::move(made).take();
-  }
+  const ModifiedTeeth* modified = body.modified.get();
   const Outline& cut = modified ? modified->outline() : body.outline;
   const double chord = modified ? kCutShare * given : given;
 

@@ -13,22 +13,14 @@ constexpr double kCrease = 1e-3;
 
 bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
 
-SinCos sincos(double angle) { return {std::sin(angle), std::cos(angle)}; }
-
-// Normal of the screw surface: perpendicular to the tangent of the section and to that of the
-// screw, (τJP, 1).
-Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
-  return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
-}
-
 // Returns true if the rising diagonal of the quad between two columns (this column at the bottom,
 // the next at the top) is nearer to the surface than the falling one. The section bulges from its
 // chord by chord·(n_2 − n_1)/8 along its normal.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
   const double turn = levels.band.twist * levels.band.width / levels.steps;
   const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;
-  const SinCos full = sincos(turn);
-  const SinCos half = sincos(0.5 * turn);
+  const SinCos full = sincos_of(turn);
+  const SinCos half = sincos_of(0.5 * turn);
   const Vec2 middle = turned(0.5 * (one.point + two.point), half);
   const Vec2 normal = turned((one.after + two.before).normalized(), half);
   const Vec2 rising = 0.5 * (one.point + turned(two.point, full)) - middle;
@@ -55,11 +47,9 @@ std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
 // The columns at one level of a screw.
 Ring screw_ring(const std::vector<Column>& part, const std::vector<char>& crease, const Band& band,
                 double z) {
-  const SinCos screw = sincos(band.angle(z));
+  const SinCos screw = sincos_of(band.angle(z));
   const auto screwed = [&](const Vec2& p, const Vec2& n) {
-    const Vec3 normal = screw_normal(p, n, band.twist);
-    const Vec2 plane = turned(normal.head<2>(), screw);
-    return Vec3(plane.x(), plane.y(), normal.z());
+    return turned_about_axis(screw_normal(p, n, band.twist), screw);
   };
   Ring ring{z, {}};
   ring.points.reserve(part.size());
@@ -102,10 +92,6 @@ void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, in
                            const WallEnds* below) {
   for (int k = 0; k < copies; ++k) {
     const SinCos tooth = sincos_turn(k, copies);
-    const auto copied = [&](const Vec3& v) {
-      const Vec2 plane = turned(v.head<2>(), tooth);
-      return Vec3(plane.x(), plane.y(), v.z());
-    };
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
       const RingPoint& placed = ring.points[i];
       const std::size_t place = static_cast<std::size_t>(k) * ring.points.size() + i;
@@ -113,8 +99,8 @@ void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, in
           below ? below->top + static_cast<std::uint32_t>(place) : next_vertex();
       const Vec2 p = turned(placed.point, tooth);
       if (!below) mesh_.vertices.emplace_back(p.x(), p.y(), ring.z);
-      add_shaded(vertex, copied(placed.before));
-      if (crease[i] != 0) add_shaded(vertex, copied(placed.after));
+      add_shaded(vertex, turned_about_axis(placed.before, tooth));
+      if (crease[i] != 0) add_shaded(vertex, turned_about_axis(placed.after, tooth));
     }
   }
 }

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "gearwright/base/angle.hpp"
 #include "gearwright/cad/mesh.hpp"
+#include "gearwright/cad/screw.hpp"
 
 namespace gearwright {
 
@@ -59,10 +59,6 @@ struct WallEnds {
   std::uint32_t bottom;
   std::uint32_t top;
 };
-
-inline Vec2 turned(const Vec2& v, const SinCos& a) {
-  return {a.cos * v.x() - a.sin * v.y(), a.sin * v.x() + a.cos * v.y()};
-}
 
 class MeshBuilder {
  public:

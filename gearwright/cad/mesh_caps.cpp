@@ -110,7 +110,7 @@ void Cap::add(MeshBuilder& builder, const CapPlace& place, std::uint32_t circle)
 
 void Cap::add(MeshBuilder& builder, const CapPlace& place, const std::vector<Column>& columns,
               std::uint32_t hole) const {
-  const SinCos screw{std::sin(place.angle), std::cos(place.angle)};
+  const SinCos screw = sincos_of(place.angle);
   std::vector<Vec2> points;
   for (const Column& column : pitch_) points.push_back(turned(column.point, screw));
   builder.begin_cap(place.up);

@@ -1,6 +1,5 @@
 #include "gearwright/cad/modified_brep.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/brep_shell.hpp"
+#include "gearwright/cad/screw.hpp"
 
 namespace gearwright {
 
@@ -17,28 +17,12 @@ namespace {
 using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids, brep::Rims,
     brep::Side;
 
-// Least distance of a plane from the start of an end relief, relative to the height of a slice. The
-// line where a relief begins leaves its plane by c sin β_b, a hundredth of a module.
-constexpr double kNearPlane = 0.02;
-constexpr int kMoreSlices = 5;
-
 // A wall of tooth 0, counter-clockwise: an arc of a side, or a land.
 struct ToothWall {
   std::optional<std::size_t> arc;  // none for a land
   bool left;                       // side of the arc; its poles run from tip to root there
   Wall land;                       // a circle
 };
-
-Vec3 turned_point(const Vec3& p, const SinCos& turn) {
-  return {turn.cos * p.x() - turn.sin * p.y(), turn.sin * p.x() + turn.cos * p.y(), p.z()};
-}
-
-WallKnots backward(WallKnots knots) {
-  std::reverse(knots.distinct.begin(), knots.distinct.end());
-  for (double& knot : knots.distinct) knot = 1.0 - knot;
-  std::reverse(knots.multiplicity.begin(), knots.multiplicity.end());
-  return knots;
-}
 
 class ModifiedShell : public brep::ShellWriter {
  public:
@@ -66,15 +50,19 @@ class ModifiedShell : public brep::ShellWriter {
         chain[i].push_back(uprights[i]);
         if (!wall(i).arc) continue;
         const Edge& right = uprights[(i + 1) % n];
-        const Id around = bound({floor[i]}, {right}, {ceiling[i]}, {uprights[i]});
-        const Id spline = surface(i, l, floor[i], right, ceiling[i], uprights[i]);
+        const Id around =
+            face_bound({&floor[i], 1}, {&right, 1}, {&ceiling[i], 1}, {&uprights[i], 1});
+        const Id spline =
+            spline_between({floor[i], right, ceiling[i], uprights[i]}, knots_u(i), fit_.along_v[l],
+                           [&](std::size_t a, std::size_t b) { return pole(i, l, a, b); });
         add_face({around}, spline, side);
       }
       if (!fit_.levels[l + 1].kink) {
         const double middle = 0.5 * twist_ * (fit_.levels[plane].z + fit_.levels[l + 1].z);
         for (std::size_t i = 0; i < n; ++i) {
           if (wall(i).arc) continue;
-          const Id around = bound({plane_floor[i]}, chain[(i + 1) % n], {ceiling[i]}, chain[i]);
+          const Id around =
+              face_bound({&plane_floor[i], 1}, chain[(i + 1) % n], {&ceiling[i], 1}, chain[i]);
           const Id round = cylinder(land(i), middle);
           add_face({around}, round, side);
         }
@@ -144,7 +132,7 @@ class ModifiedShell : public brep::ShellWriter {
     const auto& rows = poles(i, layer);
     Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
     if (!wall(i).left) p.y() = -p.y();
-    return turned_point(p, tooth(i));
+    return turned_about_axis(p, tooth(i));
   }
   WallKnots knots_u(std::size_t i) const {
     const ToothWall& w = wall(i);
@@ -183,12 +171,8 @@ class ModifiedShell : public brep::ShellWriter {
         continue;
       }
       const std::size_t b = level == 0 ? 0 : poles(i, layer).front().size() - 1;
-      Ids ids{from.point};
-      for (std::size_t a = 1; a + 1 < poles_u(i, layer); ++a)
-        ids.push_back(out_.point(pole(i, layer, a, b)));
-      ids.push_back(to.point);
-      const Id curve = out_.add(brep::spline_curve(ids, knots_u(i)));
-      all.push_back(edge(from, to, curve, std::move(ids)));
+      all.push_back(spline_edge(from, to, poles_u(i, layer), knots_u(i),
+                                [&](std::size_t a) { return pole(i, layer, a, b); }));
     }
     return all;
   }
@@ -196,38 +180,11 @@ class ModifiedShell : public brep::ShellWriter {
   Edges uprights_in(std::size_t layer, const Corners& below, const Corners& above) {
     Edges all;
     for (std::size_t i = 0; i < below.size(); ++i) {
-      const std::size_t nv = poles(0, layer).front().size();
-      Ids ids{below[i].point};
-      for (std::size_t b = 1; b + 1 < nv; ++b) ids.push_back(out_.point(upright_pole(i, layer, b)));
-      ids.push_back(above[i].point);
-      const Id curve = out_.add(brep::spline_curve(ids, fit_.along_v[layer]));
-      all.push_back(edge(below[i], above[i], curve, std::move(ids)));
+      all.push_back(spline_edge(below[i], above[i], poles(0, layer).front().size(),
+                                fit_.along_v[layer],
+                                [&](std::size_t b) { return upright_pole(i, layer, b); }));
     }
     return all;
-  }
-
-  Id surface(std::size_t i, std::size_t layer, const Edge& bottom, const Edge& right,
-             const Edge& top, const Edge& left) {
-    const std::size_t nu = poles_u(i, layer), nv = left.poles.size();
-    std::vector<Ids> rows{left.poles};
-    for (std::size_t a = 1; a + 1 < nu; ++a) {
-      Ids row{bottom.poles[a]};
-      for (std::size_t b = 1; b + 1 < nv; ++b) row.push_back(out_.point(pole(i, layer, a, b)));
-      row.push_back(top.poles[a]);
-      rows.push_back(std::move(row));
-    }
-    rows.push_back(right.poles);
-    return out_.add(brep::spline_surface(rows, knots_u(i), fit_.along_v[layer]));
-  }
-
-  // Counter-clockwise around the face; every side leads along the loop, or upwards.
-  Id bound(const Edges& bottom, const Edges& right, const Edges& top, const Edges& left) {
-    Ids uses;
-    for (const Edge& e : bottom) uses.push_back(oriented(e.edge, ".T."));
-    for (const Edge& e : right) uses.push_back(oriented(e.edge, ".T."));
-    for (const Edge& e : top) uses.push_back(oriented(e.edge, ".F."));
-    for (auto e = left.rbegin(); e != left.rend(); ++e) uses.push_back(oriented(e->edge, ".F."));
-    return edge_loop(uses);
   }
 
   const ModifiedFit& fit_;
@@ -237,26 +194,6 @@ class ModifiedShell : public brep::ShellWriter {
 };
 
 }  // namespace
-
-std::vector<double> modified_planes(const ModifiedTeeth& teeth, const WallLoop& loop,
-                                    double face_width) {
-  const auto near = [&](const std::vector<double>& planes) {
-    for (const bool left : {false, true})
-      for (const double kink : teeth.side(left).field().kinks_z())
-        for (const double z : planes)
-          if (std::abs(z - kink) < kNearPlane * (planes[1] - planes[0])) return true;
-    return false;
-  };
-  const auto cut_by = [&](int slices) {
-    std::vector<double> planes;
-    for (int i = 0; i <= slices; ++i)
-      planes.push_back(face_width * (2 * i - slices) / (2.0 * slices));
-    return planes;
-  };
-  for (int slices = loop.slices; slices > 1 && slices < loop.slices + kMoreSlices; ++slices)
-    if (auto planes = cut_by(slices); !near(planes)) return planes;
-  return cut_by(loop.slices);
-}
 
 Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
                        const ModifiedTeeth& teeth, const ModifiedFit& fit) {

@@ -18,15 +18,10 @@
 
 namespace gearwright {
 
-/// The heights of the planes that cut the teeth, from below: those of the teeth as cut, or of one
-/// slice more where a plane would cross the start of an end relief.
-std::vector<double> modified_planes(const ModifiedTeeth& teeth, const WallLoop& loop,
-                                    double face_width);
-
 /// Writes the solid of a body with these teeth in its own frame.
 ///
 /// Units     mm
-/// Domain    walls = make_walls(body), fit = fit_modified(teeth, modified_planes()) (contract)
+/// Domain    walls = make_walls(body), fit = fit_modified(teeth, …) (contract)
 Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
                        const ModifiedTeeth& teeth, const ModifiedFit& fit);
 

@@ -20,16 +20,12 @@ namespace {
 constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
 constexpr int kLineChecks = 12, kFaceChecks = 8;  // places between neighbouring knots
 constexpr int kRowsU = 7;  // rows of a layer on which the basis along u is examined
+// Least distance of a plane from the start of an end relief, relative to the height of a slice. The
+// line where a relief begins leaves its plane by c sin β_b, a hundredth of a module.
+constexpr double kNearPlane = 0.02;
+constexpr int kMoreSlices = 5;
 
 using Point = std::function<Vec3(double)>;
-
-std::vector<double> between(const BSplineBasis& basis, int n) {
-  const std::vector<double> knots = basis.distinct_knots();
-  std::vector<double> all;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    for (int k = 0; k < n; ++k) all.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / n);
-  return all;
-}
 
 // The greatest error of the spline through the points of a line, span by span.
 std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
@@ -37,17 +33,9 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   for (int i = 0; i < basis.poles(); ++i)
     samples.row(i) = exact(basis.greville()[static_cast<std::size_t>(i)]).transpose();
   const Eigen::MatrixXd poles = basis.interpolate(samples);
-  const std::vector<double> places = between(basis, kLineChecks);
-  std::vector<double> worst(places.size() / kLineChecks, 0.0);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3 error = basis.evaluate(poles, places[i]) - exact(places[i]);
-    worst[i / kLineChecks] = std::max(worst[i / kLineChecks], error.norm());
-  }
-  return worst;
-}
-
-WallKnots knots_of(const BSplineBasis& basis) {
-  return {basis.degree(), basis.distinct_knots(), basis.multiplicities()};
+  return worst_by_span(basis, kLineChecks, [&](double at) {
+    return (Vec3(basis.evaluate(poles, at)) - exact(at)).norm();
+  });
 }
 
 // One side of the teeth, with the parameter of every arc: its own, or its relative length.
@@ -59,8 +47,7 @@ class SideFitter {
       bases_.emplace_back(1, 2);
       if (side.role(arc) == ModifiedSide::Role::land) continue;
       const Arc& a = side.outline().arcs[arc];
-      SectionSpline cut = fit_section(a, {a.begin_point.x(), a.begin_point.y()},
-                                      {a.end_point.x(), a.end_point.y()}, kTargetU_mm);
+      SectionSpline cut = fit_section(a, kTargetU_mm);
       if (cut.by_length) lengths_.back().emplace(*a.curve, a.begin, a.end);
       bases_.back() = std::move(cut.basis);
     }
@@ -84,17 +71,9 @@ class SideFitter {
   void refine(std::size_t arc, const ModifiedSide::Row& row) {
     const Point exact = [&](double x) { return point(arc, x, row); };
     while (true) {
-      const BSplineBasis& basis = bases_[arc];
-      const std::vector<double> worst = errors(basis, exact);
-      std::vector<double> knots = basis.knots();
-      const std::vector<double> at = basis.distinct_knots();
-      for (std::size_t i = 0; i < worst.size(); ++i)
-        if (worst[i] > kTargetU_mm) knots.push_back(0.5 * (at[i] + at[i + 1]));
-      if (knots.size() == basis.knots().size()) return;
-      std::sort(knots.begin(), knots.end());
-      BSplineBasis finer(basis.degree(), std::move(knots));
-      if (finer.poles() > kMaxPoles) return;
-      bases_[arc] = std::move(finer);
+      auto finer = refined(bases_[arc], errors(bases_[arc], exact), kTargetU_mm);
+      if (!finer || finer->poles() > kMaxPoles) return;
+      bases_[arc] = *std::move(finer);
     }
   }
 
@@ -118,14 +97,12 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
       found = rows.insert(rows.end(), {v, fitter.side().row(layer.low, layer.high, v)});
     return found->second;
   };
-  const ModifiedSide& side = fitter.side();
   for (std::size_t arc = 0; arc < fitter.arcs(); ++arc) {
     if (!fitter.is_face(arc)) continue;
     for (const double x : {0.0, 0.3, 0.7, 1.0}) {
-      const bool root = x == 0.0 && arc > 0 && !fitter.is_face(arc - 1);
-      const bool tip = x == 1.0 && arc == side.last_flank() && side.has_edge();
-      const bool faded = x == 1.0 && arc + 1 < fitter.arcs() && !fitter.is_face(arc + 1);
-      const double target = root || tip || faded ? kHelixTarget_mm : kTargetV_mm;
+      const bool on_root_land = x == 0.0 && arc > 0 && !fitter.is_face(arc - 1);
+      const bool on_tip_land = x == 1.0 && arc + 1 < fitter.arcs() && !fitter.is_face(arc + 1);
+      const double target = on_root_land || on_tip_land ? kHelixTarget_mm : kTargetV_mm;
       const std::vector<double> worst =
           errors(basis, [&](double v) { return fitter.point(arc, x, row_at(v)); });
       if (*std::max_element(worst.begin(), worst.end()) > target) return false;
@@ -183,7 +160,7 @@ double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t
                  const Layer& layer, const BSplineBasis& along_v) {
   const BSplineBasis& along_u = fitter.basis(arc);
   double worst = 0.0;
-  for (const double v : between(along_v, kFaceChecks)) {
+  for (const double v : places_between_knots(along_v, kFaceChecks)) {
     const ModifiedSide::Row row = fitter.side().row(layer.low, layer.high, v);
     const BSplineBasis::Local local = along_v.local(v);
     Eigen::MatrixXd line(along_u.poles(), 3);
@@ -194,7 +171,7 @@ double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t
                face.poles[static_cast<std::size_t>(i)][static_cast<std::size_t>(local.first) + j];
       line.row(i) = sum.transpose();
     }
-    for (const double x : between(along_u, kFaceChecks)) {
+    for (const double x : places_between_knots(along_u, kFaceChecks)) {
       const Vec3 error = along_u.evaluate(line, x) - fitter.point(arc, x, row);
       worst = std::max(worst, error.norm());
     }
@@ -202,30 +179,40 @@ double deviation(const ModifiedFace& face, const SideFitter& fitter, std::size_t
   return worst;
 }
 
-std::vector<ToothLevel> levels_between(const ModifiedTeeth& teeth,
-                                       const std::vector<double>& planes) {
-  std::vector<ToothLevel> levels;
-  for (const double z : planes) levels.push_back({z, false});
-  std::vector<double> kinks;
-  for (const bool left : {false, true}) {
-    const auto& own = teeth.side(left).field().kinks_z();
-    kinks.insert(kinks.end(), own.begin(), own.end());
+}  // namespace
+
+std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width) {
+  const std::vector<double> kinks = teeth.kinks_z();
+  const auto cut_by = [&](int n) {
+    std::vector<ToothLevel> planes;
+    for (int i = 0; i <= n; ++i) planes.push_back({face_width * (2 * i - n) / (2.0 * n)});
+    return planes;
+  };
+  const auto near = [&](const std::vector<ToothLevel>& planes) {
+    const double least = kNearPlane * (planes[1].z - planes[0].z);
+    for (const double kink : kinks)
+      for (const ToothLevel& plane : planes)
+        if (std::abs(plane.z - kink) < least) return true;
+    return false;
+  };
+  std::vector<ToothLevel> levels = cut_by(slices);
+  for (int n = slices; n > 1 && n < slices + kMoreSlices; ++n) {
+    if (auto planes = cut_by(n); !near(planes)) {
+      levels = std::move(planes);
+      break;
+    }
   }
-  std::sort(kinks.begin(), kinks.end());
-  kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
   for (const double z : kinks) levels.push_back({z, true});
   std::sort(levels.begin(), levels.end(),
             [](const ToothLevel& a, const ToothLevel& b) { return a.z < b.z; });
   return levels;
 }
 
-}  // namespace
-
-Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, const std::vector<double>& planes) {
-  GW_EXPECTS(planes.size() >= 2);
+Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels) {
+  GW_EXPECTS(levels.size() >= 2);
   std::array<SideFitter, 2> fitters{SideFitter(teeth.side(false)), SideFitter(teeth.side(true))};
   ModifiedFit fit;
-  fit.levels = levels_between(teeth, planes);
+  fit.levels = std::move(levels);
   for (SideFitter& fitter : fitters)
     for (std::size_t arc = 0; arc < fitter.arcs(); ++arc)
       for (std::size_t l = 0; l + 1 < fit.levels.size() && fitter.is_face(arc); ++l)
@@ -259,12 +246,9 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, const std::vector<d
                               l > 0 ? &above[side][arc] : nullptr, end, upper[arc]);
         const double off = deviation(faces[arc], fitter, arc, layer, along_v);
         faces[arc].deviation_mm = off;
-        if (!(off <= kSectionMax_mm)) {
-          return Error{"", "",
-                       fmt::format("the modified {} cannot be drawn as a spline closer than "
-                                   "{:.1e} mm; at most {:.0e} mm is allowed",
-                                   to_string(teeth.outline().arcs[arc].name), off, kSectionMax_mm)};
-        }
+        if (!(off <= kSectionMax_mm))
+          return no_spline(fmt::format("modified {}", to_string(teeth.outline().arcs[arc].name)),
+                           off);
       }
       fit.faces[side].push_back(std::move(faces));
       above[side] = std::move(upper);

@@ -27,7 +27,7 @@ struct ModifiedFace {
 };
 
 struct ModifiedFit {
-  std::vector<ToothLevel> levels;  ///< planes and the starts of end reliefs, from below
+  std::vector<ToothLevel> levels;  ///< those of tooth_levels()
   std::vector<WallKnots> along_v;  ///< of each layer, in mm
   /// Of the right and the left side, by arc.
   std::array<std::vector<WallKnots>, 2> along_u;
@@ -35,9 +35,13 @@ struct ModifiedFit {
   std::array<std::vector<std::vector<ModifiedFace>>, 2> faces;
 };
 
-/// Fits the teeth between these planes.
+/// The planes that cut the teeth into slices, and the starts of end reliefs, from below. There are
+/// more slices than those of the teeth as cut if one of their planes would cross such a start.
+std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
+
+/// Fits the teeth between these levels.
 ///
 /// Errors    a face that no spline meets within kSectionMax_mm
-Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, const std::vector<double>& planes);
+Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels);
 
 }  // namespace gearwright

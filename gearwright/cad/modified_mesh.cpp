@@ -18,8 +18,6 @@ constexpr double kStepU = 1e-4, kStepZ = 1e-4;
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // heights, and places of an arc, at which c is examined
 
-SinCos turn_of(double angle) { return {std::sin(angle), std::cos(angle)}; }
-
 // A segment of the grid: its arc, and the places where it begins and ends.
 struct Segment {
   std::size_t arc;
@@ -60,13 +58,9 @@ class GridMaker {
   }
 
   std::vector<double> levels(const std::vector<SectionPoint>& half, double step) const {
-    std::vector<double> starts{-width_ / 2, width_ / 2};
-    for (const bool left : {false, true}) {
-      const auto& kinks = teeth_.side(left).field().kinks_z();
-      starts.insert(starts.end(), kinks.begin(), kinks.end());
-    }
-    std::sort(starts.begin(), starts.end());
-    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    std::vector<double> starts = teeth_.kinks_z();
+    starts.insert(starts.begin(), -width_ / 2);
+    starts.push_back(width_ / 2);
     std::vector<double> all{starts.front()};
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
       const double lo = starts[i], hi = starts[i + 1];
@@ -101,7 +95,7 @@ class GridMaker {
         const auto shift = [&](double u) {
           const ModifiedSide& side = teeth_.side(row.left);
           const Vec2 moved =
-              turned(side.point(s.arc, u, row.row).head<2>(), turn_of(-side.twist() * row.row.z));
+              turned(side.point(s.arc, u, row.row).head<2>(), -side.twist() * row.row.z);
           return Vec2(moved - teeth_.outline().arcs[s.arc].point(u));
         };
         worst = std::max(worst, (shift(middle) - 0.5 * (shift(s.u_0) + shift(s.u_1))).norm());
@@ -115,8 +109,7 @@ class GridMaker {
     if (depth == 0 || missed(s) <= 0.5 * tolerance_) return;
     divide({s.arc, s.u_0, middle}, depth - 1, all);
     const Arc& arc = teeth_.outline().arcs[s.arc];
-    const double angle = arc.at(middle).tangent_angle;
-    const Vec2 normal = teeth_.outline().side() * Vec2(-std::sin(angle), std::cos(angle));
+    const Vec2 normal = section_normal(teeth_.outline().side(), arc.at(middle).tangent_angle);
     all.push_back({arc.point(middle), normal, normal, s.arc, middle});
     divide({s.arc, middle, s.u_1}, depth - 1, all);
   }
@@ -163,7 +156,7 @@ Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& 
   const Vec3 along = (4 * at(u + h) - at(u + 2 * h) - 3 * at(u)) / (2 * h);
   const Vec3 up = side.point(arc, u, rows.above) - side.point(arc, u, rows.below);
   const Vec3 n = along.cross(up).normalized();
-  const Vec2 cut = turned(cut_normal, turn_of(side.twist() * rows.here.z));
+  const Vec2 cut = turned(cut_normal, side.twist() * rows.here.z);
   return n.head<2>().dot(cut) < 0.0 ? Vec3(-n) : n;
 }
 
@@ -186,13 +179,7 @@ std::vector<HalfPoint> half_ring(const ModifiedSide& side, const ModifiedGrid& g
   return all;
 }
 
-Vec2 mirror(const Vec2& v) { return {v.x(), -v.y()}; }
 Vec3 mirror(const Vec3& v) { return {v.x(), -v.y(), v.z()}; }
-
-Vec3 turned_3(const Vec3& v, const SinCos& turn) {
-  const Vec2 plane = turned(v.head<2>(), turn);
-  return {plane.x(), plane.y(), v.z()};
-}
 
 }  // namespace
 
@@ -207,7 +194,7 @@ ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint>
 
 std::vector<Vec2> modified_half(const ModifiedSide& side, const ModifiedGrid& grid, double z) {
   const ModifiedSide::Row row = side.plane(z);
-  const SinCos back = turn_of(-side.twist() * z);
+  const SinCos back = sincos_of(-side.twist() * z);
   std::vector<Vec2> all;
   for (const SectionPoint& p : grid.half)
     all.push_back(turned(side.point(p.arc, p.u, row).head<2>(), back));
@@ -223,12 +210,13 @@ std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid&
     const std::vector<HalfPoint> right = half_ring(teeth.side(false), grid, z);
     const std::vector<HalfPoint> left = half_ring(teeth.side(true), grid, z);
     // The middles of space and tooth lie on lands, or where the fades end, and are as cut.
-    const SinCos screw = turn_of(teeth.side(true).twist() * z);
+    const SinCos screw = sincos_of(teeth.side(true).twist() * z);
     Ring ring{z, {}};
-    ring.points.push_back(
-        {turned(mirror(root.point), screw), turned_3(left[0].tip, back), mirror(right[0].tip)});
+    ring.points.push_back({turned(mirrored(root.point), screw),
+                           turned_about_axis(left[0].tip, back), mirror(right[0].tip)});
     for (std::size_t i = 1; i < n; ++i)
-      ring.points.push_back({mirror(right[i].point), mirror(right[i].root), mirror(right[i].tip)});
+      ring.points.push_back(
+          {mirrored(right[i].point), mirror(right[i].root), mirror(right[i].tip)});
     ring.points.push_back({turned(tip.point, screw), mirror(right[n].root), left[n].root});
     for (std::size_t i = n - 1; i > 0; --i)
       ring.points.push_back({left[i].point, left[i].tip, left[i].root});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "gearwright/cad/mesh.hpp"
@@ -134,15 +135,13 @@ TEST(ModifiedMesh, removes_the_integral_of_the_modification) {
     m.tip_relief = {0.03, 2 * (root + 0.4 * (tip - root)), ReliefShape::linear};
     const ModifiedGear g = modified("relieved", std::move(gear), {m, m});
     ToothedBody plain = g.body;
-    plain.removal = {};
+    plain.modified = nullptr;
     const double removed =
         mesh_volume(tessellated(plain, 1e-4)) - mesh_volume(tessellated(g.body, 1e-4));
     const double wanted = removed_from_flanks(g);
     EXPECT_GT(wanted, 0.0);
     EXPECT_NEAR(removed / wanted, 1.0, 0.01);
-    const auto teeth = ModifiedTeeth::of(g.body);
-    ASSERT_TRUE(teeth);
-    EXPECT_NEAR(teeth->removed_volume(g.body.face_width) / wanted, 1.0, 0.01);
+    EXPECT_NEAR(g.body.modified->removed_volume(g.body.face_width) / wanted, 1.0, 0.01);
   }
 }
 
@@ -155,14 +154,12 @@ TEST(ModifiedMesh, crowning_removes_at_the_faces) {
     m.lead_crowning = 0.02;
     const ModifiedGear g = modified("crowned", std::move(gear), {m, m},
                                     ring ? std::optional(Bore{118.0}) : std::nullopt);
-    const auto teeth = ModifiedTeeth::of(g.body);
-    ASSERT_TRUE(teeth);
     const double flanks = removed_from_flanks(g);
-    const double removed = teeth->removed_volume(g.body.face_width);
+    const double removed = g.body.modified->removed_volume(g.body.face_width);
     EXPECT_GT(removed, flanks);
     EXPECT_LT(removed, 1.5 * flanks);
     ToothedBody plain = g.body;
-    plain.removal = {};
+    plain.modified = nullptr;
     EXPECT_NEAR(
         (mesh_volume(tessellated(plain, 1e-4)) - mesh_volume(tessellated(g.body, 1e-4))) / removed,
         1.0, 0.01);
@@ -208,25 +205,76 @@ TEST(ModifiedMesh, lands_stay_as_cut) {
   }
 }
 
-TEST(ModifiedMesh, teeth_that_cannot_be_modified_say_why) {
-  Gear gear = external(17, 0.0);
+// Where a linear relief begins, the flank has an edge and its vertices one normal for each side, which
+// differ by the slope of the relief.
+TEST(ModifiedMesh, a_relief_begins_at_a_crease) {
+  Gear gear = external(21, 20.0);
+  const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
+  const double start = root + 0.5 * (tip - root);
   FlankModifications m;
-  m.tip_relief = {0.02, gear.tip_diameter - 2.0, ReliefShape::linear};
-  ToothedBody body = gear_body(gear, "gear").value();
-  // A whole circle of land is no face of a solid.
-  const auto one = make_gear(testing::plain_spec(
-      {.teeth = 1, .module = 2.0, .beta_deg = 60.0, .x = 0.9, .face_width = 10.0}));
-  if (one && one->exists() && one->root_form_radius()) {
-    FlankModifications crowned;
-    crowned.lead_crowning = 0.01;
-    ToothedBody made = gear_body(*one, "one").value();
-    EXPECT_FALSE(modify(made, *one, {crowned, crowned}));
-    EXPECT_FALSE(made.modified());
-    EXPECT_FALSE(made.unmodified.empty());
+  m.tip_relief = {0.05, 2 * start, ReliefShape::linear};
+  const ModifiedGear g = modified("relieved", std::move(gear), {m, m});
+  const TriangleMesh mesh = tessellated(g.body);
+  std::map<std::uint32_t, std::vector<Vec3>> normals;
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+    normals[mesh.shaded_vertices[i]].push_back(mesh.normals[i]);
+  // c by the roll length L, of which an arc of the involute has dL = r_b/L per length.
+  const double r_b = g.gear.reference().base_diameter / 2;
+  const auto roll = [&](double rho) { return std::sqrt(rho * rho - r_b * r_b); };
+  const double slope = 0.05 / (roll(tip) - roll(start)) * r_b / roll(start);
+  int creases = 0;
+  for (const auto& [vertex, at] : normals) {
+    const Vec3& p = mesh.vertices[vertex];
+    if (std::abs(p.z()) == g.body.face_width / 2 || std::abs(p.head<2>().norm() - start) > 1e-9)
+      continue;
+    ASSERT_EQ(at.size(), 2u);
+    const double turn = std::acos(std::min(1.0, at[0].dot(at[1])));
+    EXPECT_NEAR(turn / slope, 1.0, 0.1);
+    ++creases;
   }
-  FlankModifications off = m;
+  EXPECT_GE(creases, 2 * 21);
+}
+
+// Tip relief of this amount over most of the flank.
+FlankModifications relief(const Gear& gear, double amount) {
+  const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
+  FlankModifications m;
+  m.tip_relief = {amount, 2 * (root + 0.2 * (tip - root)), ReliefShape::linear};
+  return m;
+}
+
+// The reason why teeth stay as cut; empty if they have their modifications.
+std::string reason(const CylindricalSpec& spec, double amount) {
+  const Gear gear = make_gear(spec).value();
+  const FlankModifications m = relief(gear, amount);
+  ToothedBody body = gear_body(gear, "gear").value();
+  EXPECT_FALSE(modify(body, gear, {m, m}));
+  EXPECT_EQ(body.modified == nullptr, !body.unmodified.empty());
+  return body.unmodified;
+}
+
+TEST(ModifiedMesh, teeth_that_cannot_be_modified_say_why) {
+  const auto shifted = [](double x) {
+    return testing::plain_spec({.teeth = 12, .module = 2.5, .x = x, .face_width = 10.0});
+  };
+  EXPECT_EQ(reason(shifted(0.9), 0.001), "the teeth are pointed");
+  EXPECT_EQ(reason(shifted(0.8), 0.1), "the modified flanks of a tooth would cross");
+  EXPECT_EQ(reason(shifted(0.8), 0.001), "");
+  // Its tip rounding is shorter than the movement that it follows.
+  CylindricalSpec rounded = testing::plain_spec({.teeth = 25, .module = 2.5, .face_width = 10.0});
+  rounded.tip_fillet = TipFilletSpec{TipFilletSpec::By::corner, 0.1};
+  EXPECT_EQ(reason(rounded, 0.2), "the modification folds the surface beside the flank");
+  EXPECT_EQ(reason(rounded, 0.05), "");
+  EXPECT_EQ(reason(testing::plain_spec(
+                       {.teeth = 1, .module = 2.0, .beta_deg = 60.0, .x = 0.9, .face_width = 10.0}),
+                   0.001),
+            "a land of the single tooth spans more than half a turn");
+
+  const Gear gear = external(17, 0.0);
+  FlankModifications off = relief(gear, 0.02);
   off.tip_relief.reach = gear.tip_diameter + 1;
-  const auto error = modify(body, gear, {off, m});
+  ToothedBody body = gear_body(gear, "gear").value();
+  const auto error = modify(body, gear, {off, relief(gear, 0.02)});
   ASSERT_TRUE(error);
   EXPECT_EQ(error->field, "modifications.right.tip_relief.reach");
 }

@@ -8,6 +8,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/cad/screw.hpp"
 #include "gearwright/cad/walls.hpp"
 
 namespace gearwright {
@@ -19,28 +20,13 @@ constexpr double kSmooth = 1e-6;
 // Starts of reliefs nearer to each other, or to the end of an arc, make no division, mm. A linear
 // relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
-// A land is a circle about the axis, mm.
-constexpr double kRoundLand_mm = 1e-8;
 // Step along the arc for the slope of the curvature at its end, relative to its parameter.
 constexpr double kCurvatureStep = 1e-3;
 // Heights at which the teeth are examined.
 constexpr int kExaminedRows = 33;
 constexpr int kExaminedPoints = 16;
 
-Vec2 turned_by(const Vec2& v, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
-
 Error obstacle(const std::string& why) { return {"modifications", "", why}; }
-
-bool round_land(const Arc& arc) {
-  if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
-  const double radius = arc.begin_point.norm();
-  for (const double u : {0.25, 0.5, 0.75, 1.0})
-    if (std::abs(arc.point(u).norm() - radius) > kRoundLand_mm) return false;
-  return true;
-}
 
 std::optional<Error> obstacle_of(const Outline& outline) {
   const auto flank = [](const Arc& arc) { return arc.name == ArcName::flank; };
@@ -60,25 +46,6 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   if (std::abs(outline.teeth) == 1 && std::any_of(arcs.begin(), arcs.end(), round_land))
     return obstacle("a land of the single tooth spans more than half a turn");
   return std::nullopt;
-}
-
-// The outline without slivers, its ends on the middles of space and tooth to the last bit.
-Outline tidied(const Outline& outline) {
-  Outline tidy{outline.teeth, {}};
-  Vec2 cursor = outline.arcs.front().begin_point;
-  for (const Arc& arc : outline.arcs) {
-    const Vec2 middle = arc.point(0.5);
-    if ((middle - arc.begin_point).norm() + (arc.end_point - middle).norm() < kShortestArc_mm)
-      continue;
-    tidy.arcs.push_back(arc);
-    tidy.arcs.back().begin_point = cursor;
-    cursor = arc.end_point;
-  }
-  const SinCos space = sincos_turn(1, 2LL * std::abs(outline.teeth));
-  Vec2 &root = tidy.arcs.front().begin_point, &tip = tidy.arcs.back().end_point;
-  root = root.norm() * Vec2(space.cos, space.sin);
-  tip = {tip.norm(), 0.0};
-  return tidy;
 }
 
 // The starts of reliefs as radii, growing.
@@ -132,37 +99,26 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
 // its curvature and the slope of that, which is in error by the fourth power of the distance.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
-  const double side = outline_->side();
-  const auto normal = [&](double angle) {
-    return Vec2(side * Vec2(-std::sin(angle), std::cos(angle)));
+  const auto place = [&](const Vec2& p, double angle) {
+    const Vec3 n = screw_normal(p, section_normal(outline_->side(), angle), twist_);
+    return Place{p, n, std::log(p.norm())};
   };
-  if (u <= 1.0) return {a.point(u), normal(a.at(u).tangent_angle)};
+  if (u <= 1.0) return place(a.point(u), a.at(u).tangent_angle);
   const CurvePoint end = a.at(1.0), before = a.at(1.0 - kCurvatureStep);
   const double step = (end.point - before.point).norm();
   const double s = (u - 1.0) / kCurvatureStep * step;
   const double k = end.curvature, k1 = (k - before.curvature) / step;
   const double x = s - k * k * s * s * s / 6, y = k * s * s / 2 + k1 * s * s * s / 6;
-  return {a.end_point + turned_by({x, y}, end.tangent_angle),
-          normal(end.tangent_angle + k * s + k1 * s * s / 2)};
+  return place(a.end_point + turned({x, y}, end.tangent_angle),
+               end.tangent_angle + k * s + k1 * s * s / 2);
 }
 
-Vec3 ModifiedSide::moved(std::size_t arc, double u, double zeta) const {
-  const auto [p, e] = nominal(arc, u);
-  const Vec3 n = Vec3(e.x(), e.y(), twist_ * (e.x() * p.y() - e.y() * p.x())).normalized();
-  const double c = field_->at(std::log(p.norm()), zeta).c;
-  const Vec2 xy = turned_by(p - c * n.head<2>(), twist_ * zeta);
-  return {xy.x(), xy.y(), zeta - c * n.z()};
-}
-
-double ModifiedSide::zeta_at(const ToothLevel& level, std::size_t arc, double u) const {
+double ModifiedSide::zeta_at(const ToothLevel& level, const Place& at) const {
   if (level.kink || twist_ == 0.0) return level.z;
-  const auto [p, e] = nominal(arc, u);
-  const Vec3 n = Vec3(e.x(), e.y(), twist_ * (e.x() * p.y() - e.y() * p.x())).normalized();
-  const double at = std::log(p.norm());
   // ζ = z + c n_z converges by the slope of c, 1 in 5 at most, in every step.
   double zeta = level.z;
   for (int i = 0; i < 40; ++i) {
-    const double next = level.z + field_->at(at, zeta).c * n.z();
+    const double next = level.z + removed(at, zeta) * at.n.z();
     const bool same = std::abs(next - zeta) < 1e-15 * (1 + std::abs(level.z));
     zeta = next;
     if (same) break;
@@ -170,10 +126,17 @@ double ModifiedSide::zeta_at(const ToothLevel& level, std::size_t arc, double u)
   return zeta;
 }
 
-double ModifiedSide::zeta_in(const Row& row, std::size_t arc, double u) const {
-  if (row.v == 0.0) return zeta_at(row.low, arc, u);
-  if (row.v == 1.0) return zeta_at(row.high, arc, u);
-  return (1 - row.v) * zeta_at(row.low, arc, u) + row.v * zeta_at(row.high, arc, u);
+double ModifiedSide::zeta_in(const Row& row, const Place& at) const {
+  if (row.v == 0.0) return zeta_at(row.low, at);
+  if (row.v == 1.0) return zeta_at(row.high, at);
+  return (1 - row.v) * zeta_at(row.low, at) + row.v * zeta_at(row.high, at);
+}
+
+Vec3 ModifiedSide::flank(std::size_t arc, double u, const Row& row) const {
+  const Place at = nominal(arc, u);
+  const double zeta = zeta_in(row, at), c = removed(at, zeta);
+  const Vec2 xy = turned(at.p - c * at.n.head<2>(), twist_ * zeta);
+  return {xy.x(), xy.y(), zeta - c * at.n.z()};
 }
 
 // The secant method for |M| = r_a, from the nominal edge.
@@ -199,7 +162,7 @@ ModifiedSide::Row ModifiedSide::row(const ToothLevel& low, const ToothLevel& hig
     const Vec3 end = tip ? flank(last_, row.edge, row) : flank(first_, 0.0, row);
     const Arc& arc = outline_->arcs[tip ? last_ : first_];
     row.shift[tip] =
-        turned_by(end.head<2>(), -twist_ * end.z()) - (tip ? arc.end_point : arc.begin_point);
+        turned(end.head<2>(), -twist_ * end.z()) - (tip ? arc.end_point : arc.begin_point);
     row.end_z[tip] = end.z();
   }
   return row;
@@ -230,7 +193,7 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
       const bool joint = tip == 1 ? arc == last_ + 1 && u == 0.0 : arc + 1 == first_ && u == 1.0;
       const double w = joint ? 1.0 : weight(arc, p.norm());
       const double z = w * row.end_z[tip] + (1 - w) * row.z;
-      const Vec2 xy = turned_by(p + w * row.shift[tip], twist_ * z);
+      const Vec2 xy = turned(p + w * row.shift[tip], twist_ * z);
       return {xy.x(), xy.y(), z};
     }
     case Role::land: break;
@@ -244,24 +207,32 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
     p = a.begin_point.norm() * Vec2(std::cos(angle), std::sin(angle));
     z = (1 - u) * row.end_z[1] + u * row.z;
   }
-  const Vec2 xy = turned_by(p, twist_ * z);
+  const Vec2 xy = turned(p, twist_ * z);
   return {xy.x(), xy.y(), z};
 }
 
-Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
-  GW_EXPECTS(body.removal[0] && body.removal[1]);
+std::vector<double> ModifiedTeeth::kinks_z() const {
+  std::vector<double> all = right_.field().kinks_z();
+  all.insert(all.end(), left_.field().kinks_z().begin(), left_.field().kinks_z().end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+Result<ModifiedTeeth> ModifiedTeeth::of(
+    const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal) {
   const Outline tidy = tidied(body.outline);
   if (auto error = obstacle_of(tidy)) return *error;
   Outline divided{body.outline.teeth, {}};
   for (const Arc& arc : tidy.arcs) {
     if (arc.name == ArcName::flank) {
-      append_divided(arc, starts(body.removal), divided.arcs);
+      append_divided(arc, starts(removal), divided.arcs);
     } else {
       divided.arcs.push_back(arc);
     }
   }
-  const ModifiedTeeth teeth{ModifiedSide(divided, -body.twist, body.removal[0]),
-                            ModifiedSide(divided, body.twist, body.removal[1])};
+  const ModifiedTeeth teeth{ModifiedSide(divided, -body.twist, removal[0]),
+                            ModifiedSide(divided, body.twist, removal[1])};
   const double half = body.face_width / 2;
   for (const bool left : {false, true}) {
     const ModifiedSide& side = teeth.side(left);
@@ -278,7 +249,7 @@ Result<ModifiedTeeth> ModifiedTeeth::of(const ToothedBody& body) {
           const Vec2 step = after - before;
           if (!(step.x() * std::cos(along) + step.y() * std::sin(along) > 0.0))
             return obstacle("the modification folds the surface beside the flank");
-          const Vec2 back = turned_by(after, -side.twist() * row.z);
+          const Vec2 back = turned(after, -side.twist() * row.z);
           const bool middle = arc + 1 == divided.arcs.size() && k == kExaminedPoints;
           if (!middle && !(back.y() > 0.0))
             return obstacle("the modified flanks of a tooth would cross");
@@ -306,7 +277,7 @@ double ModifiedTeeth::removed_volume(double face_width) const {
         for (int k = 0; k <= kPoints; ++k) {
           const double u = static_cast<double>(k) / kPoints;
           const Vec2 cut = outline().arcs[arc].point(u);
-          const Vec2 moved = turned_by(s.point(arc, u, row).head<2>(), -s.twist() * row.z);
+          const Vec2 moved = turned(s.point(arc, u, row).head<2>(), -s.twist() * row.z);
           if (begun) {
             // The quadrangle between two pairs of points.
             area += cross(moved - cut_before, cut - moved_before);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -43,20 +41,6 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
   return poles;
 }
 
-// Abscissae between the knots, none of which is a Greville point: (k + ½)/24 of each span.
-std::vector<std::vector<double>> checks(const BSplineBasis& basis) {
-  const std::vector<double> knots = basis.distinct_knots();
-  std::vector<std::vector<double>> spans;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    std::vector<double> u;
-    for (int k = 0; k < kChecksPerSpan; ++k) {
-      u.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / kChecksPerSpan);
-    }
-    spans.push_back(std::move(u));
-  }
-  return spans;
-}
-
 // Returns the normal distance from q to the curve near its parameter t. It is the remainder of q −
 // W after the foot point has moved along the tangent, on the osculating circle. The error is of
 // third order in that movement. If the movement is not short compared with the radius of curvature,
@@ -89,33 +73,11 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   samples.front() = begin;
   samples.back() = end;
   std::vector<Complex> poles = interpolate(basis, samples);
-  std::vector<double> spans;
-  for (const std::vector<double>& span : checks(basis)) {
-    double worst = 0.0;
-    for (const double u : span) {
-      worst = std::max(worst, normal_distance(curve, t_at(u), value(basis, poles, u)));
-    }
-    spans.push_back(worst);
-  }
+  std::vector<double> spans = worst_by_span(basis, kChecksPerSpan, [&](double u) {
+    return normal_distance(curve, t_at(u), value(basis, poles, u));
+  });
   const double worst = *std::max_element(spans.begin(), spans.end());
   return {std::move(basis), std::move(poles), std::move(spans), worst};
-}
-
-// Returns the knots of `old` with every span halved that misses the target, or nothing if all of
-// those spans are already shorter than kShortestSpan. In that case the arc is torn there and more
-// knots do not help.
-std::optional<BSplineBasis> refined(const Candidate& old, double target) {
-  std::vector<double> knots = old.basis.knots();
-  const std::size_t before = knots.size();
-  const std::vector<double> at = old.basis.distinct_knots();
-  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-    if (old.span_deviation[i] > target && at[i + 1] - at[i] > kShortestSpan) {
-      knots.push_back(0.5 * (at[i] + at[i + 1]));
-    }
-  }
-  if (knots.size() == before) return std::nullopt;
-  std::sort(knots.begin(), knots.end());
-  return BSplineBasis(kDegree, std::move(knots));
 }
 
 // Splines with few poles are tried first: uniform knots up to 40 poles, then halved spans from 16
@@ -132,7 +94,7 @@ Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Com
   }
   Candidate current = fit(BSplineBasis(kDegree, kDegree + 16), curve, t_at, begin, end);
   while (true) {
-    std::optional<BSplineBasis> next = refined(current, target);
+    std::optional<BSplineBasis> next = refined(current.basis, current.span_deviation, target);
     if (!next || next->poles() > kMaxPoles) return *best;
     current = fit(*std::move(next), curve, t_at, begin, end);
     if (good(current)) return *best;
@@ -155,15 +117,47 @@ bool runs_evenly(const Arc& arc) {
   return slowest * kSteps > kSlowest * sum;
 }
 
-double distance(Complex a, const Vec2& b) { return std::hypot(a.real() - b.x(), a.imag() - b.y()); }
-
 }  // namespace
+
+std::vector<double> places_between_knots(const BSplineBasis& basis, int n) {
+  const std::vector<double> knots = basis.distinct_knots();
+  std::vector<double> places;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+    for (int k = 0; k < n; ++k)
+      places.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / n);
+  return places;
+}
+
+std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
+                                  const std::function<double(double)>& error) {
+  const std::vector<double> places = places_between_knots(basis, n);
+  std::vector<double> worst(places.size() / static_cast<std::size_t>(n), 0.0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    double& span = worst[i / static_cast<std::size_t>(n)];
+    span = std::max(span, error(places[i]));
+  }
+  return worst;
+}
+
+std::optional<BSplineBasis> refined(const BSplineBasis& basis,
+                                    const std::vector<double>& span_deviation, double target) {
+  std::vector<double> knots = basis.knots();
+  const std::size_t before = knots.size();
+  const std::vector<double> at = basis.distinct_knots();
+  for (std::size_t i = 0; i + 1 < at.size(); ++i)
+    if (span_deviation[i] > target && at[i + 1] - at[i] > kShortestSpan)
+      knots.push_back(0.5 * (at[i] + at[i + 1]));
+  if (knots.size() == before) return std::nullopt;
+  std::sort(knots.begin(), knots.end());
+  return BSplineBasis(basis.degree(), std::move(knots));
+}
 
 Complex SectionSpline::at(double u) const { return value(basis, poles, u); }
 Complex HelixSpline::at(double v) const { return value(basis, poles, v); }
 
-SectionSpline fit_section(const Arc& arc, Complex begin, Complex end, double target_mm) {
-  GW_EXPECTS(distance(begin, arc.begin_point) < 1e-5 && distance(end, arc.end_point) < 1e-5);
+SectionSpline fit_section(const Arc& arc, double target_mm) {
+  const Complex begin(arc.begin_point.x(), arc.begin_point.y());
+  const Complex end(arc.end_point.x(), arc.end_point.y());
   const Curve& curve = *arc.curve;
   const ArcLength length(curve, arc.begin, arc.end);
   const Candidate by_length = fit_to(
@@ -193,12 +187,10 @@ HelixSpline fit_helix(double delta, double radius, double target_mm) {
     std::vector<Complex> samples;
     for (const double g : basis.greville()) samples.push_back(std::polar(1.0, delta * (g - 0.5)));
     std::vector<Complex> h = interpolate(basis, samples);
-    double worst = 0.0;
-    for (const std::vector<double>& span : checks(basis)) {
-      for (const double v : span) {
-        worst = std::max(worst, std::abs(value(basis, h, v) - std::polar(1.0, delta * (v - 0.5))));
-      }
-    }
+    const std::vector<double> spans = worst_by_span(basis, kChecksPerSpan, [&](double v) {
+      return std::abs(value(basis, h, v) - std::polar(1.0, delta * (v - 0.5)));
+    });
+    const double worst = *std::max_element(spans.begin(), spans.end());
     if (worst <= target) return {std::move(basis), std::move(h), worst};
   }
 }

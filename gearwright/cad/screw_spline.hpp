@@ -14,6 +14,8 @@
 #pragma once
 
 #include <complex>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "gearwright/generation/outline.hpp"
@@ -40,8 +42,7 @@ struct SectionSpline {
   Complex at(double u) const;
 };
 
-/// Fits a spline of degree 5 to the arc from `begin` to `end`, with the fewest poles that reach the
-/// target.
+/// Fits a spline of degree 5 to the arc, with the fewest poles that reach the target.
 ///
 /// Both the curve's own parameter and its arc length are tried, and the one with fewer poles is
 /// used. A trochoid needs fewer poles by length, an involute near its base circle by roll angle.
@@ -50,14 +51,25 @@ struct SectionSpline {
 /// halved.
 ///
 /// Units     mm
-/// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
+/// Domain    the arc's ends lie within 1e-5 mm of its curve
 /// Accuracy  deviation_mm ≤ target, or the best that kMaxPoles gave, which the caller must check.
 ///           The error has at most 5 lobes between two knots. 24 points miss the top of a lobe by a
 ///           half step of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
-SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
-                          double target_mm = kSectionTarget_mm);
+SectionSpline fit_section(const Arc& arc, double target_mm = kSectionTarget_mm);
 
 inline constexpr int kMaxPoles = 240;
+
+/// Places between the knots, none of which is a Greville point: (k + ½)/n of each span.
+std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
+
+/// The greatest error at those places, span by span.
+std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
+                                  const std::function<double(double)>& error);
+
+/// The basis with every span halved that misses the target, or nothing if all of those spans are
+/// already so short that the curve is torn there and more knots do not help.
+std::optional<BSplineBasis> refined(const BSplineBasis& basis,
+                                    const std::vector<double>& span_deviation, double target);
 
 struct HelixSpline {
   BSplineBasis basis;          ///< degree 5; degree 1 without twist

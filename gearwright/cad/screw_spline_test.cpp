@@ -12,10 +12,6 @@ namespace {
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
-SectionSpline fit(const Arc& arc) {
-  return fit_section(arc, as_complex(arc.begin_point), as_complex(arc.end_point));
-}
-
 // Greatest distance from the arc of 1000 points of the spline, none of which the fit used.
 double measured(const SectionSpline& spline, const Arc& arc) {
   const testing::OutlineDistance distance({1, {arc}});
@@ -29,7 +25,7 @@ double measured(const SectionSpline& spline, const Arc& arc) {
 
 TEST(ScrewSpline, EndsAreTheArcsEndsToTheLastBit) {
   for (const Arc& arc : testing::sample_body({.beta = 0.3}).outline.arcs) {
-    const SectionSpline spline = fit(arc);
+    const SectionSpline spline = fit_section(arc);
     EXPECT_EQ(spline.poles.front(), as_complex(arc.begin_point));
     EXPECT_EQ(spline.poles.back(), as_complex(arc.end_point));
   }
@@ -39,7 +35,7 @@ TEST(ScrewSpline, SectionIsAsNearAsItSays) {
   for (const int teeth : {12, 20, 150}) {
     for (const Arc& arc :
          testing::sample_body({.teeth = teeth, .beta = 0.5, .chamfer = 0.3}).outline.arcs) {
-      const SectionSpline spline = fit(arc);
+      const SectionSpline spline = fit_section(arc);
       EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
       // 1e-11 is the resolution of the ternary search of the oracle.
       EXPECT_LE(measured(spline, arc), 1.06 * spline.deviation_mm + 1e-11)
@@ -50,9 +46,9 @@ TEST(ScrewSpline, SectionIsAsNearAsItSays) {
 
 TEST(ScrewSpline, PoleCountsStayWhatTheyAre) {
   const auto body = testing::sample_body({});
-  EXPECT_EQ(fit(*body.outline.find(ArcName::root_fillet)).basis.poles(), 10);
-  EXPECT_EQ(fit(*body.outline.find(ArcName::flank)).basis.poles(), 6);
-  EXPECT_TRUE(fit(*body.outline.find(ArcName::root_fillet)).by_length);
+  EXPECT_EQ(fit_section(*body.outline.find(ArcName::root_fillet)).basis.poles(), 10);
+  EXPECT_EQ(fit_section(*body.outline.find(ArcName::flank)).basis.poles(), 6);
+  EXPECT_TRUE(fit_section(*body.outline.find(ArcName::root_fillet)).by_length);
 }
 
 TEST(ScrewSpline, InvoluteFromNearItsBaseCircleKeepsTheRollAngle) {
@@ -61,7 +57,7 @@ TEST(ScrewSpline, InvoluteFromNearItsBaseCircleKeepsTheRollAngle) {
   Outline outline{20, {}};
   testing::append(outline, ArcName::flank, std::make_shared<testing::SampleInvolute>(20.0, 0.3),
                   0.05, 0.9);
-  const SectionSpline spline = fit(outline.arcs[0]);
+  const SectionSpline spline = fit_section(outline.arcs[0]);
   EXPECT_FALSE(spline.by_length);
   EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
   EXPECT_LE(measured(spline, outline.arcs[0]), 1.06 * spline.deviation_mm + 1e-11);
@@ -84,7 +80,7 @@ class Hook final : public testing::ComplexCurve {
 TEST(ScrewSpline, HalvesSpansWhereTheCurvatureJumps) {
   Outline outline{20, {}};
   testing::append(outline, ArcName::flank, std::make_shared<Hook>(), -1.0, 0.75);
-  const SectionSpline spline = fit(outline.arcs[0]);
+  const SectionSpline spline = fit_section(outline.arcs[0]);
   EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
   EXPECT_LE(spline.basis.poles(), kMaxPoles);
   EXPECT_LE(measured(spline, outline.arcs[0]), kSectionMax_mm);

@@ -6,6 +6,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/cad/screw.hpp"
 
 namespace gearwright {
 
@@ -115,8 +116,7 @@ std::vector<SectionPoint> section_points(const Outline& outline, const SectionTo
     const Arc& arc = outline.arcs[i];
     const std::vector<double> parameters = place(arc, tolerance, most);
     for (const double u : parameters) {
-      const double angle = arc.at(u).tangent_angle;
-      const Vec2 normal = side * Vec2(-std::sin(angle), std::cos(angle));
+      const Vec2 normal = section_normal(side, arc.at(u).tangent_angle);
       if (u == 0.0 && !points.empty()) {
         points.back().tip_normal = normal;
       } else {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -58,12 +57,6 @@ void add_half_tooth(std::vector<StepFace>& faces, const BodyWalls& walls, std::s
   }
 }
 
-void add_counts(StepReport& report, double volume, const Brep& brep) {
-  report.volume_mm3 += volume;
-  report.face_count += brep.face_count;
-  report.edge_count += brep.edge_count;
-}
-
 Error too_many(std::size_t faces, int slices) {
   return {
       "faces", fmt::format("{}", faces),
@@ -93,16 +86,40 @@ void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
 }
 
 // The number of faces of the modified teeth.
-std::size_t modified_face_count(const ModifiedTeeth& teeth, std::size_t planes) {
-  std::set<double> kinks;
-  for (const bool left : {false, true})
-    for (const double z : teeth.side(left).field().kinks_z()) kinks.insert(z);
+std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<ToothLevel>& levels) {
+  const std::size_t layers = levels.size() - 1;
+  const std::size_t slices = layers - teeth.kinks_z().size();
   std::size_t tooth = 0;
-  for (std::size_t arc = 0; arc < teeth.outline().arcs.size(); ++arc) {
-    const bool land = teeth.side(true).role(arc) == ModifiedSide::Role::land;
-    tooth += land ? planes - 1 : 2 * (planes - 1 + kinks.size());
-  }
+  for (std::size_t arc = 0; arc < teeth.outline().arcs.size(); ++arc)
+    tooth += teeth.side(true).role(arc) == ModifiedSide::Role::land ? slices : 2 * layers;
   return tooth * static_cast<std::size_t>(std::abs(teeth.outline().teeth));
+}
+
+// Writes the solid of a body, and adds the faces of half a tooth.
+Result<Brep> add_solid(Part21& file, const ToothedBody& body, std::size_t index,
+                       std::vector<StepFace>& faces) {
+  if (body.rack) {
+    if (const std::size_t n = rack_face_count(body); n > kMaxStepFaces) return too_many(n, 1);
+    for (const Arc& arc : body.outline.arcs) faces.push_back({arc.name, index, 0, 0, 0, 0, 0.0});
+    return add_rack_brep(file, body);
+  }
+  const auto walls = make_walls(body);
+  if (!walls) return walls.error();
+  const WallLoop& teeth = walls->teeth;
+  if (!body.modified) {
+    const std::size_t n =
+        teeth.walls.size() * static_cast<std::size_t>(teeth.slices) * walls->helices.size();
+    if (n > kMaxStepFaces) return too_many(n, teeth.slices);
+    add_half_tooth(faces, *walls, index);
+    return add_brep(file, body, *walls);
+  }
+  const auto levels = tooth_levels(*body.modified, teeth.slices, body.face_width);
+  const std::size_t n = modified_face_count(*body.modified, levels);
+  if (n > kMaxStepFaces) return too_many(n, teeth.slices);
+  const auto fit = fit_modified(*body.modified, levels);
+  if (!fit) return fit.error();
+  add_modified_half(faces, *body.modified, *fit, index);
+  return add_modified_brep(file, body, *walls, *body.modified, *fit);
 }
 
 }  // namespace
@@ -120,47 +137,19 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
     volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_volume(body));
+    if (body.modified && !body.same_as)
+      volumes.back() -= body.modified->removed_volume(body.face_width);
+    report.volume_mm3 += volumes.back();
     if (body.same_as) {
-      report.volume_mm3 += volumes.back();
       parts.push_back(
           {body.name, body.pose, parts[*body.same_as].solid, body.colour, body.same_as});
       continue;
     }
-    if (body.rack) {
-      if (const std::size_t n = rack_face_count(body); n > kMaxStepFaces)
-        return within(body.name, too_many(n, 1));
-      const Brep brep = add_rack_brep(file, body);
-      for (const Arc& arc : body.outline.arcs)
-        report.faces.push_back({arc.name, i, 0, 0, 0, 0, 0.0});
-      add_counts(report, volumes.back(), brep);
-      parts.push_back({body.name, body.pose, brep.solid, body.colour});
-      continue;
-    }
-    const auto walls = make_walls(body);
-    if (!walls) return within(body.name, walls.error());
-    const WallLoop& teeth = walls->teeth;
-    if (body.modified()) {
-      const auto modified = ModifiedTeeth::of(body);
-      if (!modified) return within(body.name, modified.error());
-      const std::vector<double> planes = modified_planes(*modified, teeth, body.face_width);
-      const std::size_t n = modified_face_count(*modified, planes.size());
-      if (n > kMaxStepFaces) return within(body.name, too_many(n, teeth.slices));
-      const auto fit = fit_modified(*modified, planes);
-      if (!fit) return within(body.name, fit.error());
-      volumes.back() -= modified->removed_volume(body.face_width);
-      const Brep brep = add_modified_brep(file, body, *walls, *modified, *fit);
-      add_modified_half(report.faces, *modified, *fit, i);
-      add_counts(report, volumes.back(), brep);
-      parts.push_back({body.name, body.pose, brep.solid, body.colour});
-      continue;
-    }
-    const std::size_t faces =
-        teeth.walls.size() * static_cast<std::size_t>(teeth.slices) * walls->helices.size();
-    if (faces > kMaxStepFaces) return within(body.name, too_many(faces, teeth.slices));
-    const Brep brep = add_brep(file, body, *walls);
-    add_half_tooth(report.faces, *walls, i);
-    add_counts(report, volumes.back(), brep);
-    parts.push_back({body.name, body.pose, brep.solid, body.colour});
+    const auto brep = add_solid(file, body, i, report.faces);
+    if (!brep) return within(body.name, brep.error());
+    report.face_count += brep->face_count;
+    report.edge_count += brep->edge_count;
+    parts.push_back({body.name, body.pose, brep->solid, body.colour});
   }
   for (const StepFace& face : report.faces)
     report.max_deviation_mm = std::max(report.max_deviation_mm, face.max_deviation_mm);

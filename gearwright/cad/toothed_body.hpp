@@ -26,7 +26,6 @@
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/gear/bore.hpp"
-#include "gearwright/gear/modifications.hpp"
 #include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
@@ -60,6 +59,8 @@ struct Band {
   double angle(double z) const { return twist * z + turn; }
 };
 
+class ModifiedTeeth;
+
 struct ToothedBody {
   std::string name;         ///< "gear1", the name in a CAD tree
   Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
@@ -71,12 +72,11 @@ struct ToothedBody {
   std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
   std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
   std::optional<TwoHelices> two_helices{};  ///< a double-helical gear
-  /// What is removed from the right and the left flank of every tooth (cad/modified_teeth.hpp);
-  /// null if the teeth are as cut. Drawings show the outline as cut.
-  std::array<std::shared_ptr<const RemovalField>, 2> removal{};
+  /// The teeth with flank modifications, made by modify(); null if they are as cut. Drawings show the
+  /// outline as cut.
+  std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< why modifications of the gear are left out; empty if none are
 
-  bool modified() const { return removal[0] && removal[1]; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
   /// The screws of the teeth, from below: one, or two of a double-helical gear.

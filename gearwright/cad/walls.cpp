@@ -24,50 +24,6 @@ constexpr int kWallLooks = 64;    // points of an arc that are examined for radi
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
-// An arc that remains, with its ends after the removal of slivers.
-struct Piece {
-  const Arc* arc;
-  Complex begin;
-  Complex end;
-  bool circle;
-};
-
-bool is_circle(const Arc& arc, Complex begin, Complex end) {
-  if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
-  const double radius = std::abs(begin);
-  if (std::abs(std::abs(end) - radius) > kRound_mm) return false;
-  for (const double u : {0.25, 0.5, 0.75}) {
-    if (std::abs(arc.point(u).norm() - radius) > kRound_mm) return false;
-  }
-  return true;
-}
-
-std::vector<Piece> pieces_of(const Outline& outline) {
-  std::vector<Piece> pieces;
-  Complex cursor = as_complex(outline.arcs.front().begin_point);
-  for (const Arc& arc : outline.arcs) {
-    const Vec2 middle = arc.point(0.5);
-    const double length = (middle - arc.begin_point).norm() + (arc.end_point - middle).norm();
-    if (length < kShortestArc_mm) continue;
-    pieces.push_back({&arc, cursor, as_complex(arc.end_point), false});
-    cursor = pieces.back().end;
-  }
-  return pieces;
-}
-
-// Moves the first begin to the middle of the space and the last end to the middle of the tooth.
-void close_ends(std::vector<Piece>& pieces, Complex space) {
-  Piece& first = pieces.front();
-  const Complex root = std::abs(first.begin) * space;
-  GW_EXPECTS(std::abs(root - first.begin) <= kLaw_mm);
-  first.begin = root;
-  Piece& last = pieces.back();
-  const Complex tip = {std::abs(last.end), 0.0};
-  // Each sliver at the tip may have been nearly as long as the shortest arc.
-  GW_EXPECTS(std::abs(tip - last.end) <= 4.0 * kLaw_mm);
-  last.end = tip;
-}
-
 struct Extent {
   double inner;
   double outer;
@@ -112,49 +68,44 @@ struct SplinePair {
   Wall upper;
 };
 
-SplinePair spline_walls(const Piece& piece, const SectionSpline& fit) {
-  auto forward = std::make_shared<WallKnots>(
-      WallKnots{fit.basis.degree(), fit.basis.distinct_knots(), fit.basis.multiplicities()});
-  auto backward = std::make_shared<WallKnots>(*forward);
-  std::reverse(backward->distinct.begin(), backward->distinct.end());
-  for (double& knot : backward->distinct) knot = 1.0 - knot;
-  std::reverse(backward->multiplicity.begin(), backward->multiplicity.end());
+SplinePair spline_walls(Complex begin, Complex end, const SectionSpline& fit) {
+  const WallKnots knots = knots_of(fit.basis);
   std::vector<Complex> mirrored;
   for (const Complex& pole : fit.poles) mirrored.push_back(std::conj(pole));
-  return {{WallShape::spline, std::conj(piece.begin), std::conj(piece.end), forward, mirrored},
-          {WallShape::spline, piece.end, piece.begin, backward,
+  return {{WallShape::spline, std::conj(begin), std::conj(end),
+           std::make_shared<const WallKnots>(knots), mirrored},
+          {WallShape::spline, end, begin, std::make_shared<const WallKnots>(backward(knots)),
            std::vector<Complex>(fit.poles.rbegin(), fit.poles.rend())}};
 }
 
 // Walls of tooth 0, from its lower half round to the space before tooth 1.
-std::vector<Wall> tooth_walls(const std::vector<Piece>& pieces, const std::vector<ArcFit>& fits,
+std::vector<Wall> tooth_walls(const std::vector<Arc>& arcs, const std::vector<ArcFit>& fits,
                               int z) {
   std::vector<Wall> lower;
   std::vector<Wall> upper;  // still ordered from root to tip
   const double pitch = 2.0 * pi / z;
   std::optional<Wall> merged_root;
   std::optional<Wall> merged_tip;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Piece& piece = pieces[i];
-    if (!piece.circle) {
-      SplinePair pair = spline_walls(piece, *fits[i].spline);
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Complex begin = as_complex(arcs[i].begin_point), end = as_complex(arcs[i].end_point);
+    if (fits[i].spline) {
+      SplinePair pair = spline_walls(begin, end, *fits[i].spline);
       lower.push_back(std::move(pair.lower));
       upper.push_back(std::move(pair.upper));
       continue;
     }
     const bool root = i == 0;
-    const double from = root ? pitch / 2.0 : std::arg(piece.begin);
-    const double to = root ? std::arg(piece.end) : 0.0;
+    const double from = root ? pitch / 2.0 : std::arg(begin);
+    const double to = root ? std::arg(end) : 0.0;
     const bool whole = std::abs(from - to) <= pi / 2.0;
     if (whole && root) {
       const SinCos next = sincos_turn(1, z);
-      merged_root = circle_wall(piece.end, std::conj(piece.end) * Complex(next.cos, next.sin), to,
-                                pitch - to);
+      merged_root = circle_wall(end, std::conj(end) * Complex(next.cos, next.sin), to, pitch - to);
     } else if (whole) {
-      merged_tip = circle_wall(std::conj(piece.begin), piece.begin, -from, from);
+      merged_tip = circle_wall(std::conj(begin), begin, -from, from);
     } else {
-      lower.push_back(circle_wall(std::conj(piece.begin), std::conj(piece.end), -from, -to));
-      upper.push_back(circle_wall(piece.end, piece.begin, to, from));
+      lower.push_back(circle_wall(std::conj(begin), std::conj(end), -from, -to));
+      upper.push_back(circle_wall(end, begin, to, from));
     }
   }
   std::vector<Wall> walls = std::move(lower);
@@ -177,14 +128,57 @@ WallLoop loop_of(const std::vector<Wall>& tooth, int z, const Band& band) {
   return loop;
 }
 
-Error unmet(const Arc& arc, double deviation) {
+}  // namespace
+
+bool round_land(const Arc& arc) {
+  if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
+  const double radius = arc.begin_point.norm();
+  for (const double u : {0.25, 0.5, 0.75, 1.0})
+    if (std::abs(arc.point(u).norm() - radius) > kRound_mm) return false;
+  return true;
+}
+
+Outline tidied(const Outline& outline) {
+  GW_EXPECTS(!outline.arcs.empty());
+  Outline tidy{outline.teeth, {}};
+  Vec2 cursor = outline.arcs.front().begin_point;
+  for (const Arc& arc : outline.arcs) {
+    const Vec2 middle = arc.point(0.5);
+    const double length = (middle - arc.begin_point).norm() + (arc.end_point - middle).norm();
+    if (length < kShortestArc_mm) continue;
+    tidy.arcs.push_back(arc);
+    tidy.arcs.back().begin_point = cursor;
+    cursor = arc.end_point;
+  }
+  GW_EXPECTS(!tidy.arcs.empty());
+  const auto move = [](Vec2& end, const SinCos& ray, double most) {
+    const Vec2 on_ray = std::hypot(end.x(), end.y()) * Vec2(ray.cos, ray.sin);
+    GW_EXPECTS((on_ray - end).norm() <= most);
+    end = on_ray;
+  };
+  move(tidy.arcs.front().begin_point, sincos_turn(1, 2LL * std::abs(outline.teeth)), kLaw_mm);
+  // Each sliver at the tip may have been nearly as long as the shortest arc.
+  move(tidy.arcs.back().end_point, {0.0, 1.0}, 4.0 * kLaw_mm);
+  return tidy;
+}
+
+WallKnots knots_of(const BSplineBasis& basis) {
+  return {basis.degree(), basis.distinct_knots(), basis.multiplicities()};
+}
+
+WallKnots backward(WallKnots knots) {
+  std::reverse(knots.distinct.begin(), knots.distinct.end());
+  for (double& knot : knots.distinct) knot = 1.0 - knot;
+  std::reverse(knots.multiplicity.begin(), knots.multiplicity.end());
+  return knots;
+}
+
+Error no_spline(std::string_view face, double deviation) {
   return {"", "",
           fmt::format("the {} cannot be drawn as a spline closer than {:.1e} mm; at most {:.0e} mm "
                       "is allowed",
-                      to_string(arc.name), deviation, kSectionMax_mm)};
+                      face, deviation, kSectionMax_mm)};
 }
-
-}  // namespace
 
 Result<BodyWalls> make_walls(const ToothedBody& body) {
   GW_EXPECTS(body.face_width > 0.0 && std::isfinite(body.twist));
@@ -207,25 +201,21 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
     bore = std::move(made).take();
   }
 
-  std::vector<Piece> pieces = pieces_of(body.outline);
-  GW_EXPECTS(!pieces.empty());
-  close_ends(pieces, space);
+  const std::vector<Arc> arcs = tidied(body.outline).arcs;
   std::vector<ArcFit> fits;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Piece& piece = pieces[i];
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Arc& arc = arcs[i];
+    fits.push_back({arc.name, std::nullopt});
     // A circle can form one wall together with its mirror image only at the middle of a tooth or
     // space.
-    piece.circle =
-        (i == 0 || i + 1 == pieces.size()) && is_circle(*piece.arc, piece.begin, piece.end);
-    fits.push_back({piece.arc->name, std::nullopt});
-    if (piece.circle) continue;
-    fits.back().spline = fit_section(*piece.arc, piece.begin, piece.end);
+    if ((i == 0 || i + 1 == arcs.size()) && round_land(arc)) continue;
+    fits.back().spline = fit_section(arc);
     const double deviation = fits.back().spline->deviation_mm;
-    if (!(deviation <= kSectionMax_mm)) return unmet(*piece.arc, deviation);
+    if (!(deviation <= kSectionMax_mm)) return no_spline(to_string(arc.name), deviation);
   }
 
   const std::vector<Band> bands = body.bands();
-  WallLoop teeth = loop_of(tooth_walls(pieces, fits, z), z, bands.front());
+  WallLoop teeth = loop_of(tooth_walls(arcs, fits, z), z, bands.front());
   std::vector<HelixSpline> helices;
   for (const Band& band : bands)
     helices.push_back(fit_helix(band.twist * band.width / teeth.slices, extent.outer));
@@ -248,7 +238,7 @@ WallSlice slice_between(const WallLevel& low, const WallLevel& high, const Helix
   const auto z_at = [&](double v) { return low.z + (high.z - low.z) * v; };
   for (const Complex& h : helix.poles) slice.helix.push_back(middle * h);
   for (const double g : helix.basis.greville()) slice.height.push_back(z_at(g));
-  slice.knots = {helix.basis.degree(), helix.basis.distinct_knots(), helix.basis.multiplicities()};
+  slice.knots = knots_of(helix.basis);
   for (double& knot : slice.knots.distinct) knot = z_at(knot);
   slice.helix.front() = low.turn;
   slice.helix.back() = high.turn;

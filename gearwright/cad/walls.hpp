@@ -23,6 +23,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
@@ -41,6 +42,10 @@ struct WallKnots {
   std::vector<double> distinct;
   std::vector<int> multiplicity;
 };
+
+WallKnots knots_of(const BSplineBasis& basis);
+/// Those of the reversed spline.
+WallKnots backward(WallKnots knots);
 
 struct Wall {
   WallShape shape;
@@ -72,6 +77,17 @@ struct BodyWalls {
   double inner_radius;               ///< smallest radius of the outline, mm
   double outer_radius;               ///< greatest radius of the outline, mm
 };
+
+/// The outline without slivers, its ends on the middles of space and tooth to the last bit.
+///
+/// Domain    the outline's laws hold within 1e-6 mm (contract)
+Outline tidied(const Outline& outline);
+
+/// True if the arc is a land and a circle about the axis.
+bool round_land(const Arc& arc);
+
+/// The error of a face that no spline meets within kSectionMax_mm.
+Error no_spline(std::string_view face, double deviation);
 
 /// Cuts a body into walls.
 ///

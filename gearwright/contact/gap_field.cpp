@@ -28,6 +28,15 @@ Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   return m;
 }
 
+// The angle of a point from flank 2 as cut. An angle measured from the expected rotation never wraps.
+double angle_from(const FlankPatch& two, const RadialJet& q, double expected,
+                  const GapField::Place2& place) {
+  const Complex back =
+      turned(std::conj(q.factor), -(q.phase + two.center + expected + place.Z * two.twist));
+  const Complex gap = times(place.w, back);
+  return std::atan2(gap.imag(), gap.real());
+}
+
 }  // namespace
 
 GapField::GapField(const FlankPatch& one, const FlankPatch& two, const RelativeMount& mount,
@@ -64,10 +73,7 @@ GapField::Place2 GapField::on_gear_2(const Complex& w1, double z) const {
 double GapField::value(const Place2& place, double& s2) const {
   const double u = 0.5 * std::log(std::norm(place.w));
   const RadialJet q = two_->profile.at_radius(u, s2);
-  const Complex back =
-      turned(std::conj(q.factor), -(q.phase + two_->center + expected_ + place.Z * two_->twist));
-  const Complex gap = times(place.w, back);
-  const double t = std::atan2(gap.imag(), gap.real());
+  const double t = angle_from(*two_, q, expected_, place);
   return two_->removal ? t - turn_of_removal(*two_, s2, u, place.Z).v : t;
 }
 
@@ -106,15 +112,11 @@ GapJet GapField::at(double s, double z, double& s2) const {
   const Mat3& r = mount_.rotation;
   const auto across = [&](const Complex& v) { return v.real() * from_x_ + v.imag() * from_y_; };
   const auto along = [&](const Complex& v) { return v.real() * r(2, 0) + v.imag() * r(2, 1); };
-  j.w = across(j.w1) + z * from_z_ + from_0_;
+  const Place2 place = on_gear_2(j.w1, z);
+  j.w = place.w;
   j.w_s = across(d[0]);
   j.w_z = across(d[1]) + from_z_;
-  j.Z = {along(j.w1) + z * r(2, 2) + mount_.shift.z(),
-         along(d[0]),
-         along(d[1]) + r(2, 2),
-         along(d[2]),
-         along(d[3]),
-         along(d[4])};
+  j.Z = {place.Z, along(d[0]), along(d[1]) + r(2, 2), along(d[2]), along(d[3]), along(d[4])};
   // L = ln w: its real part is u, its imaginary part the azimuth.
   const double square = std::norm(j.w);
   const Complex over = std::conj(j.w) / square;
@@ -124,17 +126,13 @@ GapJet GapField::at(double s, double z, double& s2) const {
   const Complex L_sz = times(across(d[3]), over) - times(L_s, L_z);
   const Complex L_zz = times(across(d[4]), over) - times(L_z, L_z);
   j.u = {0.5 * std::log(square), L_s.real(), L_z.real(), L_ss.real(), L_sz.real(), L_zz.real()};
-  // An angle measured from the expected rotation never wraps.
   const RadialJet q = two_->profile.at_radius(j.u.v, s2);
-  const Complex back =
-      turned(std::conj(q.factor), -(q.phase + two_->center + expected_ + j.Z.v * two_->twist));
-  const Complex gap = times(j.w, back);
   double t1 = q.d1;
   double t2 = q.d2;
   double z1 = two_->twist;
   double uz = 0.0;
   double zz = 0.0;
-  j.t.v = std::atan2(gap.imag(), gap.real());
+  j.t.v = angle_from(*two_, q, expected_, place);
   if (two_->removal) {
     const Jet2 m = turn_of_removal(*two_, s2, j.u.v, j.Z.v);
     j.t.v -= m.v;

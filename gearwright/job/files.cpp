@@ -55,7 +55,7 @@ std::string without_modifications(const std::vector<ToothedBody>& bodies) {
 // The same of a drawing, which shows the section as cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
-    if (body.modified() || !body.unmodified.empty()) return "; without flank modifications";
+    if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
   return "";
 }
 
@@ -289,13 +289,13 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                                   : make_mesh(kind, these, path, options);
   };
   auto made = make(bodies);
-  const auto modified = [](const ToothedBody& body) { return body.modified(); };
+  const auto modified = [](const ToothedBody& body) { return body.modified != nullptr; };
   if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
   // Modified teeth have more faces, and may be too many for a file that has room for them as cut.
   std::vector<ToothedBody> as_cut = bodies;
   for (ToothedBody& body : as_cut) {
-    if (!body.modified()) continue;
-    body.removal = {};
+    if (!body.modified) continue;
+    body.modified = nullptr;
     body.unmodified = made.error().rule;
   }
   auto plain = make(as_cut);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
+
+#include "gearwright/math/newton.hpp"
 
 namespace gearwright {
 
@@ -10,9 +12,7 @@ namespace {
 
 using End = FlankPatch::End;
 
-constexpr int kMostSteps = 60;
 constexpr double kBorderRounding = 1e-15;  // of a place, relative to the length of the flank
-constexpr double kSlope = 1e-15;           // rad per unit of s, for a maximum within rounding
 constexpr double kSameGap = 1e-13;         // rad: two patches meet there
 constexpr double kFarFromMesh = 0.6;       // rad: farther points of gear 1 do not meet a flank
 
@@ -69,34 +69,28 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
 }
 
 // The border of the other flank between `good` inside and `bad` outside: the last point inside, to
-// rounding. Newton's steps are kept within the bracket.
+// rounding.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
-  double s = bad;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const Margin m = margin(b, at(s));
-    (m.v >= 0.0 ? good : bad) = s;
-    if (std::abs(bad - good) <= rounding) return good;
-    const double step = -m.v / m.s;
-    if (std::abs(step) <= rounding) {
-      if (m.v >= 0.0) return good;
-      break;
-    }
-    s += step;
-    if (!((s - good) * (bad - s) > 0.0)) s = 0.5 * (good + bad);
+  const double border = newton_in_bracket<double>(
+                            [&](double s) {
+                              const Margin m = margin(b, at(s));
+                              return Slope<double>{m.v, m.s};
+                            },
+                            std::min(good, bad), std::max(good, bad), bad, bad < good)
+                            .x;
+  double s = border;
+  for (double back = rounding; !inside(b, at(s)); back *= 2) {
+    if (back >= std::abs(good - border)) return good;
+    s = border + std::copysign(back, good - border);
   }
-  // The border was approached from outside, so a point inside is within rounding.
-  for (double back = rounding; std::abs(good - bad) > back; back *= 2) {
-    s = bad + std::copysign(back, good - bad);
-    if (inside(b, at(s))) return s;
-  }
-  return good;
+  return s;
 }
 
 }  // namespace
 
-GapSearch::GapSearch(const ContactPair& pair, const std::vector<double>& heights)
-    : pair_(pair), heights_(heights) {
+GapSearch::GapSearch(const ContactPair& pair, std::vector<double> heights)
+    : pair_(pair), heights_(std::move(heights)) {
   double widest = 0.0;
   for (const FlankPatch& a : pair.patches(1)) {
     widest = std::max(widest, std::abs(a.twist) * std::max(std::abs(a.z_lo), std::abs(a.z_hi)));
@@ -107,7 +101,7 @@ GapSearch::GapSearch(const ContactPair& pair, const std::vector<double>& heights
     for (const FlankPatch& b : pair.patches(2)) {
       GapField field(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
       if (rows.empty()) {
-        for (const double z : heights) {
+        for (const double z : heights_) {
           Rows& at = rows.emplace_back();
           for (int i = 0; i < kRows; ++i) at[i] = field.point_at_rest(row_of(a, i), z);
         }
@@ -146,7 +140,7 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
   }
   if (best < 0) return std::nullopt;
   // The gap is least between the best row and the end of the interior range towards which it falls.
-  double s = row(best);
+  const double s = row(best);
   GapJet j = at(s);
   GapPlace place;
   if (const double slope = j.t.s; slope != 0.0) {
@@ -158,24 +152,18 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     }
     const GapJet last = at(end);
     if (last.t.s * slope >= 0.0) {
-      s = end;
       j = last;
       place.kind = end == a.s_lo   ? edge_of_one(a.s_lo_end)
                    : end == a.s_hi ? edge_of_one(a.s_hi_end)
                                    : edge_of_two(b, j);
     } else {
-      double below = std::min(s, end);
-      double above = std::max(s, end);
-      const double width = above - below;
-      for (int i = 0; i < kMostSteps; ++i) {
-        if (i > 0) j = at(s);
-        if (std::abs(j.t.s) < kSlope) break;
-        (j.t.s > 0.0 ? below : above) = s;
-        double to = j.t.ss < 0.0 ? s - j.t.s / j.t.ss : below - 1.0;
-        if (!(to > below && to < above)) to = 0.5 * (below + above);
-        if (to == s || above - below < 1e-13 * width) break;
-        s = to;
-      }
+      const auto slope_at = [&](double x) {
+        j = at(x);
+        return Slope<double>{j.t.s, j.t.ss};
+      };
+      const double lo = std::min(s, end), hi = std::max(s, end);
+      const double start = std::clamp(s - slope / j.t.ss, lo, hi);
+      newton_in_bracket<double>(slope_at, lo, hi, start, false);
     }
   }
   place.te = j.t.v;

@@ -34,8 +34,12 @@ class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< of a flank, at which the search starts
   /// `heights` are those of the slices, mm, of gear 1 in N.
-  GapSearch(const ContactPair& pair, const std::vector<double>& heights);
+  GapSearch(const ContactPair& pair, std::vector<double> heights);
+  const std::vector<double>& heights() const { return heights_; }
   /// All tooth pairs that face each other anywhere at the heights, at a rotation in N.
+  ///
+  /// Accuracy  te within 1e-13 rad of the greatest over the profile. A part of flank 1 inside flank 2
+  ///           that lies between two neighbouring rows is not found
   std::vector<PairPlaces> places(double rotation);
 
  private:

@@ -17,6 +17,14 @@ void reverse(LoadedPair& pair) {
   std::reverse(pair.radius.begin(), pair.radius.end());
 }
 
+// The middles of the slices, followed by their borders, mm.
+std::vector<double> heights_of(const FaceSlices& s) {
+  std::vector<double> heights;
+  for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));
+  for (int j = 0; j <= s.count; ++j) heights.push_back(s.lo + j * s.width());
+  return heights;
+}
+
 }  // namespace
 
 using Eigen::Index;
@@ -25,25 +33,25 @@ using Eigen::VectorXd;
 
 PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two,
                                const PairCompliance& c, const LoadRequest& request)
-    : pair_(pair), compliance_(c), request_(request), transmission_(pair) {
+    : pair_(pair),
+      compliance_(c),
+      request_(request),
+      search_(pair, heights_of(c.slices[0])),
+      transmission_(pair) {
   module_ = {one.spec.normal_module, two.spec.normal_module};
   base_radius_ = two.base_radius();
   sin_b_ = std::sin(one.spec.helix_angle.rad()) * std::cos(one.spec.normal_pressure_angle.rad());
   ratio_ = std::abs(double(two.spec.teeth) / one.spec.teeth);
-  const FaceSlices& s = c.slices[0];
-  for (int j = 0; j < s.count; ++j) heights_.push_back(s.middle(j));
-  for (int j = 0; j <= s.count; ++j) heights_.push_back(s.lo + j * s.width());
-  search_.emplace(pair, heights_);
 }
 
 Position PositionSolver::prepare(double rotation) {
   Position at;
   const int n = compliance_.slices[0].count;
-  auto all = search_->places(rotation);
+  auto all = search_.places(rotation);
   double te = -std::numeric_limits<double>::infinity();
   for (const PairPlaces& p : all)
-    for (std::size_t i = 0; i < heights_.size(); ++i)
-      if (p.at[i]) te = std::max(te, p.at[i]->te + deflection(heights_[i]) / p.at[i]->arm);
+    for (std::size_t i = 0; i < search_.heights().size(); ++i)
+      if (p.at[i]) te = std::max(te, p.at[i]->te + deflection(search_.heights()[i]) / p.at[i]->arm);
   if (request_.deflection_slope == 0.0 && request_.deflection_bow == 0.0)
     if (const PairTouch t = transmission_.at(rotation); t.found()) te = std::max(te, t.te());
   at.te = te;
@@ -55,7 +63,7 @@ Position PositionSolver::prepare(double rotation) {
   for (PairPlaces& p : all) {
     double least = std::numeric_limits<double>::infinity();
     const auto gap_at = [&](int j) {
-      return (te - p.at[j]->te) * p.at[j]->arm - deflection(heights_[j]);
+      return (te - p.at[j]->te) * p.at[j]->arm - deflection(search_.heights()[j]);
     };
     for (int j = 0; j < n; ++j)
       if (p.at[j]) least = std::min(least, gap_at(j));

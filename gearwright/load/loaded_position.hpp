@@ -5,11 +5,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "gearwright/contact/transmission.hpp"
 #include "gearwright/load/complementarity.hpp"
+#include "gearwright/load/gap_places.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/load/root_forces.hpp"
 
@@ -67,11 +67,10 @@ class PositionSolver {
   const ContactPair& pair_;
   const PairCompliance& compliance_;
   const LoadRequest& request_;
-  std::optional<GapSearch> search_;  // at the heights
+  GapSearch search_;
   Transmission transmission_;
   std::array<double, 2> module_;  // mm
   double base_radius_, sin_b_, ratio_;
-  std::vector<double> heights_;
 };
 
 }  // namespace gearwright::detail

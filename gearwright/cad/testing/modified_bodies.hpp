@@ -41,7 +41,7 @@ inline ModifiedGear modified(std::string name, Gear gear, BothFlanks flanks,
   GW_EXPECTS(body);
   ToothedBody made = std::move(body).take();
   GW_EXPECTS(!modify(made, gear, flanks));
-  GW_EXPECTS(made.modified() && made.unmodified.empty());
+  GW_EXPECTS(made.modified && made.unmodified.empty());
   return {std::move(name), std::move(gear), std::move(flanks), std::move(made)};
 }
 
