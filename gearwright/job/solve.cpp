@@ -51,7 +51,7 @@ Result<SolvedJob> solve_halves(const JobSpec& spec, Scope scope) {
                         "whose --take 1 writes a spec for this verb");
   }
   if (spec.drive) {
-    return Error{"", "", "the spec describes a drive, which the verbs drive, run and export take"};
+    return Error{"", "", "the spec describes a drive; use the verb drive, run or export"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
@@ -88,11 +88,10 @@ std::optional<Error> two_helices(const JobSpec& spec, Scope scope) {
   for (const int which : {1, 2}) {
     if (scope == Scope::gears || !spec.double_helical[static_cast<std::size_t>(which - 1)])
       continue;
-    return Error{
-        gear_field(which, "double_helical"), "",
-        "is computed by the verbs gear, pair, measure and rate; this verb is for gears of one "
-        "helix. For one half give its face width, without `double_helical`, and half of "
-        "the torque"};
+    return Error{gear_field(which, "double_helical"), "",
+                 "is computed by the verbs gear, pair, measure and rate; this verb is for "
+                 "single-helical gears. To compute one half, give its face width and half of the "
+                 "torque, without `double_helical`"};
   }
   return std::nullopt;
 }

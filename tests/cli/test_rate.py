@@ -140,7 +140,7 @@ class Rate(unittest.TestCase):
         # The material of gear 1.
         self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))
         self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
-                     "gear1.material.surface_hardness_HV", "off the line")
+                     "gear1.material.surface_hardness_HV", "outside the range")
         self.refused(spec(""), "rating", "is missing")
         plastic = '[gear1.material]\nkind = "plastic"\nsigma_Hlim_MPa = 50\nsigma_Flim_MPa = 30\n'
         self.refused(spec(material1=plastic), "gear1.material.kind", "VDI 2736")
