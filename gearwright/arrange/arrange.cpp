@@ -56,7 +56,7 @@ void collect_warnings(Arranged& arranged) {
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 
-// The given shifts of the gears. Returns true if a tip has to keep a clearance.
+// Sets the given profile shifts of the gears. Returns true if a tip must keep a clearance.
 Result<bool> begin_gears(GivenPair& given) {
   bool clear_tips = false;
   for (const int which : {1, 2}) {

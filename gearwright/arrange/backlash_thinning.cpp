@@ -12,9 +12,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNear = 1e-12;  // mm or degrees, so that the result prints as the requested value
-constexpr double kSame = 1e-9;   // a larger difference means that no such thickness exists
-constexpr int kMostSteps = 12;   // secants; involute teeth need one
+constexpr double kNear =
+    1e-12;                      // mm or degrees; the printed result then equals the requested value
+constexpr double kSame = 1e-9;  // a larger difference means that no such thickness exists
+constexpr int kMostSteps = 12;  // number of secant steps; involute teeth need one
 
 struct Wanted {
   const char* field;
@@ -88,7 +89,8 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   thin(given, now);
   const auto made = backlash_at(given, place, now);
   if (!made || std::abs(*made - wanted.value) > kSame * std::max(1.0, wanted.value))
-    return refused(wanted.field, wanted.value, "no thickness of these teeth has this backlash");
+    return refused(wanted.field, wanted.value,
+                   "these teeth have no thickness that gives this backlash");
   if (now < -kSame) {
     warnings.push_back({WarningCode::thickened_for_backlash,
                         fmt::format("The centre distance leaves more backlash than `{}` = {}. The "

@@ -62,8 +62,8 @@ void shorten_tips(GivenPair& given, double a) {
     extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
     extended += side * c.normal_module * c.profile_shift;
   }
-  // Tips are never extended, because at a greater distance the clearance exceeds that of the racks
-  // anyway.
+  // Tips are never extended, because at a greater distance the clearance already exceeds that of
+  // the racks.
   const double k_m = std::min(0.0, side * (a - extended));
   for (auto& gear : given.gears) {
     CylindricalSpec& c = gear->cylindrical;
@@ -102,8 +102,8 @@ Error of_given_shift(const Error& error, const GivenPair& given) {
           format_number(*given.gears[i]->profile_shift), error.rule};
 }
 
-// Two helices of one hand and angle cross at twice that angle. Without a given shaft angle, a
-// missing sign is more likely than crossed axes.
+// Gears with the same hand and helix angle have axes that cross at twice this angle. If no shaft
+// angle is given, a missing sign is more likely than crossed axes.
 std::optional<Error> check_hands(const GivenPair& given) {
   if (given.pair.shaft_angle) return std::nullopt;
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
@@ -112,7 +112,7 @@ std::optional<Error> check_hands(const GivenPair& given) {
   const double b2 = c2.helix_angle.deg();
   const bool one_angle = b1 != 0.0 && std::abs(b1 - b2) <= 1e-9 * std::abs(b1);
   if (!one_angle || c1.teeth < 0 || c2.teeth < 0) return std::nullopt;
-  // The helix angle of a base cylinder cannot lack its sign.
+  // The sign of the helix angle of a base cylinder is always given.
   if (given.gears[0]->basic || given.gears[1]->basic) return std::nullopt;
   const std::string opposite =
       given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
@@ -138,7 +138,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // If neither shifts nor angle are given, this is the minimum centre distance of the pair.
+    // If neither profile shifts nor a shaft angle are given, this is the minimum centre distance of
+    // the pair.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);

@@ -31,12 +31,11 @@ std::optional<Error> check_cutters(const GivenPair& given) {
     }
     if (cutter->cylindrical.teeth < 0) return fail("an internal gear cannot be a pinion cutter");
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
-      return Error{
-          gear_field(by, "tip_fillet.clearance"), "",
-          fmt::format("this tip cuts gear {}, so it has no clearance to it; give `radius` or `l` "
-                      "here, and give gear {} its own cutter with a longer tip, or a centre "
-                      "distance greater than the generating one",
-                      which, which)};
+      return Error{gear_field(by, "tip_fillet.clearance"), "",
+                   fmt::format("this tip cuts gear {} and therefore has no clearance to it; give "
+                               "`radius` or `l` here, or give gear {} its own cutter with a longer "
+                               "tip, or a centre distance greater than the generating distance",
+                               which, which)};
     }
   }
   return std::nullopt;
@@ -77,7 +76,7 @@ std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutt
   const double alpha_t = cutter.reference().transverse_pressure_angle;
   const double a = *given.pair.center_distance;
   const double a_d = reference_center_distance(z, z_m, c.normal_module, cos_beta);
-  if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // mount names it
+  if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // the function mount() reports this error
   const double sum =
       tight_shift_sum(z, z_m, c.normal_module, c.normal_pressure_angle.rad(), alpha_t, cos_beta, a);
   return sum - mate->profile_shift.value_or(0.0);
@@ -92,9 +91,10 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
   if (cut.profile_shift_pair) {
     auto e = generating_distance(cutter, z, *cut.profile_shift_pair - x_0);
     if (e) return e;
-    return following_from("profile_shift_pair", format_number(*cut.profile_shift_pair),
-                          fmt::format("with the cutter's shift {} it means", format_number(x_0)),
-                          e.error());
+    return following_from(
+        "profile_shift_pair", format_number(*cut.profile_shift_pair),
+        fmt::format("with the profile shift {} of the cutter, it means", format_number(x_0)),
+        e.error());
   }
   if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);
   if (cut.gear != 0 && given.pair.center_distance) return *given.pair.center_distance;
@@ -162,7 +162,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
   if (mates && given.pair.mounting == Mounting::extended) {
     return Error{"pair.mounting", "extended",
                  "a gear cut by its mating gear is mounted at the generating distance; give "
-                 "`pair.center_distance` for another one"};
+                 "`pair.center_distance` for another distance"};
   }
   // The gear that does not depend on the other one is made first.
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;

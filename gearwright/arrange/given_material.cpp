@@ -15,8 +15,8 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
     const bool in_table = material_named(*given.name).has_value();
     if (!row && in_table && !(given.sigma_Hlim && given.sigma_Flim)) {
       return refused(owner + ".surface_hardness", *given.surface_hardness,
-                     "is off the line of ISO 6336-5 for this material; give its "
-                     "`sigma_Hlim` and `sigma_Flim`");
+                     "is outside the range of ISO 6336-5 for this material; give its `sigma_Hlim` "
+                     "and `sigma_Flim`");
     }
     if (row) m = *row;
     m.name = *given.name;
@@ -51,7 +51,7 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   const bool by_temperature =
       !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty() || !m.youngs_modulus_by.empty();
   if (by_temperature && !plastic)
-    return Error{owner + ".temperatures", "", "belongs to a `kind` of \"plastic\""};
+    return Error{owner + ".temperatures", "", "is used only with a `kind` of \"plastic\""};
   if (plastic && edition != RatingEdition::vdi_2736) {
     return Error{owner + ".kind", "plastic",
                  "is not a material of ISO 6336; VDI 2736 rates plastics; give `rating.edition` = "
@@ -59,7 +59,7 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   }
   if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
     return absent_input(owner + ".youngs_modulus",
-                        "; a plastic needs its own value, because the default is that of steel");
+                        "; a plastic needs its own value, because the default applies to steel");
   }
   return m;
 }

@@ -179,15 +179,15 @@ std::string running(const Drive& drive) {
       distance = pair->center_distance();
     }
   }
-  if (!least) return text + " Without a module there are no teeth to be judged.";
+  if (!least) return text + " Without a module, the teeth are not checked.";
   std::vector<const Rating*> ratings;
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  constexpr double kNone = 1e-9;  // mm: rounding
+  constexpr double kNone = 1e-9;  // mm, for rounding
   if (*least > kNone) return text + fmt::format(" Least normal backlash {:.3f} mm.", *least);
   const double recommended = recommended_backlash(distance, module);
-  // Both gears of a mesh are thinned by the same: j_n = −2 E_sn cos α_n.
+  // Both gears of a mesh are thinned by the same amount, j_n = −2 E_sn cos α_n.
   const double allowance =
       -std::ceil(recommended / 2 / std::cos(Angle::degrees(20).rad()) * 100) / 100;
   return text + fmt::format(

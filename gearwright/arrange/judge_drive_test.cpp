@@ -1,6 +1,7 @@
-// Law: in 360 steps of the sun the outlines of a whole set, sun, planets and ring, do not overlap if the
-// verdict is green, and do if it is red because bodies overlap. The oracle has the points of the outlines
-// and nothing else: a point of one gear that lies inside a tooth of another overlaps it.
+// Law: in 360 steps of the sun, the outlines of sun, planets and ring do not overlap if the verdict
+// is green, and overlap if the verdict is red because of an overlap. The oracle uses only the
+// points of the outlines: two gears overlap if a point of one gear lies inside a tooth of the other
+// gear.
 #include "gearwright/arrange/judge_drive.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,8 @@ namespace {
 
 using M = SetMember;
 
-// A tooth as the points of its half outline, root to tip, and its half angle as a function of radius.
+// A tooth, described by the points of its half outline from root to tip and by its half angle as a
+// function of the radius.
 class Tooth {
  public:
   Tooth(const Gear& gear, int points_per_arc)
@@ -33,8 +35,8 @@ class Tooth {
   int teeth() const { return z_; }
   const std::vector<Vec2>& points() const { return points_; }
 
-  /// How deep the place (ρ, ψ), ψ from the middle of a tooth, lies inside metal across the flank, mm,
-  /// < 0: outside.
+  /// Depth of the point (ρ, ψ) inside the tooth across the flank, with ψ from the middle of the
+  /// tooth, in mm; negative outside the tooth.
   double depth(double rho, double psi) const {
     const double pitch = kTurn / z_;
     psi = std::abs(std::remainder(psi, pitch));
@@ -64,8 +66,8 @@ double depth_in(const Tooth& a, const PlacedGear& at_a, const Tooth& b, const Pl
   const double line = std::atan2(towards.y(), towards.x());
   for (int k = 0; k < a.teeth(); ++k) {
     const double middle = at_a.angle + kTurn * k / a.teeth();
-    // Only teeth on the side of the mesh can reach the other gear: of a pinion in a ring those away
-    // from the ring's axis.
+    // Only teeth on the side of the mesh can reach the other gear. For a pinion in a ring, these
+    // are the teeth away from the axis of the ring.
     const double off = std::abs(std::remainder(middle - line, kTurn));
     if (std::min(off, kTurn / 2 - off) > 0.9) continue;
     for (const Vec2& p : a.points()) {
@@ -109,9 +111,9 @@ Overlap overlap_at(const Drive& drive, const std::vector<double>& turns, int poi
 }
 
 // The chords of outlines with 60 points per arc are within 1e-4 m of the curves, and their error
-// falls with the square of the number of points. Where that cannot decide, 600 points decide at
-// the worst step. The thinnest overlap of LongJudgeDrive's 100 red sets is 3.1e-5 m (21:16:52,
-// backlash −0.0001 mm).
+// falls with the square of the number of points. If this does not decide, 600 points per arc are
+// used at the worst step. The thinnest overlap of LongJudgeDrive's 100 red sets is 3.1e-5 m
+// (21:16:52, backlash −0.0001 mm).
 constexpr double kChords = 1e-4;
 
 double overlap(const Drive& drive, int steps) {
@@ -133,7 +135,7 @@ struct Counts {
   int green = 0, red = 0;
 };
 
-// Random sets until as many are green and red for overlap as wanted.
+// Draws random sets until enough sets are green and enough sets are red because of an overlap.
 Counts try_sets(unsigned seed, int green, int red, int steps) {
   std::mt19937 random(seed);
   const auto pick = [&](int lo, int hi) { return std::uniform_int_distribution(lo, hi)(random); };
@@ -215,7 +217,8 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
   }
 }
 
-// The eight lines of a printed set: large shifts leave tips no clearance unless they are cut back.
+// The eight lines of a printed set. With large profile shifts, tips have no clearance unless they
+// are shortened.
 TEST(JudgeDrive, EightLinesAreEnough) {
   PlanetarySpec set;
   set.z(M::sun) = 19;
@@ -230,7 +233,7 @@ TEST(JudgeDrive, EightLinesAreEnough) {
   ASSERT_TRUE(drive);
   const Verdict verdict = judge_drive(*drive, input);
   EXPECT_EQ(verdict.level, Level::green) << verdict.headline;
-  // 0.25 m_n of clearance, as the racks have it.
+  // The clearance is 0.25 m_n, as for the racks.
   const auto& mesh = drive->geometry.pairs[0]->mounted();
   EXPECT_NEAR(mesh.tip_clearance[0], 0.25 * 45, 1e-9);
   EXPECT_NEAR(mesh.tip_clearance[1], 0.25 * 45, 1e-9);
@@ -240,7 +243,7 @@ TEST(JudgeDrive, ARemedyIsTriedOnTheWholeDrive) {
   PlanetarySpec set = example();
   set.profile_shift.each[0] = 0.2;
   set.profile_shift.each[3] = 0.1;
-  set.tip_diameter.each[5] = 137.6;  // of the ring: below the flanks of the planets
+  set.tip_diameter.each[5] = 137.6;  // for the ring, below the flanks of the planets
   DriveInput input{*graph_of(set), {}};
   const auto drive = make_drive(input);
   ASSERT_TRUE(drive);

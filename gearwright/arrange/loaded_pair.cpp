@@ -87,7 +87,7 @@ std::optional<Error> not_for_points(const LoadInput& input) {
     if (value != 0.0)
       return refused(field, value,
                      "applies to teeth with line contact; these teeth have point contact, which "
-                     "`errors` move");
+                     "moves under `errors`");
   return std::nullopt;
 }
 

@@ -71,8 +71,8 @@ class Measuring {
     if (!input_.span_teeth) {
       if (!m.span && m.reference)
         warn(WarningCode::no_span,
-             "There is no span: for every number of teeth the contacts lie off the usable flank or "
-             "the face.");
+             "No span can be measured, because for every number of teeth the contacts lie off the "
+             "usable flank or the face.");
       return std::nullopt;
     }
     const auto asked = span_over(gear_, *input_.span_teeth);
@@ -81,7 +81,7 @@ class Measuring {
     m.span = *asked;
     if (asked->usable()) return std::nullopt;
     const std::string instead =
-        usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
+        usual ? fmt::format("; with {} teeth they do", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
       warn(
           WarningCode::span_off_flank,

@@ -35,9 +35,8 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
       gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-      fmt::format(", and `pair.choose_profile_shifts` = false forbids choosing it; at "
-                  "`pair.center_distance` = {} mm the default would be {}; give these or other "
-                  "shifts, which determine the backlash",
+      fmt::format(", because `pair.choose_profile_shifts` = false; at `pair.center_distance` = {} "
+                  "mm the default would be {}. Give profile shifts, which determine the backlash",
                   format_number(*given.pair.center_distance), chosen_shifts(given)));
 }
 

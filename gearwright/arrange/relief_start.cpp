@@ -48,7 +48,8 @@ std::optional<ReliefStarts> short_relief(const InvolutePair& pair, int which) {
   const Mesh<double>& mesh = pair.mesh;
   if (mesh.crossed || !(mesh.true_ratio > 1.0)) return std::nullopt;
   const double length = (mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step) / 2;
-  // The tip of gear 1 touches at the end of the path of contact, that of gear 2 at the start.
+  // The tip of gear 1 touches at the end of the path of contact, and the tip of gear 2 at its
+  // start.
   const double near_end = mesh.rho1_true_end - length;
   const double near_begin = mesh.rho1_true_begin + length;
   const auto i = static_cast<std::size_t>(which - 1);

@@ -112,7 +112,7 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
     if (gear.tolerance.tip_deviations)
       gear.cylindrical.tip_diameter =
           tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
-    // Values that follow from the centre distance are those of the drawing.
+    // Values that are computed from the centre distance remain those of the drawing.
     if (nominal.gears[i].involute() && !gear.cut_by)
       gear.profile_shift = nominal.gears[i].spec.profile_shift;
   }
@@ -256,7 +256,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
                            const ToleranceCorner& corner) {
   GivenPair given = nominal.completed;
   PairInput& pair = given.pair;
-  pair.backlash.reset();  // the teeth have already been thinned for it
+  pair.backlash.reset();  // the teeth are already thinned for the backlash
   pair.backlash_circumferential.reset();
   pair.backlash_angle.reset();
   pair.backlash_ends.reset();

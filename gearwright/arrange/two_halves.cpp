@@ -34,13 +34,15 @@ std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& h
     const int lacking = halves[0] ? 2 : 1;
     return absent_input(
         gear_field(lacking, "double_helical"),
-        fmt::format("; gear {} is double-helical, and so is its mating gear", 3 - lacking));
+        fmt::format("; gear {} is double-helical, so its mating gear must be double-helical too",
+                    3 - lacking));
   }
   const auto& [one, two] = halves;
   if (one->stagger_pitches != two->stagger_pitches) {
-    return refused(gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
-                   fmt::format("must be that of gear 1, {}: both gears are staggered alike",
-                               format_number(one->stagger_pitches)));
+    return refused(
+        gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
+        fmt::format("must be {}, as for gear 1, because both gears have the same stagger",
+                    format_number(one->stagger_pitches)));
   }
   const double b_1 = given.gear(1).cylindrical.face_width;
   const double b_2 = given.gear(2).cylindrical.face_width;
@@ -49,8 +51,8 @@ std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& h
   if (common >= narrower * (1 - kSameLength)) return std::nullopt;
   return refused(
       gear_field(2, "double_helical.gap"), two->gap,
-      fmt::format("the halves are not opposite each other: {:.6g} mm of a half touch, and the "
-                  "narrower half has {:.6g} mm; a wider gap belongs to the narrower gear",
+      fmt::format("the halves are not opposite each other, because only {:.6g} mm of the {:.6g} mm "
+                  "of the narrower half touch; the wider gap must be on the narrower gear",
                   common, narrower));
 }
 
@@ -78,10 +80,9 @@ std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves) {
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   const double beta = std::abs(half.spec.helix_angle.rad());
   if (beta == 0.0) {
-    return refused(
-        "helix_angle", 0,
-        "must not be 0: the halves of a double-helical gear have helix angles of opposite "
-        "hands, and this is that of the half at z > 0");
+    return refused("helix_angle", 0,
+                   "must not be 0, because the halves of a double-helical gear have helix angles "
+                   "of opposite hands, and this is the angle of the half at z > 0");
   }
   Halves made{};
   made.given = given;
@@ -123,12 +124,11 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
 
 std::optional<Warning> run_out_warning(const Halves& halves, int which) {
   if (!halves.hob_run_out || *halves.hob_run_out <= halves.given.gap) return std::nullopt;
-  return Warning{
-      WarningCode::hob_run_out,
-      fmt::format("The run-out of the hob needs a gap of at least {:.4f} mm; the gap is "
-                  "{:.4f} mm. A smaller hob or a wider gap would help, or a shaped gear.",
-                  *halves.hob_run_out, halves.given.gap),
-      which};
+  return Warning{WarningCode::hob_run_out,
+                 fmt::format("The run-out of the hob needs a gap of at least {:.4f} mm; the gap is "
+                             "{:.4f} mm. A smaller hob, a wider gap or shaping would help.",
+                             *halves.hob_run_out, halves.given.gap),
+                 which};
 }
 
 }  // namespace gearwright

@@ -7,11 +7,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMarking = 0.00635;  // mm: thickness of the marking compound that shows the
-                                      // ellipse
+constexpr double kMarking = 0.00635;  // mm, thickness of the marking compound for the ellipse
 
-// The semi-axis of the area in which a gap of curvature k is smaller than the thickness of the marking
-// compound; none if k ≤ 0.
+// Semi-axis of the area in which the gap, with the curvature k, is smaller than the thickness of
+// the marking compound; none if k ≤ 0.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -36,10 +35,10 @@ const Quantities<C>& tensor_quantities() {
         return tensor(by_gear(c, at.curvature_convex, at.curvature_concave)[i]);
       };
     };
-    q.number("gear1", "curvature of gear 1", "K", "in (t, u) [T7.14]", of_gear(0))
+    q.number("gear1", "curvature of gear 1", "K", "components in (t, u) [T7.14]", of_gear(0))
         .unit(Unit::per_mm)
         .list({2, 2});
-    q.number("gear2", "curvature of gear 2", "K", "in (t, u) [T7.14]", of_gear(1))
+    q.number("gear2", "curvature of gear 2", "K", "components in (t, u) [T7.14]", of_gear(1))
         .unit(Unit::per_mm)
         .list({2, 2});
   });
@@ -49,15 +48,17 @@ const Quantities<C>& tensor_quantities() {
 const Quantities<ArcContact>& ellipse_quantities() {
   using A = ArcContact;
   static const Quantities<A> kAll("pair.arc_contacts ellipse", [](Quantities<A>& q) {
-    q.number("marking_mm", "thickness of the marking compound", "δ", "that shows the ellipse",
-             [](const A&) { return Value(kMarking); })
+    q.number("marking_mm", "thickness of the marking compound", "δ",
+             "the ellipse is computed for this thickness", [](const A&) { return Value(kMarking); })
         .doors(kJson);
     q.number("semi_major_mm", "semi-major axis of the contact ellipse", "",
-             "null if the gap closes", [](const A& a) { return semi_axis(a.gap[0]); });
+             "null if the flanks interfere in this direction",
+             [](const A& a) { return semi_axis(a.gap[0]); });
     q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "",
-             "null if the gap closes", [](const A& a) { return semi_axis(a.gap[1]); });
+             "null if the flanks interfere in this direction",
+             [](const A& a) { return semi_axis(a.gap[1]); });
     q.number("angle_deg", "major axis of the contact ellipse to the axis", "",
-             "about the normal, from the projection of axis 1", &A::angle);
+             "angle about the normal, from the projection of axis 1 to the major axis", &A::angle);
   });
   return kAll;
 }
@@ -65,11 +66,11 @@ const Quantities<ArcContact>& ellipse_quantities() {
 const Quantities<ArcContact>& radius_quantities() {
   using A = ArcContact;
   static const Quantities<A> kAll("pair.arc_contacts radius", [](Quantities<A>& q) {
-    q.number("convex", "radius of the transverse profile, convex", "ρ", "of the convex flank",
-             &A::transverse_radius_convex)
+    q.number("convex", "radius of the transverse profile, convex", "ρ",
+             "at the contact on the convex flank", &A::transverse_radius_convex)
         .unit(Unit::mm);
-    q.number("concave", "radius of the transverse profile, concave", "ρ", "of the concave flank",
-             &A::transverse_radius_concave)
+    q.number("concave", "radius of the transverse profile, concave", "ρ",
+             "at the contact on the concave flank", &A::transverse_radius_concave)
         .unit(Unit::mm);
   });
   return kAll;
@@ -83,7 +84,7 @@ void say(Quantities<C>& q) {
   q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
            at([](const ArcContact& a) { return a.theta.deg(); }));
   q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
-           "[T7.9]; null without contact there", [](const C& c) {
+           "[T7.9]; null if the flanks do not touch there", [](const C& c) {
              const auto& theta = c.contact->nominal_theta;
              return theta ? Value(theta->deg()) : Value();
            });
@@ -98,25 +99,26 @@ void say(Quantities<C>& q) {
      return Value(by_gear(c, 2 * a.radius_convex, 2 * a.radius_concave));
    }).per_gear();
   q.number("rotation2_offset_deg", "rotation of gear 2 at the contact", "",
-           "lead of gear 2 when these flanks touch [T7.18]",
+           "angle by which gear 2 is ahead when these flanks touch [T7.18]",
            [](const C& c) {
              const Angle offset = c.contact->at.rotation_offset;
              return Value((convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg());
            })
       .doors(kJson);
   q.record<tensor_quantities>(
-       "curvature_per_mm", "of both flanks", [](const C& c) -> const auto& { return c; })
+       "curvature_per_mm", "curvatures of both flanks", [](const C& c) -> const auto& { return c; })
       .doors(kJson);
-  q.term("gap_curvature_per_mm", "k1 ≤ k2; ≤ 0 for interference",
+  q.term("gap_curvature_per_mm", "k1 ≤ k2; k1 is 0 or negative if the flanks interfere",
          at([](const ArcContact& a) { return a.gap; }))
       .words("relative curvatures")
       .list({2});
   q.record<ellipse_quantities>("ellipse", "the contact ellipse under the marking compound",
                                at([](const ArcContact& a) { return ellipse_quantities().of(a); }));
-  q.record<radius_quantities>("transverse_radius_mm", "of the transverse profiles",
+  q.record<radius_quantities>("transverse_radius_mm", "radii of the transverse profiles",
                               at([](const ArcContact& a) { return radius_quantities().of(a); }));
   q.number("transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
-           "concave less convex", at([](const ArcContact& a) {
+           "radius of the concave profile minus that of the convex profile",
+           at([](const ArcContact& a) {
              return a.transverse_radius_concave - a.transverse_radius_convex;
            }));
   q.number("line_contact_radius_difference_mm", "difference that line contact would have", "",

@@ -17,8 +17,8 @@ const Quantities<Scenario>& scenario_quantities() {
   using S = Scenario;
   static const Quantities<S> kAll("compensate.scenarios", [](Quantities<S>& q) {
     q.text("errors", "in words", &S::errors).always();
-    q.record<score_quantities>("before", "without corrections", &S::before).always();
-    q.record<score_quantities>("after", "with them", &S::after).always();
+    q.record<score_quantities>("before", "scores without corrections", &S::before).always();
+    q.record<score_quantities>("after", "scores with the corrections", &S::after).always();
   });
   return kAll;
 }
@@ -47,14 +47,15 @@ const Quantities<SettingAnswer>& angle_quantities() {
 const Quantities<SettingAnswer>& setting_quantities() {
   using S = SettingAnswer;
   static const Quantities<S> kAll("compensate.tool_setting", [](Quantities<S>& q) {
-    q.number("exact_mm", "change of the centre's place b, exact", "Δb_F", "that answers ΔC [T8.20]",
-             &S::exact)
+    q.number("exact_mm", "change of the centre's place b, exact", "Δb_F",
+             "change that compensates ΔC [T8.20]", &S::exact)
         .digits(6);
     q.number("first_order_mm", "change of the centre's place b, to the first order", "Δb_F",
              "[T8.21]", &S::first_order)
         .digits(6);
     q.record<angle_quantities>(
-        "pressure_angle_deg", "at the contact", [](const S& s) -> const auto& { return s; });
+        "pressure_angle_deg", "pressure angles at the contact",
+        [](const S& s) -> const auto& { return s; });
     q.number("tooth_thickness_change_mm", "change of the normal tooth thickness", "",
              "for the exact setting only [T8.23]", &S::thickness_change)
         .digits(6);
@@ -68,15 +69,15 @@ const Quantities<SettingAnswer>& setting_quantities() {
 const Quantities<LeadAnswer>& lead_quantities() {
   using L = LeadAnswer;
   static const Quantities<L> kAll("compensate.lead", [](Quantities<L>& q) {
-    q.number("slope", "slope of the transmission error", "", "of tooth pair 0 at rotation 0",
+    q.number("slope", "slope of the transmission error", "", "for tooth pair 0 at rotation 0",
              &L::slope)
         .digits(9);
     q.number("cutter_lead1_deg", "change of the lead angle of gear 1", "Δλ_1",
-             "that removes the slope; null if there is none within 0.57°",
+             "change that removes the slope; null if no change within ±0.57° removes it",
              [](const L& l) { return l.exact[0]; })
         .digits(6);
     q.number("cutter_lead2_deg", "change of the lead angle of gear 2 instead", "Δλ_2",
-             "that removes the slope; null if there is none within 0.57°",
+             "change that removes the slope; null if no change within ±0.57° removes it",
              [](const L& l) { return l.exact[1]; })
         .digits(6);
     q.number("first_order1_deg", "change of the lead angle of gear 1, to first order", "Δλ_1",
@@ -100,47 +101,51 @@ bool loaded(const V& v) { return under_load(v.aim); }
 
 void say(Quantities<V>& q) {
   q.groups({kSetting, kLead});
-  q.record<correction_quantities>("corrections", "what was found", &V::corrections)
+  q.record<correction_quantities>("corrections", "corrections that were found", &V::corrections)
       .list({0})
       .always()
       .doors(kJson);
-  q.record<score_quantities>("before", "the worst over all scenarios, without corrections",
+  q.record<score_quantities>("before", "worst scores over all scenarios, without corrections",
                              &V::before)
       .always()
       .doors(kJson);
-  q.record<score_quantities>("after", "the worst over all scenarios, with them", &V::after)
+  q.record<score_quantities>("after", "worst scores over all scenarios, with the corrections",
+                             &V::after)
       .always()
       .doors(kJson);
-  q.word("aim", "what is to be least", "the key of this name",
+  q.word("aim", "minimised quantity", "value of the key `aim`",
          [](const V& v) {
            return v.aim == CompensateAim::pressure ? "pressure" : "loaded_transmission_error";
          })
       .one_of({"loaded_transmission_error", "pressure"})
       .when(loaded)
       .doors(kJson);
-  q.record<load_quantities_of_aim>("under_load",
-                                   "one for each torque, the worst over all scenarios", &V::loads)
+  q.record<load_quantities_of_aim>(
+       "under_load", "one entry for each torque, with the worst scores over all scenarios",
+       &V::loads)
       .list({0})
       .when(loaded)
       .doors(kJson);
   q.flag("nothing_to_correct", "nothing to correct",
-         "no correction improves the result by 0.001 arcsec, so each is 0", &V::nothing_to_correct)
+         "true if no correction improves the result by 0.001 arcsec, so that each is 0",
+         &V::nothing_to_correct)
       .doors(kJson);
   q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
-           "the key of this name, or its default [T8.24]", &V::centering)
+           "value of the key `centering_arcsec`, or its default [T8.24]", &V::centering)
       .doors(kJson);
-  q.record<scenario_quantities>("scenarios", "one by one", &V::scenarios)
+  q.record<scenario_quantities>("scenarios", "each scenario with its scores", &V::scenarios)
       .list({0})
       .always()
       .doors(kJson);
   q.under(kSetting);
-  q.record<setting_quantities>("tool_setting", "of racks F and P, else null", &V::setting);
+  q.record<setting_quantities>("tool_setting", "setting for racks F and P; null for other gears",
+                               &V::setting);
   q.under(kLead);
-  q.record<lead_quantities>(
-      "lead",
-      "of circular-arc pairs, else null, because the lead of involute pairs is corrected by slopes",
-      &V::lead);
-  q.add(Type::map, "spec", "spec", "", "the whole spec with the corrections in it", &V::spec)
+  q.record<lead_quantities>("lead",
+                            "change of the lead for circular-arc pairs; null for involute pairs, "
+                            "whose lead is corrected by slopes",
+                            &V::lead);
+  q.add(Type::map, "spec", "spec", "", "the whole spec with the corrections", &V::spec)
       .always()
       .doors(kJson);
 }
@@ -159,15 +164,20 @@ const Quantities<CompensateView>& compensate_quantities() {
 const Quantities<FoundCorrection>& correction_quantities() {
   using C = FoundCorrection;
   static const Quantities<C> kAll("compensate.corrections", [](Quantities<C>& q) {
-    q.text("key", "as in the spec", [](const C& c) { return Value(c.key); }).always();
-    q.number("value", "value", "", "in its unit", [](const C& c) {
+    q.text("key", "key of the correction, as in the spec", [](const C& c) {
+       return Value(c.key);
+     }).always();
+    q.number("value", "value", "", "in the unit of the correction", [](const C& c) {
        return Value(c.value);
      }).always();
-    q.text("unit", "as keys end", [](const C& c) { return Value(c.unit); }).always();
-    q.text("spec_key", "that contains it in the corrected spec", [](const C& c) {
+    q.text("unit", "unit of the value, as at the end of keys", [](const C& c) {
+       return Value(c.unit);
+     }).always();
+    q.text("spec_key", "key of the corrected spec that contains the correction", [](const C& c) {
        return Value(c.spec_key);
      }).always();
-    q.flag("at_bound", "at the end of the searched range", "a greater one might be better",
+    q.flag("at_bound", "at the end of the searched range",
+           "true if a greater correction might be better",
            [](const C& c) { return Value(c.at_bound); })
         .always();
   });
@@ -177,16 +187,17 @@ const Quantities<FoundCorrection>& correction_quantities() {
 const Quantities<LoadedScore>& loaded_score_quantities() {
   using S = LoadedScore;
   static const Quantities<S> kAll("compensate loaded score", [](Quantities<S>& q) {
-    q.term("peak_to_peak_arcsec", "as `load` has it", &S::peak_to_peak)
+    q.term("peak_to_peak_arcsec", "computed as in `load`", &S::peak_to_peak)
         .words("loaded transmission error, peak to peak")
         .always();
-    q.term("max_pressure_MPa", "of Hertz; a lower bound where an edge carries load",
+    q.term("max_pressure_MPa", "Hertz pressure; a lower bound if an edge carries load",
            &S::max_pressure)
         .always();
-    q.term("face_load_factor", "as `load` has it", &S::face_load_factor).when([](const S& s) {
+    q.term("face_load_factor", "computed as in `load`", &S::face_load_factor).when([](const S& s) {
       return s.face_load_factor.has_value();
     });
-    q.term("edge_carries", "the pressure there is a lower bound", &S::edge_carries);
+    q.term("edge_carries", "true if an edge carries load, so that the pressure is a lower bound",
+           &S::edge_carries);
   });
   return kAll;
 }
@@ -194,9 +205,11 @@ const Quantities<LoadedScore>& loaded_score_quantities() {
 const Quantities<ContactScore>& score_quantities() {
   using S = ContactScore;
   static const Quantities<S> kAll("compensate score", [](Quantities<S>& q) {
-    q.term("peak_to_peak_arcsec", "the worst; null without contact", [](const S& s) {
-       return std::isfinite(s.peak_to_peak.rad()) ? Value(s.peak_to_peak.arcsec()) : Value();
-     }).otherwise("no contact");
+    q.term("peak_to_peak_arcsec", "greatest of all scenarios; null without contact",
+           [](const S& s) {
+             return std::isfinite(s.peak_to_peak.rad()) ? Value(s.peak_to_peak.arcsec()) : Value();
+           })
+        .otherwise("no contact");
     q.number("contact_along_face", "contact off the middle of the face", "",
              "mean place, ±1 at the ends [T8.24]", &S::along_face)
         .unit(Unit::percent)

@@ -35,9 +35,8 @@ std::optional<KeyFault> check_map(ContactMapInput& map, const KeyGiven&) {
 
 std::optional<KeyFault> check_contact(ContactInput& c, const KeyGiven&) {
   if (static_cast<long long>(c.positions) * c.pitches <= kMaxPositions) return std::nullopt;
-  return KeyFault{"pitches", fmt::format("positions times pitches must be at most {}; each is one "
-                                         "pitch, repeated",
-                                         kMaxPositions)};
+  return KeyFault{"pitches",
+                  fmt::format("positions times pitches must be at most {}", kMaxPositions)};
 }
 
 }  // namespace
@@ -45,19 +44,18 @@ std::optional<KeyFault> check_contact(ContactInput& c, const KeyGiven&) {
 const KeyTable& contact_keys() {
   static const KeyTable table{
       "contact",
-      "How the contact of the pair is computed",
+      "Settings of the contact computation",
       {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
-       Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
-                   "number of pitches; each is one pitch, repeated; positions times pitches at "
-                   "most 10⁶"),
+       Key::number(
+           "pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
+           "number of pitches, all equal to the first pitch; positions times pitches at most 10⁶"),
        Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",
-                   "thickness of the marking compound, for ellipses and pattern"),
-       Key::number(
-           "driver", "", Range::between(1, 2), &ContactInput::driver, "1",
-           "1, or 2: gear 2 pushes in the same sense of rotation, and the non-working flanks "
-           "touch"),
+                   "thickness of the marking compound for ellipses and pattern"),
+       Key::number("driver", "", Range::between(1, 2), &ContactInput::driver, "1",
+                   "gear that drives; if it is 2, the sense of rotation is the same and the "
+                   "non-working flanks touch"),
        Key::flag("pattern", &ContactInput::pattern, "false",
                  "if true, the result has the marking pattern of both flanks"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
@@ -65,7 +63,7 @@ const KeyTable& contact_keys() {
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),
        Key::part("map", contact_map_keys, &ContactInput::map,
-                 "peak to peak of the transmission error over two errors at once")},
+                 "peak-to-peak transmission error over two errors at once")},
       check_contact};
   return table;
 }
@@ -73,8 +71,7 @@ const KeyTable& contact_keys() {
 const KeyTable& contact_map_keys() {
   static const KeyTable table{
       "contact_map",
-      "Peak to peak of the transmission error over two errors at once; the other errors are those "
-      "of [errors]",
+      "Peak-to-peak transmission error over two errors at once; [errors] gives the other errors",
       {Key::word("x", error_words(), axis(0), kRequired, "a key of [errors], such as crossing_deg")
            .with_form("a key of `[errors]`"),
        Key::number("x_range", "", {}, range(0), kRequired,
@@ -86,7 +83,7 @@ const KeyTable& contact_map_keys() {
                    "the least and the greatest value, in the unit of the key")
            .with_list(kErrorRange),
        Key::number("points", "", Range::between(2, 1000), &ContactMapInput::points, "[21, 21]",
-                   "numbers of values along x and along y, ends included")
+                   "numbers of values along x and y, including the ends")
            .with_list(KeyList{2, 2})},
       check_map};
   return table;

@@ -26,10 +26,10 @@ auto touching(F get) {
 const Quantities<ContactEllipse>& ellipse_quantities() {
   using E = ContactEllipse;
   static const Quantities<E> kAll("contact.positions ellipse", [](Quantities<E>& q) {
-    q.number("semi_major_mm", "semi-major axis", "", "null of a line", &E::semi_major);
+    q.number("semi_major_mm", "semi-major axis", "", "null for line contact", &E::semi_major);
     q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor).always();
     q.number("angle_deg", "major axis to the axis", "",
-             "about the normal, from the projection of axis 1 to the major axis", &E::angle)
+             "angle about the normal, from the projection of axis 1 to the major axis", &E::angle)
         .always();
   });
   return kAll;
@@ -38,19 +38,19 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
 const Quantities<ContactRidge>& ridge_quantities() {
   using R = ContactRidge;
   static const Quantities<R> kAll("contact.positions ridge", [](Quantities<R>& q) {
-    q.term("gear", "whose flank has the ridge", &R::gear).always();
+    q.term("gear", "gear whose flank has the ridge", &R::gear).always();
     q.number("along_per_mm", "curvature of the gap along the ridge", "",
-             "the same from either side", &R::along)
+             "the curvature is the same on both sides", &R::along)
         .always();
-    q.number(
-         "slope", "slopes of the gap", "",
-         "away from the ridge, that towards the lesser diameter (height, of an end relief) first",
-         [](const R& r) {
-           return ValueList{r.side[0].slope, r.side[1].slope};
-         })
+    q.number("slope", "slopes of the gap", "",
+             "slopes away from the ridge: first towards the smaller diameter (for an end relief, "
+             "the smaller height), then the other way",
+             [](const R& r) {
+               return ValueList{r.side[0].slope, r.side[1].slope};
+             })
         .list({2})
         .always();
-    q.term("gap_curvature_per_mm", "of the flank on either side, in the same order",
+    q.term("gap_curvature_per_mm", "curvatures of the gap on both sides, in the same order",
            [](const R& r) {
              return ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)};
            })
@@ -63,45 +63,52 @@ const Quantities<ContactRidge>& ridge_quantities() {
 void say_position(Quantities<P>& q) {
   q.under("");
   q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1).always();
-  q.number("rotation2_deg", "rotation of gear 2", "φ_2", "as it is driven",
+  q.number("rotation2_deg", "rotation of gear 2", "φ_2", "position of gear 2 when gear 1 drives it",
            touching([](const P& p) { return p.rotation2.deg(); }));
   q.term("transmission_error_arcsec",
-         "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0 if gear 2 is ahead [T8.2]",
+         "rotation 2 minus |z1/z2| times rotation 1, whose mean is not removed; > 0 if gear 2 is "
+         "ahead [T8.2]",
          touching([](const P& p) { return p.te.arcsec(); }));
-  q.whole("tooth", "tooth pair", "k", "the pair that reaches the centre line k pitches later",
+  q.whole("tooth", "tooth pair", "k",
+          "number of the touching pair, which reaches the centre line k pitches later",
           touching(&P::pair));
   q.term("kind",
-         "in a point, along a line, or an edge; `form1`, `form2`: the end of the usable flank; "
-         "`ridge`: where a linear relief begins",
+         "inside the flanks, along a line, or at an edge; `form1` and `form2` are the ends of the "
+         "usable flanks; `ridge` is the start of a linear relief",
          touching([](const P& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
   q.term("point_mm", "in the housing frame", touching(&P::point))
       .words("point of contact")
       .list({3});
-  q.term("normal", "in the housing frame, out of gear 1", touching(&P::normal)).list({3});
+  q.term("normal", "unit vector in the housing frame, out of gear 1", touching(&P::normal))
+      .list({3});
   q.number("diameter_mm", "diameter of contact", "", "per gear", touching(&P::diameter)).per_gear();
   q.number("height_mm", "height of contact", "z", "per gear, from the middle of the face",
            touching(&P::height))
       .per_gear();
   q.number("rack_angle_deg", "normal angle of the rack", "θ",
-           "at the point, of the rack that cut gear 1; α_n on an involute", &P::rack_angle);
-  q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge or a ridge",
+           "for the rack that cut gear 1, at the point of contact; α_n on an involute",
+           &P::rack_angle);
+  q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; 0 and k2 for a line, null at an edge or a ridge",
          &P::gap_curvature)
       .list({2});
-  q.record<ellipse_quantities>(
-      "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge or a ridge",
-      &P::ellipse);
+  q.record<ellipse_quantities>("ellipse",
+                               "contour on which the gap equals the thickness of the marking "
+                               "compound [T8.16]; null at an edge or a ridge",
+                               &P::ellipse);
   q.record<ridge_quantities>("ridge",
-                             "growth of the gap on either side of a ridge; absent for other kinds",
+                             "growth of the gap on both sides of a ridge; absent for other kinds",
                              [](const P& p) { return ridge_quantities().of(*p.ridge); })
       .when([](const P& p) { return p.ridge.has_value(); });
-  q.number("line_mm", "contact line", "", "both its ends; null for other kinds", [](const P& p) {
-     return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
-   }).list({2, 3});
+  q.number("line_mm", "contact line", "", "both ends of the line; null for other kinds",
+           [](const P& p) {
+             return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
+           })
+      .list({2, 3});
 }
 
-// The other flanks at the same positions.
+// The non-working flanks at the same positions.
 const Quantities<ContactResult>& non_working_quantities() {
   using R = ContactResult;
   static const Quantities<R> kAll("contact.non_working_flank", [](Quantities<R>& q) {
@@ -129,7 +136,7 @@ const Quantities<ContactResult>& non_working_quantities() {
   return kAll;
 }
 
-// The change of transmission error and contact point per unit, over the positions.
+// Derivatives of transmission error and contact point at every position, in the units of the keys.
 Value sensitivities(const V& v) {
   ValueMap all;
   for (std::size_t i = 0; i < v.slopes.size(); ++i) {
@@ -139,7 +146,7 @@ Value sensitivities(const V& v) {
       const TouchKind kind = v.working->positions[k].kind;
       te.push_back(kind == TouchKind::none ? Value()
                                            : Value(s.te * v.slopes[i].unit * kArcsecPerRad));
-      // On a contact line, no point is the contact point.
+      // A contact line has no single contact point.
       const bool point = kind != TouchKind::none && kind != TouchKind::line;
       points.push_back(point ? Value(Vec3(s.point * v.slopes[i].unit)) : Value());
     }
@@ -157,30 +164,30 @@ struct RasterView {
 const Quantities<RasterView>& raster_quantities() {
   using R = RasterView;
   static const Quantities<R> kAll("contact.pattern gear", [](Quantities<R>& q) {
-    q.number("diameter_mm", "diameters", "", "of the rows", [](const R& r) {
+    q.number("diameter_mm", "diameters", "", "diameters of the rows", [](const R& r) {
        return r.raster->diameter;
      }).list({0});
-    q.number("height_mm", "heights", "", "of the columns", [](const R& r) {
+    q.number("height_mm", "heights", "", "heights of the columns", [](const R& r) {
        return r.raster->height;
      }).list({0});
-    q.number(
-         "gap_mm", "gap", "",
-         "least normal gap over the mesh at each point; null where the mating gear never passes",
-         [](const R& r) {
-           ValueList rows;
-           for (std::size_t i = 0; i < r.raster->diameter.size(); ++i) {
-             ValueList row;
-             for (std::size_t k = 0; k < r.raster->height.size(); ++k) {
-               const double gap = r.raster->at(i, k);
-               row.push_back(std::isfinite(gap) ? Value(gap) : Value());
-             }
-             rows.push_back(std::move(row));
-           }
-           return Value(std::move(rows));
-         })
-        .list({0, 0});
-    q.number("marked", "share marked", "", "of the flank, that the marking compound would show",
+    q.number("gap_mm", "gap", "",
+             "least normal gap over the mesh at each point; null at points that the mating gear "
+             "never passes",
              [](const R& r) {
+               ValueList rows;
+               for (std::size_t i = 0; i < r.raster->diameter.size(); ++i) {
+                 ValueList row;
+                 for (std::size_t k = 0; k < r.raster->height.size(); ++k) {
+                   const double gap = r.raster->at(i, k);
+                   row.push_back(std::isfinite(gap) ? Value(gap) : Value());
+                 }
+                 rows.push_back(std::move(row));
+               }
+               return Value(std::move(rows));
+             })
+        .list({0, 0});
+    q.number("marked", "share marked", "",
+             "share of the flank on which the marking compound would show, 0 to 1", [](const R& r) {
                const auto& gap = r.raster->gap;
                const auto n =
                    std::count_if(gap.begin(), gap.end(), [&](double g) { return g <= r.marking; });
@@ -205,15 +212,15 @@ const Quantities<V>& pattern_quantities() {
 
 const Quantities<V>& map_quantities() {
   static const Quantities<V> kAll("contact.map", [](Quantities<V>& q) {
-    q.word("x", "error of x", "a key of [errors]", [](const V& v) { return v.map_axes[0]; });
-    q.number("x_values", "values of x", "", "in the key's unit", [](const V& v) {
+    q.word("x", "error of x", "key of [errors]", [](const V& v) { return v.map_axes[0]; });
+    q.number("x_values", "values of x", "", "in the unit of the key", [](const V& v) {
        return v.map->x;
      }).list({0});
-    q.word("y", "error of y", "a key of [errors]", [](const V& v) { return v.map_axes[1]; });
-    q.number("y_values", "values of y", "", "in the key's unit", [](const V& v) {
+    q.word("y", "error of y", "key of [errors]", [](const V& v) { return v.map_axes[1]; });
+    q.number("y_values", "values of y", "", "in the unit of the key", [](const V& v) {
        return v.map->y;
      }).list({0});
-    q.term("peak_to_peak_arcsec", "rows, one for each y; null where nothing touches",
+    q.term("peak_to_peak_arcsec", "one row for each y; null if no teeth touch",
            [](const V& v) {
              ValueList rows;
              for (const auto& row : v.map->value) {
@@ -232,7 +239,7 @@ const Quantities<V>& map_quantities() {
 
 void say(Quantities<V>& q) {
   q.record<position_quantities>(
-       "positions", "in the order of the rotations",
+       "positions", "one entry for each rotation, in the given order",
        [](const V& v) -> const auto& { return v.working->positions; })
       .list({0})
       .always()
@@ -241,53 +248,54 @@ void say(Quantities<V>& q) {
   q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
      return v.working->peak_to_peak;
    }).always();
-  q.number(
-       "continuous_peak_to_peak_arcsec", "transmission error, peak to peak of the continuous curve",
-       "",
-       "between its extremes [T14.11], independent of the positions; null where contact is lost",
-       &V::continuous_span)
+  q.number("continuous_peak_to_peak_arcsec",
+           "transmission error, peak to peak of the continuous curve", "",
+           "peak to peak between the extremes of the curve [T14.11], independent of the positions; "
+           "null if contact is lost at some rotation",
+           &V::continuous_span)
       .doors(kJson);
   q.number("mean_slope", "mean slope of the transmission error", "",
-           "over the rotation of gear 1, by least squares, rad per rad",
+           "least-squares slope over the rotation of gear 1, rad per rad",
            [](const V& v) { return v.working->mean_slope; })
       .doors(kJson);
-  q.term(
-       "harmonics_arcsec",
-       "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as `positions` "
-       "resolves [T8.18]; empty with `rotation1_deg` and where contact is lost",
-       [](const V& v) {
-         ValueList list;
-         for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
-         return Value(std::move(list));
-       })
+  q.term("harmonics_arcsec",
+         "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as "
+         "`positions` resolves [T8.18]; empty if `rotation1_deg` is given or contact is lost",
+         [](const V& v) {
+           ValueList list;
+           for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
+           return Value(std::move(list));
+         })
       .list({0})
       .always()
       .doors(kJson);
   q.term("contact_lost", "at some position no tooth pair touches",
          [](const V& v) { return v.working->contact_lost; });
   q.record<non_working_quantities>(
-       "non_working_flank", "the flanks that do not drive, at the same positions",
+       "non_working_flank",
+       "transmission error of the flanks that do not drive, at the same positions",
        [](const V& v) { return non_working_quantities().of(*v.non_working); })
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
-           "between both flanks, over the positions; negative if the gears jam; null if both "
-           "flanks never touch",
+           "least play between both flanks over the positions; negative if the gears jam; null if "
+           "one of the flanks never touches",
            &V::min_play)
       .digits(6);
   q.add(Type::map, "sensitivity", "sensitivities", "",
-        "exact derivatives [T8.10] by each of [errors] and each modification with a place, "
-        "`center_distance_per_mm` and so on: two lists over the positions, "
-        "`transmission_error_arcsec` and `point_mm`; both are null where nothing touches, and "
-        "`point_mm` is also null along a line of contact",
+        "exact derivatives [T8.10] with respect to each error and each modification of the spec, "
+        "under names such as `center_distance_per_mm`. Each has two lists over the positions, "
+        "`transmission_error_arcsec` and `point_mm`. Both are null where no teeth touch, and "
+        "`point_mm` is also null for line contact",
         sensitivities)
       .always()
       .doors(kJson);
   q.record<pattern_quantities>(
-       "pattern", "with `pattern = true`", [](const V& v) -> const auto& { return v; })
+       "pattern", "pattern of both flanks; only with `pattern = true`",
+       [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.pattern != nullptr; })
       .doors(kJson);
   q.record<map_quantities>(
-       "map", "of [contact.map]: peak to peak over two errors",
+       "map", "peak to peak over the two errors of [contact.map]",
        [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.map != nullptr; })
       .doors(kJson);

@@ -45,8 +45,8 @@ Value objective(const V& v) {
 const Quantities<V>& region_quantities() {
   static const Quantities<V> kAll("search.designs region", [](Quantities<V>& q) {
     q.add(Type::map, "edges", "edges of the region", "",
-          "counterclockwise, {constraint, points}: points (x1, x2), two of a straight edge, 25 or "
-          "more of a curved one",
+          "counter-clockwise, {constraint, points}; points (x1, x2): two for a straight edge, 25 "
+          "or more for a curve",
           [](const V& v) { return v.edges(); })
         .when([](const V& v) { return static_cast<bool>(v.edges); })
         .list({0});
@@ -71,7 +71,7 @@ const Quantities<V>& region_quantities() {
 }
 
 void say_numbers(Quantities<V>& q) {
-  q.add(Type::index, "trial", "number of the trial", "", "in the order of the loops",
+  q.add(Type::index, "trial", "number of the trial", "", "counted in the order of the search",
         [](const V& v) { return v.row->trial.index; })
       .always()
       .column("trial")
@@ -87,7 +87,7 @@ void say_numbers(Quantities<V>& q) {
       .per_gear()
       .always()
       .column("z#");
-  q.term("helix_angle_deg", "right hand positive",
+  q.term("helix_angle_deg", "> 0 right hand",
          [](const V& v) {
            const auto& helix = v.row->trial.helix;
            return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
@@ -111,14 +111,15 @@ void say_place(Quantities<V>& q) {
       .column("x#")
       .digits(4);
   q.word("point", "place of the shifts",
-         "position of the shifts in the region: `eq11` on the line of Eq. 11 and away from the "
-         "borders, `lo_hi` in the middle if that line misses the region",
+         "`eq11`: on the line of Eq. 11 and away from the borders of the region; `lo_hi`: in the "
+         "middle, if that line misses the region",
          [](const V& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
       .always()
       .column("point")
       .greater_first();
-  q.term("center_distance_mm", "of the design", [](const V& v) { return v.row->center_distance; })
+  q.term("center_distance_mm", "of the design, as mounted",
+         [](const V& v) { return v.row->center_distance; })
       .always()
       .column("center_distance_mm");
   q.number("ratio", "gear ratio", "u", "z2/z1", [](const V& v) { return v.row->ratio; })
@@ -132,17 +133,16 @@ void say_place(Quantities<V>& q) {
 }
 
 void say_contact(Quantities<V>& q) {
-  q.number("contact_ratio", "transverse contact ratio", "ε_α", "of Eq. 10; crossed AE/p_bn",
-           [](const V& v) { return v.row->contact_ratio; })
+  q.number("contact_ratio", "transverse contact ratio", "ε_α",
+           "by Eq. 10; for crossed axes AE/p_bn", [](const V& v) { return v.row->contact_ratio; })
       .always()
       .column("contact_ratio")
       .greater_first()
       .digits(kFewDigits);
-  q.number(
-       "contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
-       "the path clipped to the usable flanks, which begin at ρ_F of [T9.1]; not to the faces of "
-       "crossed gears",
-       [](const V& v) { return v.row->contact_ratio_true; })
+  q.number("contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
+           "for the path clipped to the usable flanks, which begin at ρ_F of [T9.1]; the faces of "
+           "crossed gears are not considered",
+           [](const V& v) { return v.row->contact_ratio_true; })
       .always()
       .column("contact_ratio_true")
       .greater_first()
@@ -160,7 +160,8 @@ void say_contact(Quantities<V>& q) {
   q.term("working_transverse_pressure_angle_deg", "parallel axes only", angle)
       .when(is_parallel)
       .digits(kFewDigits);
-  q.number("working_angle_deg", "working pressure angle", "", "transverse, crossed normal", angle)
+  q.number("working_angle_deg", "working pressure angle", "",
+           "in the transverse section, or for crossed axes in the normal section", angle)
       .always()
       .column("working_angle_deg")
       .doors(kColumns);
@@ -168,12 +169,13 @@ void say_contact(Quantities<V>& q) {
 
 void say_limits(Quantities<V>& q) {
   q.number("backlash_normal_mm", "normal backlash along the line of action", "j_bn",
-           "the pair's `backlash.normal_base_mm`",
+           "`backlash.normal_base_mm` of the pair",
            [](const V& v) { return v.row->backlash_normal; })
       .always()
       .column("backlash_normal_mm");
   q.term("backlash_mm",
-         "at both ends of the tolerances of a design that is drawn: [least, greatest]",
+         "[least, greatest] at the ends of the tolerances; only for designs with thickness "
+         "allowances or a tolerance of the centre distance",
          [](const V& v) { return Value(v.row->backlash_ends); })
       .ends()
       .column("backlash_#_mm")
@@ -189,7 +191,8 @@ void say_limits(Quantities<V>& q) {
       .greater_first()
       .digits(kFewDigits);
   q.term("tip_clearance_mm",
-         "tip of gear 1 to root of gear 2, then tip of gear 2 to root of gear 1",
+         "from the tip of gear 1 to the root of gear 2, then from the tip of gear 2 to the root of "
+         "gear 1",
          [](const V& v) { return v.row->tip_clearance; })
       .per_gear()
       .always()
@@ -198,7 +201,7 @@ void say_limits(Quantities<V>& q) {
       .digits(kFewDigits);
   q.number(
        "form_clearance_path_mm", "form clearance along the line of action", "",
-       "distance of the mating tip from the start of the flank of gear 1 and of gear 2; negative "
+       "distance of the mating tip from the start of the flank, for gear 1 and gear 2; negative "
        "for interference; null for an internal gear, whose flank end depends on its cutter",
        [](const V& v) { return v.row->form_clearance; })
       .per_gear()
@@ -210,7 +213,7 @@ void say_limits(Quantities<V>& q) {
       .always()
       .column("tip_alteration_mm")
       .shown([](const V& v) { return v.row->tip_alteration != 0.0; });
-  q.record<two_gears>("specific_sliding", "[at A, at E] as of a pair",
+  q.record<two_gears>("specific_sliding", "[at A, at E], as for a pair",
                       [](const V& v) {
                         return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
                       })
@@ -232,7 +235,7 @@ void say_limits(Quantities<V>& q) {
       .doors(kPage)
       .expected([](const V&) { return true; })
       .digits(kFewDigits);
-  q.flag("interference", "interference", "a tip passes the start of the mating flank",
+  q.flag("interference", "interference", "true if a tip passes the start of the mating flank",
          [](const V& v) { return v.row->interference; })
       .column("interference")
       .shown([](const V& v) { return v.row->interference; });
@@ -240,13 +243,15 @@ void say_limits(Quantities<V>& q) {
 
 void say_strength(Quantities<V>& q) {
   const auto rated = [](const V& v) { return v.problem->rating.has_value(); };
-  q.term("S_H", "as in `rate`, for a rated search", [](const V& v) { return v.row->flank_safety; })
+  q.term("S_H", "as in `rate`; only for a rated search",
+         [](const V& v) { return v.row->flank_safety; })
       .per_gear()
       .column("S_H#")
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
-  q.term("S_F", "as in `rate`, for a rated search", [](const V& v) { return v.row->root_safety; })
+  q.term("S_F", "as in `rate`; only for a rated search",
+         [](const V& v) { return v.row->root_safety; })
       .per_gear()
       .column("S_F#")
       .when(rated)
@@ -255,14 +260,15 @@ void say_strength(Quantities<V>& q) {
   const auto weighed = [](const V& v) { return v.problem->weighs(); };
   const auto wide = [](const V& v) { return v.problem->weighs() || v.problem->sizes_faces(); };
   q.number("face_width_mm", "face width", "b",
-           "of both gears; if safeties or masses are requested, or a band of widths",
+           "width of both gears; only if safeties, masses or a band of widths are requested",
            [wide](const V& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
       .when(wide)
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
-           "full cylinders of the mean diameter (d_a + d_f)/2, an internal gear from there to 2.5 "
-           "m_n outside its root; of a rated search, or by `objective`",
+           "mass of full cylinders of the mean diameter (d_a + d_f)/2, or for an internal gear of "
+           "the ring from there to 2.5 m_n outside its root; only for a rated search or with "
+           "`objective` = `mass`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)
@@ -280,11 +286,12 @@ void say(Quantities<V>& q) {
       .greater_first()
       .digits(4);
   q.record<region_quantities>(
-       "region", "the profile shifts that satisfy every limit",
+       "region", "profile shifts that satisfy every limit",
        [](const V& v) -> const auto& { return v; })
       .always()
       .doors(kJson);
-  q.add(Type::map, "objective", "objective", "", "its value, or one for each name", objective)
+  q.add(Type::map, "objective", "objective", "",
+        "value of the criterion, or one value for each criterion", objective)
       .doors(kJson);
 }
 

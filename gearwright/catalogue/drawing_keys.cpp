@@ -33,21 +33,23 @@ const KeyTable& drawing_keys() {
   using D = DrawingInput;
   static const KeyTable table{
       "drawing",
-      "The title block of the report and of drawings, as given",
-      {Key::text("title", &D::title, "the spec's `title`", "what the drawing shows"),
+      "The title block of the report and of drawings",
+      {Key::text("title", &D::title, "the spec's `title`", "title of the drawing"),
        Key::text("number", &D::number, "", "drawing number")
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "name of the author"),
-       Key::text("date", &D::date, "", "in quotes, in any form; never filled in automatically"),
-       Key::text("material", &D::material, "", "in words"),
-       Key::text("heat_treatment", &D::heat_treatment, "", "with hardness and depth")
+       Key::text("date", &D::date, "",
+                 "date in any form, in quotes; it is never filled in automatically"),
+       Key::text("material", &D::material, "", "material, in words"),
+       Key::text("heat_treatment", &D::heat_treatment, "",
+                 "heat treatment, with hardness and depth")
            .with_also({"hardness", "hardening"}),
        Key::text("surface_texture", &D::surface_texture, "",
                  "roughness of the flanks and of the other surfaces")
            .with_also({"roughness", "surface"}),
        Key::text("edges", &D::edges, "", "edges of undefined shape by ISO 13715"),
        Key::text("general_tolerances", &D::general_tolerances, "",
-                 "of dimensions without a tolerance, by ISO 22081 or ISO 2768"),
+                 "tolerances of dimensions without a tolerance, by ISO 22081 or ISO 2768"),
        Key::text("bore_fit", &D::bore_fit, "no limits",
                  "fit of the bore by ISO 286, H1 to H12; the drawing has its limits")
            .with_form("a fit such as \"H7\""),

@@ -6,7 +6,7 @@ const Quantities<DrawingInput>& drawing_quantities() {
   using D = DrawingInput;
   static const Quantities<D> kAll("drawing", [](Quantities<D>& q) {
     const auto line = [&q](const char* key, const char* words, std::string D::*member) {
-      q.add(Type::text, key, words, "", "as given; null without",
+      q.add(Type::text, key, words, "", "text as given; null if absent",
             [member](const D& d) { return (d.*member).empty() ? Value() : Value(d.*member); });
     };
     line("title", "title", &D::title);

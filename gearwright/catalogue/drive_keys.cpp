@@ -44,7 +44,7 @@ Key member(SetMember which, std::string_view meaning, bool ring = false) {
       meaning);
 }
 
-Key fixed_key() { return formed("fixed", "", kBodies, "the ring", "what is held"); }
+Key fixed_key() { return formed("fixed", "", kBodies, "the ring", "body or bodies that are held"); }
 Key speed_key() {
   return formed("speed_rpm", "n", "a number, or a list in the order of the inputs", "",
                 "speed of the input");
@@ -56,9 +56,11 @@ Key torque_key() {
 
 template <class Member>
 Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
-  return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
-                   "spacing of the planets: at equal pitch if they assemble, else at the nearest "
-                   "places; or an error if they do not; or clocked; or in opposite pairs");
+  return Key::word(
+      "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
+      "spacing of the planets. `nearest`: at equal pitch if they can be assembled, otherwise at "
+      "the nearest possible places; `equal`: at equal pitch, or an error; `equal_clocked`: at "
+      "equal pitch with clocked planets; `opposite`: in opposite pairs");
 }
 
 }  // namespace
@@ -67,15 +69,16 @@ const KeyTable& planetary_keys() {
   using P = PlanetarySpec;
   static const KeyTable table{
       "planetary",
-      "A planetary set; the members that are present make it",
+      "A planetary set, given by its members",
       {member(SetMember::sun, "number of teeth of the sun"),
-       member(SetMember::sun2, "that of a second sun, which meshes with `planet2` or `planet`"),
-       member(SetMember::planet, "that of the planet"),
-       member(SetMember::planet2, "that of the second gear of a stepped planet"),
-       member(SetMember::ring, "that of the ring, of either sign", true),
-       member(SetMember::ring2, "that of a second ring, which meshes with `planet2` or `planet`",
-              true),
-       member(SetMember::idler, "that of an idler between sun and planet"),
+       member(SetMember::sun2,
+              "number of teeth of a second sun, which meshes with `planet2` or `planet`"),
+       member(SetMember::planet, "number of teeth of the planet"),
+       member(SetMember::planet2, "number of teeth of the second gear of a stepped planet"),
+       member(SetMember::ring, "number of teeth of the ring, with either sign", true),
+       member(SetMember::ring2,
+              "number of teeth of a second ring, which meshes with `planet2` or `planet`", true),
+       member(SetMember::idler, "number of teeth of an idler between sun and planet"),
        Key::number("planets", "N", KeyRange::between(1, 1000), &P::planets, "1",
                    "number of planets"),
        Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &P::normal_module,
@@ -83,31 +86,34 @@ const KeyTable& planetary_keys() {
        Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60),
                    &P::normal_pressure_angle, "20", "normal pressure angle"),
        formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun"),
-       formed("profile_shift", "x", kMembers, "as it follows", "profile shift"),
+       formed("profile_shift", "x", kMembers, "computed from the centre distance", "profile shift"),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
        formed("face_width_mm", "b", kMembers, "10 m_n",
               "face width; a planet that meshes with two rings or two suns is twice as wide plus a "
               "gap"),
        formed("tip_diameter_mm", "d_a", kMembers,
-              "of the basic rack, with its clearance; a ring's clears the flanks of its planets",
+              "from the basic rack, with its clearance; for a ring, with clearance to the flanks "
+              "of its planets",
               "tip diameter"),
-       formed("center_distance_mm", "a", kMeshes, "the tight one of the first mesh",
+       formed("center_distance_mm", "a", kMeshes, "backlash-free distance of the first mesh",
               "centre distance"),
        formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
               "efficiency of the meshes with the carrier at rest, from 0 to 1"),
        Key::not_negative("friction_coefficient", "μ", &P::friction, "0.05",
                          "coefficient of friction of the flanks"),
        fixed_key(),
-       formed("input", "", kBodies, "the sun", "what drives"),
-       Key::text("output", &P::output, "the carrier", "what is driven"),
+       formed("input", "", kBodies, "the sun", "body or bodies that drive"),
+       Key::text("output", &P::output, "the carrier", "body that is driven"),
        speed_key(),
        torque_key(),
        spacing_key(&P::spacing),
-       Key::number("positions_deg", "", {}, &P::positions_deg, "by `spacing`",
-                   "places of the planets round the carrier, counter-clockwise from the first")
+       Key::number(
+           "positions_deg", "", {}, &P::positions_deg, "by `spacing`",
+           "places of the planets around the carrier, counter-clockwise from the first planet")
            .with_list({1, 1000}),
-       formed("material", "", "a name, a table as [gear1.material], or a table of those by member",
-              "that of `[rating]`", "what the teeth are made of")}};
+       formed("material", "",
+              "a name, a table as [gear1.material], or a table of such tables by member",
+              "material of `[rating]`", "material of the teeth")}};
   return table;
 }
 
@@ -115,7 +121,7 @@ const KeyTable& stage_keys() {
   static const KeyTable table{
       "stage",
       "A stage of a train, from the input to the output: a pair of gears or a set",
-      {formed("teeth", "z", "two numbers, of a ring negative", "", "numbers of teeth of a pair"),
+      {formed("teeth", "z", "two numbers, negative for a ring", "", "numbers of teeth of a pair"),
        formed("gears", "", "two tables as [gear1]", "", "the two gears with their own keys"),
        Key::part("planetary", planetary_keys, {}, "a planetary set")
            .with_excludes({"teeth", "gears"}),
@@ -126,8 +132,9 @@ const KeyTable& stage_keys() {
        Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89), {}, "0",
                    "helix angle of the first gear"),
        Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
-       Key::positive("center_distance_mm", "a", {}, "the tight one", "centre distance"),
-       formed("profile_shift", "x", "a list of two numbers", "as it follows", "profile shifts"),
+       Key::positive("center_distance_mm", "a", {}, "backlash-free distance", "centre distance"),
+       formed("profile_shift", "x", "a list of two numbers", "computed from the centre distance",
+              "profile shifts"),
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
               "thickness allowances"),
        formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
@@ -135,8 +142,8 @@ const KeyTable& stage_keys() {
        Key::not_negative("friction_coefficient", "μ", {}, "0.05",
                          "coefficient of friction of the flanks"),
        speed_key(), torque_key(),
-       formed("material", "", "a name, or a table as [gear1.material]", "that of `[rating]`",
-              "what the teeth of both gears are made of")}};
+       formed("material", "", "a name, or a table as [gear1.material]", "material of `[rating]`",
+              "material of the teeth of both gears")}};
   return table;
 }
 
@@ -161,9 +168,10 @@ const KeyTable& stage_gear_keys() {
 const KeyTable& drive_keys() {
   static const KeyTable table{
       "drive",
-      "A drive as a graph of bodies, gears and meshes, to which the other forms expand",
-      {fixed_key(), formed("input", "", kBodies, "", "what drives"),
-       formed("output", "", "a body", "", "what is driven"), speed_key(), torque_key(),
+      "A drive as a graph of bodies, gears and meshes; the other forms are translated into this "
+      "form",
+      {fixed_key(), formed("input", "", kBodies, "", "body or bodies that drive"),
+       formed("output", "", "a body", "", "body that is driven"), speed_key(), torque_key(),
        spacing_key(&DriveGraph::spacing),
        Key::not_negative("friction_coefficient", "μ", &DriveGraph::friction, "0.05",
                          "coefficient of friction of the flanks"),
@@ -178,13 +186,13 @@ const KeyTable& drive_body_keys() {
       "drive_body",
       "A body of the graph",
       {Key::text("name", &DriveBody::name, kRequired, "name of the body"),
-       formed("rides_on", "", "a body", "the housing", "the carrier of a planet"),
+       formed("rides_on", "", "a body", "the housing", "carrier on which the planet is mounted"),
        Key::number("count", "N", KeyRange::between(1, 1000), &DriveBody::count, "1",
                    "number of copies of a planet"),
        Key::number("positions_deg", "", {}, &DriveBody::positions_deg, "by `spacing`",
-                   "places of the copies round the carrier")
+                   "places of the copies around the carrier")
            .with_list({1, 1000}),
-       spacing_key(&DriveBody::spacing, "that of the drive")}};
+       spacing_key(&DriveBody::spacing, "as for the drive")}};
   return table;
 }
 
@@ -194,13 +202,13 @@ const KeyTable& drive_gear_keys() {
         "drive_gear",
         "A gear of the graph, with the keys of [gear1]",
         {Key::text("name", KeyPlace::unused(), kRequired, "name of the gear"),
-         Key::text("body", KeyPlace::unused(), kRequired, "the body that it sits on"),
+         Key::text("body", KeyPlace::unused(), kRequired, "body on which the gear is mounted"),
          Key::number("teeth", "z", KeyRange{.lo = -kMostTeeth, .hi = kMostTeeth, .zero = false},
                      {&GearInput::cylindrical, &CylindricalSpec::teeth},
                      "required, unless `form` is `\"rack\"`",
                      "number of teeth, negative for a ring"),
          Key::word("form", {"gear", "rack"}, KeyPlace::unused(), "\"gear\"",
-                   "\"rack\": its body moves")}};
+                   "if `\"rack\"`, the gear is a rack, whose body moves")}};
     for (const Key& key : stage_gear_keys().keys)
       if (!t.find(key.key)) t.keys.push_back(key);
     return t;
@@ -212,18 +220,18 @@ const KeyTable& drive_mesh_keys() {
   static const KeyTable table{
       "drive_mesh",
       "A mesh of the graph",
-      {formed("gears", "", "two gears", kRequired, "the gears that mesh"),
+      {formed("gears", "", "two gears", kRequired, "names of the gears that mesh"),
        Key::text("name", &DriveMesh::name, "the names of the gears, a_b", "name of the mesh"),
-       Key::positive("center_distance_mm", "a", &DriveMesh::center_distance, "the tight one",
-                     "centre distance"),
+       Key::positive("center_distance_mm", "a", &DriveMesh::center_distance,
+                     "backlash-free distance", "centre distance"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "from `friction_coefficient` and the teeth",
                    "efficiency with the frame at rest"),
-       Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction, "that of the drive",
+       Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction, "as for the drive",
                          "coefficient of friction of the flanks"),
        Key::number("angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
-                   "direction from the axis of the first gear to that of the second "
-                   "one, counter-clockwise; planets have theirs by their places")}};
+                   "direction from the axis of the first gear to the axis of the second gear, "
+                   "counter-clockwise; not for planets, whose places determine the direction")}};
   return table;
 }
 

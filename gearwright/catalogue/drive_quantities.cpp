@@ -14,7 +14,7 @@ constexpr const char* kMotion = "Motion";
 constexpr const char* kPower = "Power";
 constexpr const char* kGeometry = "Geometry";
 
-// [p, q] in lowest terms; nothing if one of them has more than 63 bits.
+// [p, q] in lowest terms; null if one of the two numbers has more than 63 bits.
 Value fraction(const Rational& r) {
   const auto p = r.numerator(), q = r.denominator();
   if (!p || !q) return {};
@@ -30,7 +30,7 @@ Value rating_of(const DriveMeshView& v) {
   return record ? Value(*record) : Value();
 }
 
-// The same for each, by its name.
+// The records of all elements of a list, by their names.
 template <class View, class List>
 Value by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
   ValueMap map;
@@ -55,10 +55,10 @@ std::optional<double> set_distance(const Drive& d) {
 
 const Quantities<Drive>& coaxial_quantities() {
   static const Quantities<Drive> kAll("drive.coaxial", [](Quantities<Drive>& q) {
-    q.term("center_distance_mm", "of the meshes of the first set [T13.15]",
+    q.term("center_distance_mm", "for the meshes of the first set [T13.15]",
            [](const Drive& d) { return set_distance(d); });
     q.add(Type::map, "profile_shift", "profile shifts", "x",
-          "of each gear, given or as it follows from the distance [T13.15]", shifts_of)
+          "per gear, as given or as computed from the centre distance [T13.15]", shifts_of)
         .doors(kJson);
   });
   return kAll;
@@ -83,7 +83,7 @@ const Quantities<DriveError::Line>& error_line_quantities() {
     q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
        return Value(l.frequency_ratio);
      }).always();
-    q.number("arcsec", "amplitude", "", "of the output",
+    q.number("arcsec", "amplitude", "", "amplitude of the rotation of the output",
              [](const L& l) { return Value(Angle::radians(l.amplitude).arcsec()); })
         .unit(Unit::arcsec)
         .always();
@@ -95,7 +95,7 @@ const Quantities<DriveError>& drive_error_quantities() {
   using E = DriveError;
   static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
     q.number("output_arcsec_peak_to_peak", "transmission error of the output", "",
-             "greatest less least; of several mesh frequencies the sum [T13.21]",
+             "greatest value minus least value; for several mesh frequencies their sum [T13.21]",
              [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
         .unit(Unit::arcsec)
         .always();
@@ -112,7 +112,7 @@ const Quantities<DriveError>& drive_error_quantities() {
 const Quantities<Resultant>& resultant_quantities() {
   using R = Resultant;
   static const Quantities<R> kAll("drive.phasing.resultant", [](Quantities<R>& q) {
-    q.number("torque", "torque and axial force", "R_k", "share that is left of harmonic k [T13.18]",
+    q.number("torque", "torque and axial force", "R_k", "remaining share of harmonic k [T13.18]",
              &R::torque)
         .always();
     q.number("force_forward", "transverse force with the sun", "F_k^+", "[T13.18]",
@@ -181,16 +181,18 @@ void say_motion(Quantities<Drive>& q) {
 
 void say_power(Quantities<Drive>& q) {
   q.under(kPower);
-  q.term("efficiency", "of the teeth, input driving; 0 if the drive locks itself [T13.9]",
+  q.term("efficiency",
+         "for losses of the teeth, with the input driving; 0 if the drive locks itself [T13.9]",
          [](const Drive& d) { return efficiency_of(d.flow); });
   q.number("efficiency_backward", "efficiency, output driving", "η", "0 if the drive locks itself",
            [](const Drive& d) { return efficiency_of(d.backward); });
-  q.add(Type::flag, "self_locking", "self-locking", "", "the input cannot drive the output",
+  q.add(Type::flag, "self_locking", "self-locking", "", "true if the input cannot drive the output",
         [](const Drive& d) { return locks(d.flow); });
   q.add(Type::flag, "self_locking_backward", "self-locking, output driving", "",
-        "the output cannot drive the input", [](const Drive& d) { return locks(d.backward); });
+        "true if the output cannot drive the input",
+        [](const Drive& d) { return locks(d.backward); });
   q.add(Type::flag, "circulating", "circulating power", "",
-        "a branch carries more power than flows in at the inputs",
+        "true if a branch carries more power than enters at the inputs",
         [](const Drive& d) { return flows(d) ? Value(d.flow->circulating) : Value(); });
 }
 
@@ -199,42 +201,44 @@ void say(Quantities<Drive>& q) {
   say_motion(q);
   say_power(q);
   q.under(kGeometry);
-  q.term("center_distance_mm", "of the meshes of the first set",
+  q.term("center_distance_mm", "for the meshes of the first set",
          [](const Drive& d) { return set_distance(d); });
-  q.add(Type::map, "bodies", "bodies", "", "by name: speeds, torque, power", [](const Drive& d) {
-     return by_name(drive_body_quantities(), d, d.graph.bodies);
-   }).doors(kJson);
-  q.add(Type::map, "meshes", "meshes", "", "by name: frequency, losses, the pair",
+  q.add(Type::map, "bodies", "bodies", "", "speeds, torque and power of each body, by name",
+        [](const Drive& d) { return by_name(drive_body_quantities(), d, d.graph.bodies); })
+      .doors(kJson);
+  q.add(Type::map, "meshes", "meshes", "", "frequency, losses and pair of each mesh, by name",
         [](const Drive& d) { return by_name(drive_mesh_quantities(), d, d.graph.meshes); })
       .doors(kJson);
   q.record<assembly_quantities>(
-       "assembly", "the positions of the planets of the first set; null without planets",
+       "assembly", "positions of the planets of the first set; null without planets",
        [](const Drive& d) {
          return d.sets.empty() ? Value() : Value(assembly_quantities().of(d.sets.front()));
        })
       .doors(kJson);
   q.record<coaxial_quantities>(
-       "coaxial", "distance and shifts of the first set; null without a set",
+       "coaxial", "centre distance and profile shifts of the first set; null without a set",
        [](const Drive& d) { return d.sets.empty() ? Value() : Value(coaxial_quantities().of(d)); })
       .doors(kJson);
   q.record<phasing_quantities>(
-       "phasing", "how the meshes of the first set follow each other",
+       "phasing", "relative phases of the meshes of the first set",
        [](const Drive& d) {
          return d.sets.empty() ? Value() : Value(phasing_quantities().of(d.sets.front()));
        })
       .doors(kJson);
   q.record<drive_backlash_quantities>(
-      "backlash", "of the ends; null with several inputs and without geometry", &Drive::backlash);
+      "backlash", "backlash of input and output; null with several inputs and without geometry",
+      &Drive::backlash);
   q.record<drive_error_quantities>(
       "transmission_error",
-      "of the output, the input turning evenly; 0 of flanks without modifications and [errors]; "
-      "null with several inputs, without geometry, and where contact is lost",
+      "rotation error of the output while the input rotates uniformly; 0 if there are no "
+      "modifications and no [errors]; null with several inputs, without geometry, and if contact "
+      "is lost",
       &Drive::error);
-  q.record<drive_quantities>("stages", "of a train: each stage as a drive by itself",
-                             [](const Drive& d) {
-                               return d.stages.empty() ? Value()
-                                                       : Value(drive_quantities().each(d.stages));
-                             })
+  q.record<drive_quantities>(
+       "stages", "the stages of a train, each as a drive of its own; null for other drives",
+       [](const Drive& d) {
+         return d.stages.empty() ? Value() : Value(drive_quantities().each(d.stages));
+       })
       .list({0})
       .doors(kJson);
 }
@@ -244,7 +248,7 @@ void say(Quantities<Drive>& q) {
 const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;
   static const Quantities<V> kAll("drive.body", [](Quantities<V>& q) {
-    q.number("speed_ratio", "speed ratio", "", "speed per turn of the first input, absolute",
+    q.number("speed_ratio", "speed ratio", "", "absolute speed per turn of the first input",
              [](const V& v) { return v.drive->speed_ratio(v.body); });
     q.whole("speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
             [](const V& v) -> Value {
@@ -254,7 +258,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
         .list({2})
         .doors(kJson);
     q.number("relative_speed_ratio", "speed ratio to the frame", "",
-             "less that of the carrier in whose frame it meshes",
+             "speed minus the speed of the carrier in whose frame the body meshes",
              [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
     q.term("speed_rpm", "absolute", [](const V& v) { return v.drive->speed_rpm(v.body); });
     q.number("torque_ratio", "torque ratio", "", "external torque per torque of the first input",
@@ -278,10 +282,12 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
 const Quantities<DriveMeshView>& drive_mesh_quantities() {
   using V = DriveMeshView;
   static const Quantities<V> kAll("drive.mesh", [](Quantities<V>& q) {
-    q.text("frame", "the carrier in whose frame the gears roll, or housing", [](const V& v) {
-       const auto frame = v.drive->graph.frame(v.drive->graph.meshes[v.mesh]);
-       return Value(frame ? v.drive->graph.bodies[*frame].name : std::string("housing"));
-     }).always();
+    q.text("frame", "name of the carrier in whose frame the gears roll, or `housing`",
+           [](const V& v) {
+             const auto frame = v.drive->graph.frame(v.drive->graph.meshes[v.mesh]);
+             return Value(frame ? v.drive->graph.bodies[*frame].name : std::string("housing"));
+           })
+        .always();
     q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
              [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
     q.number("frequency_hz", "mesh frequency", "f", "", [](const V& v) -> Value {
@@ -302,7 +308,7 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
              const DriveMesh& mesh = v.drive->graph.meshes[v.mesh];
              return v.drive->graph.gear(mesh, v.drive->flow->driver[v.mesh]).name;
            });
-    q.number("power_ratio", "rolling power", "", "P_m/P_in in the frame, of its driving gear",
+    q.number("power_ratio", "rolling power", "", "P_m/P_in in the frame, at the driving gear",
              [](const V& v) -> Value {
                if (!flows(*v.drive) || !(v.drive->flow->power_in > 0.0)) return {};
                return v.drive->flow->mesh_power[v.mesh] / v.drive->flow->power_in;
@@ -313,9 +319,10 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
                                 return pair ? Value(pair_quantities().of(*pair)) : Value();
                               })
         .doors(kJson);
-    q.record<rating_quantities>(
-         "rating", "verb rate: strength by ISO 6336 of one of the copies; null of an idle mesh",
-         rating_of)
+    q.record<rating_quantities>("rating",
+                                "strength by ISO 6336 of one of the copies; only with the verb "
+                                "rate; null for an idle mesh",
+                                rating_of)
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
   });
@@ -326,10 +333,11 @@ const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
     q.whole("positions", "places per turn", "N*",
-            "where a planet can be put in; 0 if any place is possible [T13.12]",
+            "number of places at which a planet can be assembled; 0 if every place is possible "
+            "[T13.12]",
             [](const P& p) { return p.assembly.places; })
         .always();
-    q.flag("equal", "equal pitch", "the planets are at equal pitch",
+    q.flag("equal", "equal pitch", "true if the planets are at equal pitch",
            [](const P& p) { return p.assembly.equal; });
     q.number("angles_deg", "places of the planets", "", "counter-clockwise from the first [T13.13]",
              [](const P& p) { return each(p.assembly.turns, degrees_of); })
@@ -341,7 +349,7 @@ const Quantities<PlanetSet>& assembly_quantities() {
         .list({0, 2})
         .doors(kJson);
     q.number("clocking_deg", "clocking", "δ",
-             "of the second gear of each stepped planet; null if all are equal [T13.14]",
+             "rotation of the second gear of each stepped planet; null if all are equal [T13.14]",
              [](const P& p) {
                return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
              })
@@ -358,21 +366,21 @@ const Quantities<PlanetSet>& assembly_quantities() {
 const Quantities<PlanetSet>& phasing_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.phasing", [](Quantities<P>& q) {
-    q.word("class", "class of phasing", "of the first harmonic [T13.19]",
+    q.word("class", "class of phasing", "for the first harmonic [T13.19]",
            [](const P& p) { return words_of(p.phasing.kind); })
         .always()
         .one_of({"in_phase", "sequential", "counter", "mixed"});
     q.number("sun_phase", "phases of the sun's meshes", "γ",
-             "periods by which each comes after the first [T13.16]",
+             "phase of each mesh after the first mesh, in periods [T13.16]",
              [](const P& p) { return phases(p.sun_phases); })
         .list({0});
-    q.number("ring_phase", "phases of the ring's meshes", "γ", "the same of the ring",
-             [](const P& p) { return phases(p.ring_phases); })
-        .list({0});
+    q.number("ring_phase", "phases of the ring's meshes", "γ", "as for the sun", [](const P& p) {
+       return phases(p.ring_phases);
+     }).list({0});
     q.number("sun_ring_phase", "phase of the ring against the sun", "γ_rs",
-             "at one planet [T13.17]", &P::sun_ring_phase);
+             "for one planet [T13.17]", &P::sun_ring_phase);
     q.record<resultant_quantities>(
-         "resultants", "what is left of harmonics 1, 2, … [T13.18]",
+         "resultants", "remaining share of harmonics 1, 2, … [T13.18]",
          [](const P& p) -> const auto& { return p.phasing.resultants; })
         .always()
         .list({0})

@@ -9,7 +9,7 @@ namespace {
 
 using F = FoundDrive;
 
-// Value of the drive with this key, as in the result of the verb drive.
+// The value with this key in the result of the verb drive.
 Value of_drive(const F& f, std::string_view key) {
   for (const Quantity<Drive>& q : drive_quantities().list())
     if (q.info.key == key) return q.get(f.drive);
@@ -44,7 +44,7 @@ Value stages_of(const F& f) {
 void say_found(Quantities<F>& q) {
   q.add(Type::map, "teeth", "numbers of teeth", "z", "by member; null for a train", teeth_of)
       .doors(kJson);
-  q.whole("stages", "numbers of teeth of the stages", "z", "[z1, z2] each; null of a set",
+  q.whole("stages", "numbers of teeth of the stages", "z", "[z1, z2] of each stage; null for a set",
           stages_of)
       .list({0, 2})
       .doors(kJson);
@@ -58,35 +58,37 @@ void say_found(Quantities<F>& q) {
           [](const F& f) { return of_drive(f, "ratio_exact"); })
       .list({2})
       .doors(kJson);
-  q.number("efficiency", "efficiency", "η", "input driving",
+  q.number("efficiency", "efficiency", "η", "with the input driving",
            [](const F& f) { return of_drive(f, "efficiency"); });
-  q.number("efficiency_backward", "efficiency, output driving", "η", "0 if it locks itself",
+  q.number("efficiency_backward", "efficiency, output driving", "η", "0 if the drive locks itself",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("size_mm", "size", "",
-           "diameter over planets and rings without shifts; of a train the sum of its distances",
+           "diameter over planets and rings without profile shifts; for a train the sum of the "
+           "centre distances",
            [](const F& f) { return Value(f.candidate.size); })
       .always();
-  q.number("center_distance_mm", "centre distance", "a", "of the meshes of the set",
+  q.number("center_distance_mm", "centre distance", "a", "for the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
-  q.whole("positions", "places per turn", "N*", "of a planet",
+  q.whole("positions", "places per turn", "N*",
+          "number of places at which a planet can be assembled",
           [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
-  q.add(Type::flag, "equal", "equal pitch", "", "the planets are at equal pitch",
+  q.add(Type::flag, "equal", "equal pitch", "", "true if the planets are at equal pitch",
         [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
   q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c", "between their tips",
            [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
-  q.word("phasing", "class of phasing", "of the first harmonic", [](const F& f) {
+  q.word("phasing", "class of phasing", "for the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
-  q.number("normal_module_mm", "normal module", "m_n", "of all meshes; null without geometry",
-           [](const F& f) {
+  q.number("normal_module_mm", "normal module", "m_n",
+           "the same for all meshes; null without geometry", [](const F& f) {
              const auto& gear = f.drive.geometry.gears.front();
              return gear ? Value(f.candidate.module) : Value();
            });
   q.number(
-      "face_width_mm", "face width", "b", "null if the search does not size it",
+      "face_width_mm", "face width", "b", "null if the search does not size the faces",
       [](const F& f) { return f.candidate.face_width ? Value(*f.candidate.face_width) : Value(); });
   q.number("safety_flank", "safety against pitting", "S_H",
-           "the least of all meshes; null if designs are not rated",
+           "least value of all meshes; null if designs are not rated",
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_H)); });
   q.number("safety_root", "safety against root breakage", "S_F", "likewise",
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
@@ -103,23 +105,24 @@ Value counts(const std::array<std::string_view, N>& names, const std::array<T, N
 
 void say_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
-  q.word("kind", "kind", "of drive", [](const S& s) {
+  q.word("kind", "kind", "kind of the drives", [](const S& s) {
      return Value(std::string(kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]));
    }).always();
-  q.add(Type::index, "tested", "tested", "", "sets of numbers of teeth and planets",
+  q.add(Type::index, "tested", "tested", "", "number of sets of tooth numbers and planets",
         [](const S& s) { return Value(static_cast<long long>(s.result->tested)); })
       .always();
-  q.add(Type::index, "feasible_count", "feasible", "", "those that hold all limits",
+  q.add(Type::index, "feasible_count", "feasible", "", "number of sets that satisfy all limits",
         [](const S& s) { return Value(static_cast<long long>(s.result->found.size())); })
       .always();
   q.add(Type::map, "rejected", "rejected", "",
-        "number of sets that each limit ruled out; the first one counts, in the order `ratio`, "
+        "number of sets that each limit ruled out; the first limit counts, in the order `ratio`, "
         "`assembly`, `neighbours`, `phasing`",
         [](const S& s) { return counts(kDriveLimitNames, s.result->rejected); })
       .always()
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
-        "those of them whose teeth were computed, best first, until enough could be listed",
+        "number of feasible sets whose teeth were computed; the search computes the best sets "
+        "first, until it can list enough of them",
         [](const S& s) { return Value(static_cast<long long>(s.designs->computed)); })
       .always();
   q.add(Type::map, "left_out", "left out", "",
@@ -130,7 +133,7 @@ void say_search(Quantities<DriveSearchView>& q) {
       .always()
       .doors(kJson);
   q.add(Type::index, "pareto", "Pareto front", "",
-        "positions in `designs` of the Pareto-optimal ones, with several objectives",
+        "positions of the Pareto-optimal designs in `designs`; only with several objectives",
         [](const S& s) {
           return Value(ValueList(s.designs->pareto.begin(), s.designs->pareto.end()));
         })
@@ -139,8 +142,8 @@ void say_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "best first, at most the number of `--top`; their numbers are those of the verb drive, "
-       "whose verdict is green",
+       "best first, at most the number of `--top`; all have a green verdict, and their numbers are "
+       "those of the verb drive",
        [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
       .list({0})
       .always()

@@ -29,27 +29,26 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "f_Σβ as an angle: axis 1 turns about the centre line, > 0 towards +y: the axes cross, by "
-       "this much more"},
+       "f_Σβ as an angle: axis 1 turns about the centre line and the shaft angle increases by this "
+       "angle; > 0 towards +y"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
-       "f_Σδ as an angle: axis 1 tilts towards gear 2, > 0 towards +x: the axes would meet"},
+       "f_Σδ as an angle: axis 1 tilts in the plane of the axes; > 0 towards +x, that is towards "
+       "gear 2"},
       {"axial_mm", "Δz", "axial place of gear 1", ErrorKind::axial, 0,
        [](E& e, const Gears&, double v) { e.axial = v; }, "gear 1 moves along +z"},
       {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 0, v); },
-       "over the face width, at the reference cylinder, of gear 1: the section at height z is "
-       "turned by z f_Hβ/(r b), counter-clockwise seen from +z; the section itself does not "
-       "change"},
+       "deviation over the face width at the reference cylinder of gear 1: the section at height z "
+       "is rotated by z f_Hβ/(r b), counter-clockwise seen from +z, and its shape does not change"},
       {"helix_slope2_um", "f_Hβ2", "helix slope of gear 2", ErrorKind::helix_slope2, 2,
-       [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "the same of gear 2"},
+       [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "as for gear 1"},
       {"cutter_lead1_deg", "Δλ1", "lead angle of gear 1", std::nullopt, 1,
        [](E& e, const Gears&, double v) { e.cutter_lead[0] = Angle::degrees(v); },
-       "error of the lead angle λ = 90° − |β| with which gear 1 is cut; its pitch radius does not "
-       "change, but its lead and transverse section do [T8.14]"},
+       "error of the lead angle λ = 90° − |β| with which gear 1 is cut; the lead and the "
+       "transverse section change, but the pitch radius does not [T8.14]"},
       {"cutter_lead2_deg", "Δλ2", "lead angle of gear 2", std::nullopt, 2,
-       [](E& e, const Gears&, double v) { e.cutter_lead[1] = Angle::degrees(v); },
-       "the same of gear 2"},
+       [](E& e, const Gears&, double v) { e.cutter_lead[1] = Angle::degrees(v); }, "as for gear 1"},
   }};
   return entries;
 }
@@ -71,17 +70,17 @@ std::optional<std::size_t> error_index(std::string_view key) {
 
 const KeyTable& error_keys() {
   static const KeyTable table = [] {
-    KeyTable t{"errors", "Errors of mounting and of the teeth, all at once", {}};
+    KeyTable t{"errors", "Errors of mounting and of the teeth, which act together", {}};
     for (std::size_t i = 0; i < kErrorCount; ++i) {
       const ErrorEntry& e = error_entries()[i];
       KeyRange range;
       if (e.unit() == "deg") {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees, because an error is small; the shaft angle is "
-                                  "pair.shaft_angle_deg");
+                                  " degrees, because errors are small; the key of the shaft angle "
+                                  "is pair.shaft_angle_deg");
       } else if (e.unit() == "um") {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
-                                  " micrometres; the helix angle belongs to the gear");
+                                  " micrometres; the helix angle is a key of the gear");
       }
       t.keys.push_back(Key::number(e.key, e.symbol, range,
                                    KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {

@@ -7,11 +7,11 @@ namespace gearwright {
 const Quantities<FileView>& file_quantities() {
   using F = FileView;
   static const Quantities<F> kAll("file", [](Quantities<F>& q) {
-    q.text("file", "its name", &F::file).always();
-    q.text("what", "what it is", &F::what).always();
+    q.text("file", "name of the file", &F::file).always();
+    q.text("what", "content of the file", &F::what).always();
     q.number("max_deviation_um", "maximum deviation", "", "from the exact surface or outline",
              [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
-    q.text("note", "in words", &F::note).always();
+    q.text("note", "remarks on the file", &F::note).always();
   });
   return kAll;
 }
@@ -19,7 +19,7 @@ const Quantities<FileView>& file_quantities() {
 const Quantities<ArcView>& outline_quantities() {
   using A = ArcView;
   static const Quantities<A> kAll("outline.arc", [](Quantities<A>& q) {
-    q.word("name", "arc", "from the middle of the space to the middle of the tooth",
+    q.word("name", "arc", "in the order from the middle of the space to the middle of the tooth",
            [](const A& a) { return to_string(a.arc->name); })
         .always()
         .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});

@@ -9,7 +9,7 @@ Key of_few_teeth(std::string_view key, std::string_view symbol,
                  std::string_view meaning) {
   const auto set = [member](FitInput& fit, double value) {
     fit.*member = value;
-    return std::string(fit.few_teeth ? "" : "belongs to few_teeth = true");
+    return std::string(fit.few_teeth ? "" : "is allowed only with few_teeth = true");
   };
   return Key::not_negative(key, symbol, KeyPlace::by<FitInput, double>(set), fallback, meaning)
       .with_needs({"few_teeth"});
@@ -25,19 +25,19 @@ const KeyTable& fit_keys() {
                    KeyRange::between(1, 80, ", usually 14.5 to 30"),
                    &FitInput::working_normal_pressure_angle, "",
                    "working normal pressure angle of the designs"),
-       Key::flag(
-           "few_teeth", &FitInput::few_teeth, "false",
-           "the pinion of few teeth and the wheel, or internal gear, that its longer twin cuts"),
+       Key::flag("few_teeth", &FitInput::few_teeth, "false",
+                 "if true, the pinion has few teeth, and a longer gear of the same profile cuts "
+                 "the wheel or internal gear"),
        of_few_teeth("least_tip_land_mm", "", &FitInput::min_tip_land, "0",
-                    "least normal thickness at both tips"),
+                    "least normal tooth thickness at both tips"),
        of_few_teeth("least_gap_mm", "", &FitInput::min_gap, "0",
-                    "least chord of both spaces where the flanks begin"),
+                    "least chord of both tooth spaces at the start of the flanks"),
        of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
                     "clearance at both tips"),
        of_few_teeth("backlash_mm", "", &FitInput::backlash, "0",
-                    "circumferential backlash, made by the centre distance"),
+                    "circumferential backlash, which determines the centre distance"),
        of_few_teeth("contact_ratio", "ε_γ", &FitInput::contact_ratio, "1.2",
-                    "total contact ratio, for the face width")}};
+                    "total contact ratio, which determines the face width")}};
   return table;
 }
 

@@ -16,23 +16,23 @@ const Quantities<BranchView>& branch_quantities() {
            })
         .per_gear()
         .always();
-    q.term("center_distance_mm", "of this answer", [](const B& b) {
+    q.term("center_distance_mm", "for this answer", [](const B& b) {
        return b.branch.center_distance;
      }).always();
-    q.term("shaft_angle_deg", "of this answer", [](const B& b) {
+    q.term("shaft_angle_deg", "for this answer", [](const B& b) {
        return b.branch.shaft_angle;
      }).always();
-    q.term("working_normal_pressure_angle_deg", "of this answer", [](const B& b) {
+    q.term("working_normal_pressure_angle_deg", "for this answer", [](const B& b) {
        return b.branch.working_normal_pressure_angle;
      }).always();
     q.add(Type::map, "spec", "spec", "", "the whole spec of this answer", &B::spec)
         .always()
         .doors(kJson);
-    q.term("transverse_contact_ratio", "of a design with few teeth", &B::transverse_contact_ratio)
+    q.term("transverse_contact_ratio", "for a design with few teeth", &B::transverse_contact_ratio)
         .when([](const B& b) { return b.transverse_contact_ratio.has_value(); });
     q.text("refused",
-           "why the verb pair rejects this answer, whose line of action is correct but whose teeth "
-           "are not; absent if pair accepts it",
+           "reason for which the verb pair rejects this answer, whose line of action is correct "
+           "but whose teeth are not; absent if the verb accepts it",
            [](const B& b) { return b.refused ? Value(*b.refused) : Value(); })
         .when([](const B& b) { return b.refused.has_value(); });
   });
@@ -41,9 +41,9 @@ const Quantities<BranchView>& branch_quantities() {
 
 const Quantities<Fit>& nearest_quantities() {
   static const Quantities<Fit> kAll("fit.nearest", [](Quantities<Fit>& q) {
-    q.term("center_distance_mm", "null if none is near", &Fit::nearest_distance)
+    q.term("center_distance_mm", "null if there is no near value", &Fit::nearest_distance)
         .words("nearest centre distance at this shaft angle");
-    q.term("shaft_angle_deg", "null if none is near", &Fit::nearest_shaft_angle)
+    q.term("shaft_angle_deg", "null if there is no near value", &Fit::nearest_shaft_angle)
         .words("nearest shaft angle at this centre distance");
   });
   return kAll;
@@ -55,15 +55,18 @@ const Quantities<FitView>& fit_quantities() {
   using V = FitView;
   static const Quantities<V> kAll("fit", [](Quantities<V>& q) {
     q.under("Answers");
-    q.record<branch_quantities>("branches", "by growing |β_1|, of known gears by growing α_wn",
-                                &V::branches)
+    q.record<branch_quantities>(
+         "branches", "answers in the order of |β_1|, or for known gears in the order of α_wn",
+         &V::branches)
         .list({0})
         .always();
-    q.text("reason", "why there is no answer; null if there is one",
+    q.text("reason", "reason why there is no answer; null if there is a answer",
            [](const V& v) { return v.fit->branches.empty() ? Value(v.fit->reason) : Value(); });
     q.under("Nearest");
     q.record<nearest_quantities>(
-        "nearest", "null if there are answers, or no near values", [](const V& v) {
+        "nearest",
+        "near values for which a answer exists; null if there are answers or no near values",
+        [](const V& v) {
           const Fit& f = *v.fit;
           const bool near = f.nearest_distance || f.nearest_shaft_angle;
           return f.branches.empty() && near ? Value(nearest_quantities().of(f)) : Value();

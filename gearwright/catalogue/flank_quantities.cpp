@@ -17,11 +17,10 @@ void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const c
   const auto mounted = [](const R& r) { return r.active.has_value(); };
   const auto key = [&](const char* what) { return "active_" + end + what; };
   const auto at_it = [&](const char* what) { return std::string(what) + " at " + diameter; };
-  q.number(
-       key("_diameter_mm").c_str(), ("active " + end + " diameter").c_str(), diameter,
-       "where contact with the mating gear ends, on both usable flanks [T10.28]; absent without "
-       "one",
-       [at](const R& r) { return (*r.active.*at).diameter; })
+  q.number(key("_diameter_mm").c_str(), ("active " + end + " diameter").c_str(), diameter,
+           "diameter at which contact with the mating gear ends, on both usable flanks [T10.28]; "
+           "absent without a mating gear",
+           [at](const R& r) { return (*r.active.*at).diameter; })
       .unit(Unit::mm)
       .always()
       .when(mounted);
@@ -63,7 +62,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
              "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite)
         .digits(1);
     q.number("tooth_radial_composite_um", "radial composite, tooth to tooth", "f_i″",
-             "as the total", &T::tooth_radial_composite)
+             "range as for the total", &T::tooth_radial_composite)
         .digits(1);
     const auto perhaps = [&](const char* key, const char* words, const char* symbol,
                              const char* meaning, std::optional<double> T::*member) {
@@ -72,23 +71,23 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
           .digits(1);
     };
     perhaps("base_pitch_um", "base pitch", "f_pb",
-            "±, f_pt cos α_t [T10.31]; null of circular arcs", &T::base_pitch);
+            "±, f_pt cos α_t [T10.31]; null for circular arcs", &T::base_pitch);
     perhaps("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
-            "k = ⌊|z|/8⌋ pitches [T10.31]; null of fewer than 16 teeth and by the edition of 2013, "
-            "whose formula could not be confirmed",
+            "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, and for the edition "
+            "of 2013, whose formula could not be confirmed",
             &T::sector_pitch);
     perhaps("single_flank_composite_um", "single flank composite, total", "F_i′",
-            "with the mating gear of the spec, ISO 1328-1:1995, annex A [T10.32]; null without one "
-            "and by the edition of 2013, which takes a design value of its own",
+            "for the mating gear of the spec, by ISO 1328-1:1995, annex A [T10.32]; null without a "
+            "mating gear, and for the edition of 2013, which requires a design value",
             &T::single_flank);
     perhaps("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
-            "as the total", &T::tooth_single_flank);
+            "conditions as for the total", &T::tooth_single_flank);
     perhaps("axis_deviation_um", "crossing of the axes", "f_Σβ",
-            "of the pair over the span of the bearings, ISO/TR 10064-3:1996 [T10.33]; null without "
-            "`bearing_span_mm`",
+            "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
+            "without `bearing_span_mm`",
             &T::axis_deviation);
     perhaps("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-            "as the crossing", &T::axis_inclination);
+            "conditions as for the crossing", &T::axis_inclination);
   });
   return kAll;
 }
@@ -113,11 +112,12 @@ const Quantities<EvaluationRanges>& range_quantities() {
     say_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
     say_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
     q.number("profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
-             "ISO 1328-1: the usable profile but for a twentieth at its tip [T10.23]", &R::profile)
+             "by ISO 1328-1: the usable profile without 5 % at its tip [T10.23]", &R::profile)
         .ends()
         .always();
     q.number("helix_evaluation_mm", "helix evaluation, heights", "L_β",
-             "from the middle of the face: but for a twentieth, or a module, at each end [T10.23]",
+             "from the middle of the face, without 5 % of the face or one module at each end, "
+             "whichever is less [T10.23]",
              &R::helix)
         .ends()
         .always();

@@ -18,14 +18,15 @@ namespace {
 
 using Range = KeyRange;
 
-// The limits of gear/gear.cpp that do not depend on other keys. A test checks that they agree.
+// Limits that are also in gear/gear.cpp and do not depend on other keys. A test compares them.
 constexpr double kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3, kMaxModule = 1e3;                  // mm
 constexpr double kMinPressure = 1, kMaxPressure = 60, kMaxHelix = 89;  // degrees
 constexpr double kMaxShift = 1e4;                                      // modules
 constexpr double kMinPitch = 0.0254, kMaxPitch = 25400;                // 25.4 mm / m_n
 
-// α_n of the transverse angle α_t, both in degrees:  tan α_n = tan α_t cos β.
+// Normal pressure angle for the transverse pressure angle, both in degrees: tan α_n = tan α_t cos
+// β.
 double normal_of_transverse(double alpha_t, double cos_beta) {
   return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
 }
@@ -36,7 +37,7 @@ void set_face(GearInput& gear, double width) {
 }
 
 Key only_kind() {
-  return Key::word("kind", {"circular"}, KeyPlace::unused(), "\"circular\"", "the only one")
+  return Key::word("kind", {"circular"}, KeyPlace::unused(), "\"circular\"", "the only kind")
       .undocumented();
 }
 
@@ -55,8 +56,9 @@ std::optional<KeyFault> complete_tip_fillet(GearInput& gear, const KeyGiven&) {
 
 std::optional<KeyFault> check_bore(Bore& bore, const KeyGiven&) {
   if (bore.keyway_width < bore.diameter) return std::nullopt;
-  return KeyFault{"keyway_width_mm", fmt::format("must be less than the bore's diameter {} mm",
-                                                 format_number(bore.diameter))};
+  return KeyFault{"keyway_width_mm",
+                  fmt::format("must be less than the diameter of the bore, {} mm",
+                              format_number(bore.diameter))};
 }
 
 KeyTable without(const KeyTable& table, std::initializer_list<std::string_view> left_out) {
@@ -79,17 +81,18 @@ const KeyTable& gear_keys() {
   static const KeyTable table{
       "gear",
       "A gear",
-      {Key::number("teeth", "z",
-                   KeyRange{.lo = -kMaxTeeth,
-                            .hi = kMaxTeeth,
-                            .zero = false,
-                            .reason = "; negative for an internal gear"},
-                   {&GearInput::cylindrical, &CylindricalSpec::teeth}, kRequired,
-                   "number of teeth, 17 for example; negative for an internal gear, -61")
+      {Key::number(
+           "teeth", "z",
+           KeyRange{.lo = -kMaxTeeth,
+                    .hi = kMaxTeeth,
+                    .zero = false,
+                    .reason = "; negative for an internal gear"},
+           {&GearInput::cylindrical, &CylindricalSpec::teeth}, kRequired,
+           "number of teeth, for example 17; negative for an internal gear, for example -61")
            .with_also({"number_of_teeth", "tooth_number", "tooth_count", "z1", "z2"}),
        Key::number("normal_module_mm", "m_n", Range::between(kMinModule, kMaxModule), {}, "",
-                   "normal module; this key, one of the next two or `basic` is required, and "
-                   "several must agree to 1e-9")
+                   "normal module; either this key, one of the next two or `basic` is required, "
+                   "and several must agree to 1e-9")
            .with_also({"module", "modul", "m", "reference_diameter", "pitch_diameter", "d"}),
        Key::number("normal_diametral_pitch_per_in", "", Range::between(kMinPitch, kMaxPitch), {},
                    "", "25.4 mm / m_n")
@@ -101,7 +104,7 @@ const KeyTable& gear_keys() {
            .with_also({"mt"}),
        Key::number("normal_pressure_angle_deg", "α_n",
                    Range::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"), {}, "20",
-                   "normal pressure angle; may be replaced by the next key")
+                   "normal pressure angle; the next key can replace it")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
                    Range::inside(0, 90, ", usually 14.5 to 30"), {}, "",
@@ -110,8 +113,8 @@ const KeyTable& gear_keys() {
        Key::number("helix_angle_deg", "β",
                    Range::between(-kMaxHelix, kMaxHelix, ": > 0 right hand, < 0 left hand"), {},
                    "0",
-                   "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; or the "
-                   "next two keys")
+                   "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; the "
+                   "next two keys can replace it")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", Range::above(0, 90, " (spur)"), {}, "",
                    "lead angle, with `hand`")
@@ -121,7 +124,7 @@ const KeyTable& gear_keys() {
        Key::number(
            "profile_shift", "x", Range::between(-kMaxShift, kMaxShift), &GearInput::profile_shift,
            "see *Shift and centre distance*",
-           "profile shift in normal modules; > 0 thickens the tooth, of an internal gear too")
+           "profile shift in normal modules; > 0 thickens the tooth, also of an internal gear")
            .with_also({"shift", "profile_shift_coefficient", "addendum_modification",
                        "addendum_modification_coefficient", "correction"}),
        Key::number("thickness_allowance_mm", "E_sn", {},
@@ -130,8 +133,8 @@ const KeyTable& gear_keys() {
                        [](auto& g) -> auto& { return g.allowance_ends; }),
                    "0",
                    "allowance on the normal tooth thickness at the reference cylinder; < 0 thins "
-                   "it; at most 10 modules. Two numbers: E_sni and E_sns; the teeth are made at "
-                   "their mean, and every number that depends on it has an interval")
+                   "the tooth; at most 10 modules. Two numbers are E_sni and E_sns: the gear has "
+                   "the mean allowance, and every number that depends on it gets an interval")
            .with_list(kOneOrEnds)
            .with_also({"allowance", "thinning", "tooth_thinning"}),
        Key::positive("face_width_mm", "b", KeyPlace::by<GearInput, double>(set_face),
@@ -148,8 +151,8 @@ const KeyTable& gear_keys() {
         .words = {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D", "GBT12759"},
         .tables = {straight_rack_keys, arc_rack_keys, double_arc_rack_keys, rack_of_arcs_keys},
         .fallback = "\"ISO53-A\"",
-        .meaning = "the rack that cuts the gear: of ISO 53, double circular arcs of GB/T 12759, or "
-                   "a table",
+        .meaning = "the rack that cuts the gear: a rack of ISO 53, double circular arcs of GB/T "
+                   "12759, or a table",
         .also = {"profile", "basic_rack", "tool", "hob", "standard"}},
        {.key = "cut_by",
         .kind = KeyKind::table,
@@ -158,11 +161,11 @@ const KeyTable& gear_keys() {
         .fallback = "cut by `rack`",
         .meaning = "the pinion cutter: a gear of the spec, or a table with a separate cutter"},
        Key::number("profile_shift_pair", "e", {}, {}, "",
-                   "with `cut_by`: x of the gear and of its cutter together; instead of "
+                   "profile shift of the gear and its cutter together, with `cut_by`; instead of "
                    "`profile_shift`")
            .with_needs({"cut_by"}),
        Key::part("basic", basic_keys, {},
-                 "the gear by its own dimensions, which do not depend on the rack"),
+                 "dimensions that describe the gear independently of the rack"),
        Key::part("root_fillet", root_fillet_keys,
                  {&GearInput::cylindrical, &CylindricalSpec::root_fillet},
                  "a circular arc in place of the root that the rack cuts"),
@@ -178,7 +181,7 @@ const KeyTable& gear_keys() {
        Key::part("double_helical", double_helical_keys, {},
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
-                 "where and how the gear is measured"),
+                 "positions and tools of the measurements"),
        Key::number("quality", "",
                    KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
                    {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
@@ -187,9 +190,10 @@ const KeyTable& gear_keys() {
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
                  "the accuracy grade of the flanks and the limits of the tooth thickness"),
        Key::part("measured", measured_keys, {},
-                 "readings of an unknown gear, for the verb identify"),
-       Key::word("form", {"gear"}, KeyPlace::unused(), "\"gear\"",
-                 "a gear; \"rack\" in [gear2] makes gear 2 a rack, which has other keys")}};
+                 "readings of an unknown gear for the verb identify"),
+       Key::word(
+           "form", {"gear"}, KeyPlace::unused(), "\"gear\"",
+           "form of the part; \"rack\" in [gear2] makes gear 2 a rack, which has other keys")}};
   return table;
 }
 
@@ -199,8 +203,8 @@ const KeyTable& cutter_keys() {
                                        "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; module and angles where they are not those of the gear or its "
-        "mating gear";
+        "A pinion cutter; its module and angles are needed only if they differ from the gear and "
+        "its mating gear";
     return t;
   }();
   return table;
@@ -211,7 +215,7 @@ const KeyTable& blank_keys() {
     KeyTable t = only(gear_keys(), {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
                                     "rack", "material"});
     t.name = "blank";
-    t.meaning = "Values of a gear that a search does not choose";
+    t.meaning = "Values of a gear that a search does not determine";
     return t;
   }();
   return table;
@@ -220,23 +224,24 @@ const KeyTable& blank_keys() {
 const KeyTable& basic_keys() {
   static const KeyTable table{
       "basic",
-      "The gear by its own dimensions, which do not depend on the rack",
+      "Dimensions that describe the gear independently of the rack",
       {Key::positive("base_diameter_mm", "d_b", &BasicInput::base_diameter, kRequired,
                      "diameter of the base cylinder"),
        Key::number("base_tooth_thickness_mm", "s_bt", {}, &BasicInput::base_tooth_thickness,
                    kRequired, "transverse tooth thickness (arc) on the base cylinder"),
        Key::number("base_helix_angle_deg", "β_b",
                    Range::inside(-kMaxHelix, kMaxHelix,
-                                 ": steeper, no rack of 1° and more describes the gear"),
+                                 "; for a steeper helix, no rack with a pressure angle of 1° or "
+                                 "more describes the gear"),
                    &BasicInput::base_helix_angle, "0",
                    "base helix angle, > 0 right hand, < 0 left hand"),
-       Key::positive("root_diameter_mm", "d_f", &BasicInput::root_diameter, "what `rack` leaves",
-                     "root diameter: sets the rack's dedendum so that it leaves this root [T4.4]")
+       Key::positive("root_diameter_mm", "d_f", &BasicInput::root_diameter, "as cut by `rack`",
+                     "root diameter, which determines the dedendum of the rack [T4.4]")
            .with_also({"root", "df"}),
        Key::positive("root_form_diameter_mm", "d_Ff", &BasicInput::root_form_diameter,
-                     "what `rack` leaves",
-                     "with `root_diameter_mm`: sets the rack's tip rounding so that the flank "
-                     "begins here; not for an internal gear")
+                     "as cut by `rack`",
+                     "diameter at which the flank begins, which determines the tip rounding of the "
+                     "rack; only with `root_diameter_mm`, and not for an internal gear")
            .with_needs({"root_diameter_mm"})}};
   return table;
 }
@@ -246,11 +251,12 @@ const KeyTable& root_fillet_keys() {
       "root_fillet",
       "A circular arc, tangent to the flank, in place of the root that the rack cuts",
       {only_kind(),
-       Key::number("offset_mm", "",
-                   Range::not_negative(": the fillet begins at the undercut limit or beyond it"),
-                   &RootFilletSpec::offset, "0",
-                   "the fillet begins at l_C = max(l_F, 0) + offset, l_F the undercut limit; "
-                   "centred in the space")}};
+       Key::number(
+           "offset_mm", "",
+           Range::not_negative(", because the fillet begins at the undercut limit or beyond it"),
+           &RootFilletSpec::offset, "0",
+           "distance of the start of the fillet from the undercut limit l_F, l_C = max(l_F, 0) + "
+           "offset; the fillet is centred in the tooth space")}};
   return table;
 }
 
@@ -259,19 +265,21 @@ const KeyTable& tip_fillet_keys() {
       "tip_fillet",
       "A circular arc, tangent to the flank, in place of the tip that the rack cuts",
       {only_kind(),
-       Key::positive("radius_mm", "r_t", tip_fillet(Fillet::radius), "one of the three",
-                     "radius; centred on the tooth"),
-       Key::number("l_mm", "l_J", {}, tip_fillet(Fillet::l), "", "where the fillet begins")
+       Key::positive("radius_mm", "r_t", tip_fillet(Fillet::radius), "one of these three keys",
+                     "radius of the fillet, which is centred on the tooth"),
+       Key::number("l_mm", "l_J", {}, tip_fillet(Fillet::l), "",
+                   "position at which the fillet begins")
            .with_excludes({"radius_mm"}),
-       Key::number("clearance_mm", "",
-                   Range::not_negative(": the tip would cut into the mating gear's root"),
-                   &GearInput::tip_clearance, "0.2 m_n + 0.05",
-                   "tip clearance to the mating gear's root, on parallel axes [T6.7]")
+       Key::number(
+           "clearance_mm", "",
+           Range::not_negative(", because the tip would cut into the root of the mating gear"),
+           &GearInput::tip_clearance, "0.2 m_n + 0.05",
+           "tip clearance to the mating gear's root, on parallel axes [T6.7]")
            .with_excludes({"radius_mm", "l_mm"}),
-       Key::positive(
-           "corner_radius_mm", "ρ_a", tip_fillet(Fillet::corner), "",
-           "instead: radius of both tip corners, tangent to the flank and to the tip circle "
-           "in the transverse section; of a cutter ρ_a0, which cuts the root fillet [T6.17]")
+       Key::positive("corner_radius_mm", "ρ_a", tip_fillet(Fillet::corner), "",
+                     "radius of both tip corners instead of a fillet, tangent to the flank and to "
+                     "the tip circle in the transverse section; for a cutter ρ_a0, which cuts the "
+                     "root fillet [T6.17]")
            .with_excludes({"radius_mm", "l_mm", "clearance_mm"})
            .with_also({"rho_a", "rho_a0", "tip_radius", "corner", "rounding"})},
       complete_tip_fillet};
@@ -289,7 +297,7 @@ const KeyTable& bore_keys() {
            .with_needs({"keyway_depth_mm"})
            .with_also({"keyway", "key_width"}),
        Key::positive("keyway_depth_mm", "", &Bore::keyway_depth, "",
-                     "its depth into the hub, from the bore")
+                     "depth of the keyway into the hub, from the bore")
            .with_needs({"keyway_width_mm"})},
       check_bore};
   return table;
@@ -299,20 +307,20 @@ const KeyTable& double_helical_keys() {
   using D = DoubleHelical;
   static const KeyTable table{
       "double_helical",
-      "Two halves of opposite hands on one body; `helix_angle_deg` is that of the half at z > 0, "
-      "and `face_width_mm` contains both halves and the gap",
+      "Two halves of opposite hands on one body; `helix_angle_deg` is the angle of the half at z > "
+      "0, and `face_width_mm` includes both halves and the gap",
       {Key::number("gap_mm", "", Range::not_negative(" (0: herringbone)"), &D::gap, "0",
                    "gap between the halves"),
        Key::number("stagger_pitches", "s", Range::inside(-1, 1), &D::stagger_pitches, "0",
-                   "offset of the teeth at z < 0 from those at z > 0, in transverse pitches; the "
-                   "mating gear has the same"),
+                   "offset of the teeth at z < 0 from the teeth at z > 0, in transverse pitches; "
+                   "the mating gear has the same offset"),
        Key::positive("groove_diameter_mm", "", &D::groove_diameter,
                      "the root diameter less half a normal module (internal gear: plus)",
                      "diameter of the gear within the gap")
            .with_needs({"gap_mm"}),
-       Key::positive(
-           "hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",
-           "outer diameter of the hob; a warning if its run-out needs a wider gap [T2.43]"),
+       Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",
+                     "outer diameter of the hob; if its run-out needs a wider gap, there is a "
+                     "warning [T2.43]"),
        Key::number("hob_lead_angle_deg", "γ_0", Range::between(0, 30), &D::hob_lead_angle, "0",
                    "lead angle of the hob")
            .with_needs({"hob_diameter_mm"}),

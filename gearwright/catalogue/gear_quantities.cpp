@@ -16,14 +16,14 @@ void say_halves(Quantities<Halves>& q) {
   q.number("half_face_width_mm", "face width of one half", "b_B", "(b − gap)/2 [T2.42]",
            &H::half_face_width)
       .always();
-  q.number("gap_mm", "gap between the halves", "", "as given", [](const H& h) {
+  q.number("gap_mm", "gap between the halves", "", "as in the spec", [](const H& h) {
      return h.given.gap;
    }).always();
   q.number("apex_to_half_mm", "distance of a half from the apex", "",
-           "gap/2, as the two helices of one tooth meet in the middle plane",
+           "gap/2, because the two helices of one tooth meet in the middle plane",
            [](const H& h) { return h.given.gap / 2; })
       .always();
-  q.number("stagger_pitches", "stagger of the half at z < 0, pitches", "s", "as given",
+  q.number("stagger_pitches", "stagger of the half at z < 0, pitches", "s", "as in the spec",
            [](const H& h) { return h.given.stagger_pitches; })
       .always();
   q.number("groove_diameter_mm", "groove diameter", "",
@@ -33,8 +33,8 @@ void say_halves(Quantities<Halves>& q) {
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);
   q.number("axial_shift_per_index_error", "axial shift per index error", "Δz/e",
-           "1/(2 tan |β|): axial shift by which a floating member shares an index error between "
-           "the halves [T2.44]",
+           "1/(2 tan |β|); a floating member shares an index error between the halves by this "
+           "shift [T2.44]",
            &H::axial_shift_per_index_error)
       .always();
 }
@@ -132,21 +132,21 @@ void say(Quantities<Gear>& q) {
      return g.spec.teeth;
    }).always();
   q.word("kind", "kind of teeth",
-         "`generated` with `cut_by`; of `circular_arc` teeth pressure angles, base quantities and "
-         "shifts are null",
+         "`generated` if the spec has `cut_by`; for `circular_arc` teeth, pressure angles, base "
+         "quantities and profile shifts are null",
          kind)
       .always()
       .one_of({"involute", "generated", "circular_arc"})
       .doors(kJson);
   q.under(kCutter);
-  q.whole("cutter_teeth", "number of teeth of the cutter", "z_0",
-          "of the pinion cutter; null without one",
+  q.whole("cutter_teeth", "number of teeth of the cutter", "z_0", "null without a pinion cutter",
           [](const G& g) { return g.cut_by ? Value(g.cut_by->cutter_teeth) : Value(); });
-  q.number("generating_center_distance_mm", "generating centre distance", "E",
-           "of gear and pinion cutter when the tooth is finished; null without one",
-           [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
+  q.number(
+      "generating_center_distance_mm", "generating centre distance", "E",
+      "between gear and pinion cutter when the tooth is finished; null without a pinion cutter",
+      [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
   q.under(kTeeth);
-  q.term("normal_module_mm", "as in the spec, or what follows", [](const G& g) {
+  q.term("normal_module_mm", "as in the spec, or as computed from other keys", [](const G& g) {
      return g.spec.normal_module;
    }).always();
   q.number("transverse_module_mm", "transverse module", "m_t", "m_n/cos β", &G::transverse_module)
@@ -159,17 +159,17 @@ void say(Quantities<Gear>& q) {
      return g.spec.helix_angle;
    }).always();
   q.word("hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
-  of_reference.number("base_helix_angle_deg", "base helix angle", "β_b", "signed by the hand",
+  of_reference.number("base_helix_angle_deg", "base helix angle", "β_b", "> 0 right hand",
                       angle(&Reference::base_helix_angle));
   of_involute_gear.term("profile_shift",
-                        "in normal modules; > 0 thickens the tooth, of an internal gear too",
+                        "in normal modules; > 0 thickens the tooth, also of an internal gear",
                         [](const G& g) { return g.spec.profile_shift; });
-  of_reference.term("generating_profile_shift", "thickness allowance included",
+  of_reference.term("generating_profile_shift", "including the thickness allowance",
                     &Reference::generating_profile_shift);
-  q.term("face_width_mm", "10 m_n where none is given", [](const G& g) {
+  q.term("face_width_mm", "as in the spec, or 10 m_n", [](const G& g) {
      return g.spec.face_width;
    }).always();
-  q.number("lead_mm", "lead", "p_z", "signed by the hand; null for spur gears", [](const G& g) {
+  q.number("lead_mm", "lead", "p_z", "> 0 right hand; null for spur gears", [](const G& g) {
      return g.lead == 0.0 ? Value() : Value(g.lead);
    }).expected(has_involutes);
   q.under(kDiameters);
@@ -181,30 +181,33 @@ void say(Quantities<Gear>& q) {
            "negative if the rack passes through the axis", &G::root_diameter)
       .always();
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
-           "start of the usable flank: the intersection with the root as cut, or C",
+           "start of the usable flank: its intersection with the root as cut, or point C of a "
+           "circular root fillet",
            [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
       .expected(has_involutes);
   q.number("tip_form_diameter_mm", "tip form diameter", "d_Fa",
-           "end of the usable flank: J, chamfer or tip; null if no flank is left",
+           "end of the usable flank: point J of a circular tip fillet, chamfer or tip; null if no "
+           "flank is left",
            tip_form_diameter)
       .expected(has_involutes);
   q.number("finished_tip_diameter_mm", "finished tip diameter", "",
-           "actual end of the tooth: blank, cutter's bottom or point; d_a for an internal gear",
+           "actual end of the tooth: tip of the blank, bottom land of the cutter, or point of the "
+           "flanks; d_a for an internal gear",
            [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
       .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
   q.under(kTooth);
   of_reference.number("base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
-                      "an internal gear's is extrapolated and may be negative",
+                      "for an internal gear extrapolated, so that it can be negative",
                       &Reference::base_tooth_thickness);
   q.term("reference_tooth_thickness_normal_mm",
-         "at the reference cylinder, thickness allowance included", reference_thickness);
+         "at the reference cylinder, including the thickness allowance", reference_thickness);
   q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
-           "contained in s_n, < 0 thins the tooth",
+           "included in s_n; < 0 thins the tooth",
            [](const G& g) { return g.spec.thickness_allowance; })
       .doors(kPage);
   of_reference
       .number("reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",
-              "at the reference cylinder, thickness allowance included",
+              "at the reference cylinder, including the thickness allowance",
               &Reference::reference_tooth_thickness_transverse)
       .doors(kPage);
   q.number("tip_tooth_thickness_normal_mm", "normal tip tooth thickness", "s_an",
@@ -212,27 +215,29 @@ void say(Quantities<Gear>& q) {
       .expected(has_involutes);
   q.under(kDiameters);
   q.number("pointed_diameter_mm", "diameter of the pointed tooth", "",
-           "where the two flanks would meet, an internal gear's inward [T2.13]; null if they do "
-           "not meet",
+           "diameter at which the two flanks would meet, for an internal gear inward [T2.13]; null "
+           "if they do not meet",
            &G::pointed_diameter)
       .expected(has_involutes);
   q.under(kTooth);
-  of_reference.term("normal_base_pitch_mm", "equal in both gears of a pair",
+  of_reference.term("normal_base_pitch_mm", "equal for both gears of a pair",
                     &Reference::base_pitch_normal);
   of_reference.term("transverse_base_pitch_mm", "π d_b/z", &Reference::base_pitch_transverse);
   q.flag("undercut", "undercut",
-         "x_E lies below the minimum profile shift, and no circular fillet takes its place",
+         "true if x_E is less than the minimum profile shift and no circular fillet replaces the "
+         "root",
          &G::undercut)
       .shown([](const G& g) { return !g.internal(); });
   of_arcs
       .number("flank_begin_rack_angle_deg", "rack angle at the start of the flank", "τ",
-              "circular arcs only: the normal angle at which the cutter's flank arc begins",
+              "normal angle at which the flank arc of the cutter begins; only for circular arcs",
               &ArcTeeth::flank_begin)
       .always()
       .when();
   of_arcs
       .number("undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
-              "circular arcs only: that of the flank's cusp [T7.12]; null if it has no cusp",
+              "normal angle of the cusp of the flank [T7.12]; null if the flank has no cusp; only "
+              "for circular arcs",
               &ArcTeeth::undercut_limit)
       .when();
   of_involute_gear
@@ -243,7 +248,7 @@ void say(Quantities<Gear>& q) {
               })
       .expected();
   q.flag("pointed", "pointed",
-         "the flanks meet before the tip; of an internal gear, outside its tip diameter",
+         "true if the flanks meet before the tip, or for an internal gear outside its tip diameter",
          &G::pointed)
       .doors(kJson);
   q.flag("severed", "cut through by undercut",
@@ -259,57 +264,58 @@ void say(Quantities<Gear>& q) {
          [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
   q.under(kRootFillet);
-  q.number("root_fillet_radius_mm", "radius", "r_r", "of the circular root fillet; null without",
+  q.number("root_fillet_radius_mm", "radius", "r_r", "null without a circular root fillet",
            [](const G& g) { return fillet_radius(g, kRoot); });
   q.number("root_fillet_span_deg", "angle from the flank to the centre line of the space", "σ_r",
-           "of the circular root fillet; null without",
-           [](const G& g) { return fillet_span(g, kRoot); });
+           "null without a circular root fillet", [](const G& g) { return fillet_span(g, kRoot); });
   q.number("root_fillet_center_mm", "distance of its centre from the axis", "",
-           "of the circular root fillet; null without",
+           "null without a circular root fillet",
            [](const G& g) { return fillet_center(g, kRoot); })
       .doors(kPage);
   q.under(kTipFillet);
   q.number("tip_fillet_radius_mm", "radius", "r_t",
-           "of the circular tip fillet or of rounded tip corners; null without",
+           "radius of the circular tip fillet or of rounded tip corners; null without them",
            [](const G& g) { return fillet_radius(g, kTip); });
-  q.number("tip_fillet_span_deg", "angle from the flank to the centre line of the tooth", "σ_t",
-           "of the circular tip fillet; of rounded tip corners to the land; null without",
-           [](const G& g) { return fillet_span(g, kTip); });
+  q.number(
+      "tip_fillet_span_deg", "angle from the flank to the centre line of the tooth", "σ_t",
+      "for rounded tip corners, angle from the flank to the tip land; null without a tip fillet",
+      [](const G& g) { return fillet_span(g, kTip); });
   q.number("tip_fillet_center_mm", "distance of its centre from the axis", "",
-           "of the circular tip fillet; null without",
-           [](const G& g) { return fillet_center(g, kTip); })
+           "null without a circular tip fillet", [](const G& g) { return fillet_center(g, kTip); })
       .doors(kPage);
   q.under(kUndercut);
   of_teeth
       .number("undercut_l_mm", "undercut limit F along the rack's flank", "l_F",
-              "signed, < 0 without undercut; null of an internal gear", &InvoluteTeeth::undercut_l)
+              "< 0 without undercut; null for an internal gear", &InvoluteTeeth::undercut_l)
       .shown(is_undercut);
   q.under(kRootFillet);
   of_teeth.number("point_c_l_mm", "touches the flank at C", "l_C",
-                  "along the rack's flank; null without a circular root fillet",
+                  "position along the rack's flank; null without a circular root fillet",
                   &InvoluteTeeth::point_c_l);
   q.under(kTipFillet);
   of_teeth.number("point_j_l_mm", "touches the flank at J", "l_J",
-                  "along the rack's flank; null without a circular tip fillet",
+                  "position along the rack's flank; null without a circular tip fillet",
                   &InvoluteTeeth::point_j_l);
   q.under(kTooth);
   q.number("tip_bulge_mm", "tip beyond the involute", "",
-           "projection of a tip that the flank of the cutter did not reach, along the normal",
+           "projection along the normal of a tip that the flank of the cutter did not reach",
            [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
-  q.number("tip_bulge_from_mm", "… from this diameter on", "", "where its flank ends",
+  q.number("tip_bulge_from_mm", "… from this diameter on", "",
+           "diameter at which the flank of the cutter ended",
            [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
   q.number("neck_thickness_mm", "minimum root thickness (chord)", "",
-           "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
+           "chord at the smallest half angle of the root fillet below the tip; 0 or negative if "
+           "`severed`",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);
-  q.number("bore_diameter_mm", "bore diameter", "", "of the CAD files; null without a bore",
+  q.number("bore_diameter_mm", "bore diameter", "", "in the CAD files; null without a bore",
            [](const G& g) { return g.bore ? Value(g.bore->diameter) : Value(); });
   q.number("keyway_width_mm", "keyway width", "", "null without a keyway",
            [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_width) : Value(); });
-  q.number("keyway_depth_mm", "keyway depth", "", "into the hub, from the bore",
+  q.number("keyway_depth_mm", "keyway depth", "", "depth into the hub, from the bore",
            [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_depth) : Value(); });
 }
 
@@ -322,10 +328,10 @@ const Quantities<Gear>& gear_quantities() {
 
 const Quantities<Warning>& warning_quantities() {
   static const Quantities<Warning> kAll("warning", [](Quantities<Warning>& q) {
-    q.text("code", "a fixed word for programs", [](const Warning& w) {
+    q.text("code", "fixed word for programs", [](const Warning& w) {
        return to_string(w.code);
      }).always();
-    q.text("message", "one sentence for people", &Warning::message).always();
+    q.text("message", "sentence for users", &Warning::message).always();
     q.term("gear", "1 or 2; null for the pair or the spec",
            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
   });

@@ -12,19 +12,20 @@ const KeyTable& measure_keys() {
       "measure",
       "Positions and tools of the measurements; only the verb measure reads this table",
       {Key::positive("chord_diameter_mm", "", &MeasureInput::chord_diameter,
-                     "the reference diameter, or the middle of the usable flank if that diameter "
-                     "lies outside it",
-                     "contact diameter of the calliper's jaws, on the usable flank; the tooth "
-                     "thickness refers to it too"),
-       Key::number("span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
-                   "the number whose contacts are nearest to the V circle d + 2 x m_n",
-                   "teeth between the anvils of a span measurement; spaces of an internal gear")
+                     "the reference diameter, or the middle of the usable flank if the flank does "
+                     "not contain the reference diameter",
+                     "diameter on the usable flank at which the jaws of the calliper touch; the "
+                     "tooth thickness is given at this diameter too"),
+       Key::number(
+           "span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
+           "the number with contacts nearest to the V circle d + 2 x m_n",
+           "teeth between the anvils of a span measurement; for an internal gear the spaces")
            .with_also({"span", "teeth", "k", "number_of_teeth_spanned"}),
        Key::positive("ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
-                     "the standard size nearest to the one that touches at the V circle",
+                     "the standard size nearest to the size that touches at the V circle",
                      "diameter of the measuring balls")
            .with_also({"ball", "balls", "dm"}),
-       Key::positive("pin_diameter_mm", "D_M", &MeasureInput::pin_diameter, "that of the balls",
+       Key::positive("pin_diameter_mm", "D_M", &MeasureInput::pin_diameter, "diameter of the balls",
                      "diameter of the measuring pins (rollers, wires)")
            .with_also({"pin", "pins", "wire", "roller"})}};
   return table;
@@ -39,27 +40,28 @@ const KeyTable& tolerance_keys() {
            &ToleranceInput::quality, "no tolerances", "flank tolerance class (grade) of ISO 1328-1")
            .with_also({"grade", "class", "accuracy_grade"}),
        Key::word("edition", {"ISO 1328:2013", "ISO 1328:1995"}, &ToleranceInput::edition,
-                 "\"ISO 1328:2013\"", "edition of the standard that the tolerances follow")
+                 "\"ISO 1328:2013\"", "edition of the standard for the tolerances")
            .with_also({"standard"}),
        Key::text("thickness_series", &ToleranceInput::series, "",
-                 "allowance and tolerance of DIN 3967, `\"cd25\"`: series a, ab, b, bc, c, cd, d, "
-                 "e, f, g or h, and 21 to 30; instead of `thickness_allowance_mm`")
+                 "allowance and tolerance of DIN 3967, for example `\"cd25\"`: series a, ab, b, "
+                 "bc, c, cd, d, e, f, g or h, and 21 to 30; instead of `thickness_allowance_mm`")
            .with_fields({"series"})
            .with_also({"din3967", "series"}),
        Key::number("span_mm", "", {}, &ToleranceInput::span, "",
-                   "least and greatest span over `span_teeth` of `[gearN.measure]`: the allowances "
-                   "follow")
+                   "least and greatest span over `span_teeth` of `[gearN.measure]`, which "
+                   "determine the allowances")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series"}),
-       Key::number("over_balls_mm", "", {}, &ToleranceInput::over_balls, "",
-                   "least and greatest dimension over (internal: between) balls of "
-                   "`ball_diameter_mm` of `[gearN.measure]`: the allowances follow")
+       Key::number(
+           "over_balls_mm", "", {}, &ToleranceInput::over_balls, "",
+           "least and greatest dimension over balls of `ball_diameter_mm` of `[gearN.measure]`, "
+           "for an internal gear between them; they determine the allowances")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series", "span_mm"}),
        Key::number("tip_diameter_deviations_mm", "A_da", {}, &ToleranceInput::tip_deviations,
                    "the tip diameter has no tolerance",
-                   "lower and upper deviation of the tip diameter; every number that depends on it "
-                   "has an interval")
+                   "lower and upper deviation of the tip diameter; every number that depends on "
+                   "them gets an interval")
            .with_list(kLowerAndUpper)
            .with_fields({"tip_deviations"})
            .with_also({"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"})}};
@@ -70,51 +72,54 @@ const KeyTable& measured_keys() {
   using I = IdentifyProblem;
   static const KeyTable table{
       "measured",
-      "Readings of an unknown gear, for the verb identify; uncertainties are for 95 %",
+      "Readings of an unknown gear for the verb identify; uncertainties are 95 % intervals",
       {{.key = "span_mm",
         .symbol = "W_k",
         .kind = KeyKind::any,
         .form = "a table of readings by the number of teeth: { 3 = 19.751, 4 = 27.131 }",
-        .meaning = "spans over k teeth (internal: spaces), `{ 3 = 19.751, 4 = 27.131 }`"},
-       Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02", "of each span"),
+        .meaning = "spans over k teeth, for an internal gear over k spaces, for example `{ 3 = "
+                   "19.751, 4 = 27.131 }`"},
+       Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02",
+                     "uncertainty of each span"),
        {.key = "over_balls_mm",
         .symbol = "M_dK",
         .kind = KeyKind::table,
         .list = KeyList{.most = kMostBallReadings,
-                        .must = "must be a list of tables: [{{ ball_diameter_mm = 5, "
-                                "dimension_mm = 69.426 }}], 1 to {} of them"},
+                        .must = "must be a list of 1 to {} tables, for example [{{ "
+                                "ball_diameter_mm = 5, dimension_mm = 69.426 }}]"},
         .place = &I::balls,
         .tables = {measured_ball_keys},
-        .meaning = "over two balls (internal: between them), "
-                   "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
+        .meaning = "dimensions over two balls, for an internal gear between them, for example `[{ "
+                   "ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
        Key::positive("over_balls_uncertainty_mm", "", &I::balls_uncertainty, "0.02",
-                     "of each dimension over balls"),
+                     "uncertainty of each dimension over balls"),
        Key::positive("tip_diameter_mm", "d_a", {&I::tip, &MaybeReading<double>::value}, "",
-                     "tip diameter; the tip may be worn"),
+                     "tip diameter, possibly of a worn tip"),
        Key::positive("tip_diameter_uncertainty_mm", "",
                      {&I::tip, &MaybeReading<double>::uncertainty}, "0.02",
-                     "of the tip diameter, without wear"),
+                     "uncertainty of the tip diameter, without wear"),
        Key::positive("root_diameter_mm", "d_f", {&I::root, &MaybeReading<double>::value}, "",
                      "root diameter"),
        Key::positive("root_diameter_uncertainty_mm", "",
                      {&I::root, &MaybeReading<double>::uncertainty}, "0.02",
-                     "of the root diameter"),
+                     "uncertainty of the root diameter"),
        Key::number("lead_mm", "p_z", KeyRange{.zero = false},
                    {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 right hand"),
        Key::positive("lead_uncertainty_mm", "", {&I::lead, &MaybeReading<double>::uncertainty},
-                     "2 % of the lead", "of the lead"),
+                     "2 % of the lead", "uncertainty of the lead"),
        Key::number(
            "helix_angle_deg", "β", KeyRange::between(-89, 89),
            {&I::helix, &MaybeReading<Angle>::value}, "",
            "helix angle at the reference cylinder, > 0 right hand; 0 if the teeth are straight"),
        Key::positive("helix_angle_uncertainty_deg", "",
-                     {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5", "of the helix angle"),
+                     {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5",
+                     "uncertainty of the helix angle"),
        Key::positive("center_distance_mm", "a", {&I::distance, &MaybeReading<double>::value}, "",
                      "centre distance to the mating gear")
            .with_needs({"mating_teeth"}),
        Key::positive("center_distance_uncertainty_mm", "",
                      {&I::distance, &MaybeReading<double>::uncertainty}, "0.02",
-                     "of the centre distance"),
+                     "uncertainty of the centre distance"),
        Key::number("mating_teeth", "z", KeyRange{.lo = -1e5, .hi = 1e5, .zero = false},
                    &I::mating_teeth, "",
                    "number of teeth of the mating gear, negative if internal")}};
@@ -124,11 +129,11 @@ const KeyTable& measured_keys() {
 const KeyTable& measured_ball_keys() {
   static const KeyTable table{
       "measured_ball",
-      "One dimension over or between two balls",
+      "One dimension over two balls, for an internal gear between them",
       {Key::positive("ball_diameter_mm", "D_M", &DiameterReading::tool, kRequired,
                      "diameter of the balls"),
        Key::positive("dimension_mm", "M_dK", &DiameterReading::value, kRequired,
-                     "over both, or between them in an internal gear")}};
+                     "dimension over both balls, for an internal gear between them")}};
   return table;
 }
 

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// Ends of keys that are a unit; members have the same name without it.
+// Units at the end of keys. The names of members do not contain them.
 constexpr std::array<std::string_view, 6> kKeyUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
 constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
                                                          "HV", "m2", "m2K_per_W", "kg_per_m3"};

@@ -16,10 +16,10 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kLongest = 80;    // bytes of a key that are compared
-constexpr std::size_t kLeastPart = 3;   // letters: shorter parts occur in every name
+constexpr std::size_t kLeastPart = 3;   // letters, because shorter parts occur in every name
 constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
-constexpr std::size_t kSlipOff = 6;     // one letter in this many, for a typing error
-constexpr double kLikeWords = 0.7;      // required fraction of common words of a name
+constexpr std::size_t kSlipOff = 6;     // one letter in this many may differ by a typing error
+constexpr double kLikeWords = 0.7;      // required share of words that two names have in common
 constexpr std::size_t kListed = 24;     // most keys of a table that a message lists
 
 struct Letter {
@@ -52,7 +52,8 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
-// Compares a word with the name, the symbol and the other names of a key. The first counts most.
+// Compares a word with the name, the symbol and the other names of a key. The name has the greatest
+// weight.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -67,7 +68,7 @@ int likeness(const Key& key, const Word& word) {
 // Required degree of likeness, as returned by likeness().
 enum Sure { by_symbol = 1, by_word = 2 };
 
-// The key of the least cost, the first of several; none if all cost `below` or more.
+// The first key of the least cost; none if every cost is `below` or more.
 template <class F>
 const Key* cheapest(const KeyTable& table, double below, F cost) {
   const Key* best = nullptr;
@@ -95,7 +96,7 @@ struct Place {
   std::string path;
 };
 
-// The tables below `top`, less deep ones first.
+// The tables below `top`, in the order of their depth.
 std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   std::vector<Place> list{{&top, std::string(path)}};
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -122,7 +123,7 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// Searches other tables: first below this one, then everywhere; "diameter_mm in [gear1.bore]".
+// Searches the tables below this table, then all other tables; "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
   const auto named = [](const Key& key, const std::string& where) {
@@ -135,7 +136,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
-  // For a table of gear 2, gear 2 is searched first.
+  // If this is a table of gear 2, gear 2 is searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
   std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
@@ -160,7 +161,7 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   });
 }
 
-// The words of a name, between underscores.
+// The words of a name, which underscores separate.
 std::vector<std::string_view> words_of(std::string_view name) {
   std::vector<std::string_view> words;
   for (std::size_t at = 0; at <= name.size();) {
@@ -171,7 +172,7 @@ std::vector<std::string_view> words_of(std::string_view name) {
   return words;
 }
 
-// A key with the same words except one of four or more: tip_relief_begin_mm.
+// A key that differs in a single word, out of four or more, such as tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = words_of(name);
   return cheapest(table, -kLikeWords, [&](const Key& key) {
@@ -229,7 +230,7 @@ std::string folded(std::string_view name) {
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key) {
   const Word word = word_of(key.substr(0, kLongest));
   const auto nearest = [](std::string_view what) {
-    return fmt::format("the nearest known one is {}", what);
+    return fmt::format("the nearest known key is {}", what);
   };
   if (word.bare.empty()) return "known keys here: " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
@@ -241,10 +242,10 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     }
     return nearest(here->key);
   }
-  // A table one level higher in the file.
+  // The key is a table one level higher in the file.
   for (const Key& table_key : spec_keys().keys)
     if (!path.empty() && is_table(table_key) && table_key.key == key)
-      return fmt::format("[{}] is a table of its own, not a part of [{}]", key, path);
+      return fmt::format("[{}] is a separate table, not a part of [{}]", key, path);
   if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
   if (const auto other = called_elsewhere(table, path, word, key_unit(key))) return nearest(*other);
   if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);

@@ -12,7 +12,7 @@
 namespace gearwright {
 namespace {
 
-std::string nearest(std::string_view key) { return "the nearest known one is " + std::string(key); }
+std::string nearest(std::string_view key) { return "the nearest known key is " + std::string(key); }
 
 TEST(KeyHint, what_people_try_leads_to_the_entry_that_says_so) {
   std::size_t words = 0;
@@ -50,7 +50,7 @@ TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
 
 TEST(KeyHint, a_table_of_the_spec_is_no_key_of_a_gear) {
   EXPECT_EQ(key_hint(gear_keys(), "gear2", "pair"),
-            "[pair] is a table of its own, not a part of [gear2]");
+            "[pair] is a separate table, not a part of [gear2]");
 }
 
 TEST(KeyHint, micrometres_are_no_diametral_pitch) {

@@ -1,4 +1,4 @@
-// The key tables hold together: with themselves, with the defaults of the structs that they fill,
+// The key tables are consistent: with themselves, with the defaults of the structs that they fill,
 // and with the limits of the rooms below.
 #include "gearwright/catalogue/key.hpp"
 
@@ -52,7 +52,7 @@ TEST(Keys, each_is_said_once_and_knows_its_neighbours) {
 TEST(Keys, a_place_takes_what_the_key_says) {
   for (const KeyTable* table : all_key_tables()) {
     for (const Key& key : table->keys) {
-      if (!key.place || key.place.kind() == KeyKind::any) continue;  // the latter is checked only
+      if (!key.place || key.place.kind() == KeyKind::any) continue;  // only checked
       EXPECT_EQ(key.place.kind(), key.kind) << table->name << "." << key.key;
       EXPECT_TRUE(!key.place.is_angle() || key_unit(key.key) == "deg") << key.key;
       const bool table = key.kind == KeyKind::table;
@@ -74,7 +74,7 @@ KeyValue value_of(const Key& key, const Json& v) {
   }
 }
 
-// A default that is a value is the one that the struct has by itself.
+// If a default is a value, it is the default of the struct.
 template <class T>
 void expect_defaults(const KeyTable& table, std::size_t at_least) {
   std::size_t seen = 0;
@@ -83,7 +83,7 @@ void expect_defaults(const KeyTable& table, std::size_t at_least) {
     if (!key.place.is_member() || key.list || v.is_discarded()) continue;
     T input{}, untouched{};
     key.place.put(input, value_of(key, v));
-    // What is absent by itself has its default from elsewhere.
+    // Members that are empty by default take their default from another place.
     EXPECT_TRUE(key.place.same(untouched, input))
         << table.name << "." << key.key << " = " << key.fallback;
     EXPECT_TRUE(!v.is_number() || key.range.contains(v.get<double>())) << key.key;
@@ -127,7 +127,7 @@ TEST(Keys, the_type_of_a_member_decides_what_a_place_takes) {
 }
 
 TEST(Keys, defaults_are_those_of_the_structs) {
-  // Of a gear only the allowance has a number, and a key that may be a list has no place.
+  // In a gear, only the allowance has a number, and a key that may be a list has no place.
   EXPECT_EQ(gear_keys().find("thickness_allowance_mm")->fallback, "0");
   EXPECT_EQ(GearInput{}.cylindrical.thickness_allowance, 0.0);
   expect_defaults<BasicInput>(basic_keys(), 1);
@@ -141,7 +141,7 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   expect_defaults<PairInput>(pair_keys(), 2);
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
-  expect_defaults<LoadInput>(load_keys(), 5);  // that of `slices` follows the face
+  expect_defaults<LoadInput>(load_keys(), 5);  // the default of `slices` depends on the face
   expect_defaults<LoadProbeInput>(load_probe_keys(), 1);
   expect_defaults<SearchProblem>(search_keys(), 6);
   expect_defaults<RatingTable>(rating_keys(), 5);
@@ -177,7 +177,8 @@ TEST(Keys, the_limits_of_a_gear_are_its_own) {
   EXPECT_TRUE(refuses([](CylindricalSpec& s, double) { s.teeth = 0; }, 0.0));
 }
 
-// What a rack's table refuses, its room refuses too: nobody passes a limit by another door.
+// A value that the table of a rack rejects is also rejected by the room `tool`, so no interface can
+// exceed a limit.
 template <class Rack, class Edge>
 void expect_limits(const KeyTable& table, const Rack& good, const Edge& edge) {
   for (const Key& key : table.keys) {

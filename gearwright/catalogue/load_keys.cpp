@@ -6,8 +6,9 @@ namespace {
 
 std::optional<KeyFault> check_probe(LoadProbeInput& probe, const KeyGiven&) {
   if (probe.read_z.empty() || probe.z) return std::nullopt;
-  return KeyFault{"read_z_mm",
-                  "needs z_mm, because in plane strain the displacement is the same everywhere"};
+  return KeyFault{
+      "read_z_mm",
+      "needs z_mm, because in plane strain the displacement is the same everywhere along the face"};
 }
 
 }  // namespace
@@ -18,42 +19,41 @@ const KeyTable& load_keys() {
       "load",
       "Teeth under torque: the verb `load`",
       {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; a list gives the Harris map")
+                   "torque on gear 1; a list of torques gives the Harris map")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
-       Key::number(
-           "driver", "", Range::between(1, 2), &LoadInput::driver, "1",
-           "1, or 2: gear 2 pushes in the same sense of rotation, and the non-working flanks "
-           "carry"),
+       Key::number("driver", "", Range::between(1, 2), &LoadInput::driver, "1",
+                   "gear that drives; if it is 2, the sense of rotation is the same and the "
+                   "non-working flanks carry the load"),
        Key::number("positions", "", Range::between(4, kMostLoadPositions), &LoadInput::positions,
                    "64", "positions over one pitch of gear 1"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &LoadInput::rotations, "",
-                   "rotations of gear 1, in place of positions")
+                   "rotations of gear 1, instead of positions")
            .with_list(KeyList{1, kMostLoadPositions})
            .with_fields({"rotations"}),
-       Key::number(
-           "slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
-           "32; on a narrow face, slices of width m_n/4, or 0.4 m_n for helical teeth, and wider "
-           "for internal pairs",
-           "slices over the common face, each at least four half widths of contact; for point "
-           "contact over each gear's face"),
+       Key::number("slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
+                   "32; on a narrow face as many slices as have the width m_n/4, or 0.4 m_n for "
+                   "helical teeth, and for internal pairs fewer",
+                   "number of slices over the common face, each at least four half widths of "
+                   "contact wide; for point contact over the face of each gear"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
                  "`draft`: a coarser mesh of the teeth, two to three times as fast"),
        Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),
                    &LoadInput::deflection_slope, "0",
-                   "further approach of the flanks along the face, from shafts: over the common "
-                   "face, > 0 towards +z; for line contact"),
-       Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
-                   "0", "further approach as a parabola; its height in the middle of the face"),
+                   "additional linear approach of the flanks along the common face, caused by "
+                   "shafts; > 0 towards +z; only for line contact"),
+       Key::number(
+           "deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow, "0",
+           "additional parabolic approach of the flanks along the face: its value in the middle"),
        {.key = "probe",
         .kind = KeyKind::table,
         .list = KeyList{.most = kMostProbes,
-                        .must = "must be a list of tables, [[load.probe]], 1 to {} of them",
+                        .must = "must be a list of 1 to {} tables, [[load.probe]]",
                         .first = 0},
         .place = &LoadInput::probes,
         .tables = {load_probe_keys},
-        .meaning = "`[[load.probe]]`: a tooth's own compliance",
+        .meaning = "`[[load.probe]]`: compliance of one tooth",
         .fields = {"probe"}}}};
   return table;
 }
@@ -62,15 +62,19 @@ const KeyTable& load_probe_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "load_probe",
-      "A tooth's own compliance: a unit line force on tooth 0, normal to its flank at y > 0",
-      {Key::number("gear", "", Range::between(1, 2), &LoadProbeInput::gear, "1", "which gear"),
-       Key::positive("diameter_mm", "", &LoadProbeInput::diameter, kRequired, "where on the flank"),
+      "Compliance of one tooth under a unit line force on tooth 0, normal to its flank at y > 0",
+      {Key::number("gear", "", Range::between(1, 2), &LoadProbeInput::gear, "1",
+                   "number of the gear"),
+       Key::positive("diameter_mm", "", &LoadProbeInput::diameter, kRequired,
+                     "diameter of the load on the flank"),
        Key::number("z_mm", "", {}, &LoadProbeInput::z,
-                   "the whole face, in plane strain (a wide gear)",
-                   "the loaded part of the face, from its middle")
-           .with_list({.least = 2,
-                       .most = 2,
-                       .order = {true, "must grow: where the load begins, then where it ends"}}),
+                   "the whole face of a wide gear, in plane strain",
+                   "loaded part of the face, from its middle")
+           .with_list(
+               {.least = 2,
+                .most = 2,
+                .order = {true,
+                          "must be the start and then the end of the load, in rising order"}}),
        Key::positive("half_width_mm", "a", &LoadProbeInput::half_width, "0.05 m_n",
                      "half width of the Hertz strip under the load"),
        Key::number("read_z_mm", "", {}, &LoadProbeInput::read_z, "",

@@ -18,7 +18,7 @@ Quantities<S> stiffness_in(Unit unit, const char* name) {
     const auto add = [&](const char* key, const char* words, const char* meaning, auto get) {
       q.number(key, words, "", meaning, [get](const S& s) { return get(s); }).unit(unit);
     };
-    add("mean", "mesh stiffness", "at the mean approach of the positions",
+    add("mean", "mesh stiffness", "at the mean approach over the positions",
         [](const S& s) { return s.mean; });
     add("min", "least mesh stiffness", "", [](const S& s) { return s.min; });
     add("max", "greatest mesh stiffness", "", [](const S& s) { return s.max; });
@@ -65,36 +65,36 @@ void say_position(Quantities<P>& q) {
      return p.position->rotation1;
    }).always();
   q.term("transmission_error_arcsec",
-         "that of `contact` minus the deflection of gear 2; null, like all numbers of a position, "
-         "if no teeth touch or the forces do not converge",
+         "transmission error of `contact` minus the deflection of gear 2; null, like all numbers "
+         "of a position, if no teeth touch or the forces do not converge",
          [](const P& p) { return p.position->te; })
       .words("loaded transmission error");
   q.number("approach_um", "approach under load", "Θ r_b2",
-           "along the line of action in the transverse section, or along the normals for point "
-           "contact, from the first contact of the unloaded flanks; includes deflections and the "
-           "twist of the bodies",
+           "approach of the flanks from the first contact without load, along the line of action "
+           "in the transverse section or, for point contact, along the normals; includes "
+           "deflections and the twist of the bodies",
            [](const P& p) { return p.position->approach * kUmPerMm; });
-  q.number(
-       "share", "load shares", "",
-       "of each loaded tooth pair, the one nearest to its exit last; for point contact, of each "
-       "point",
-       [](const P& p) { return shares(*p.position); })
+  q.number("share", "load shares", "",
+           "share of each loaded tooth pair, last the pair nearest to its exit; for point contact, "
+           "share of each point",
+           [](const P& p) { return shares(*p.position); })
       .list({0})
       .always();
-  q.term("max_pressure_MPa", "of Hertz; a lower bound if `kind` is an edge",
+  q.term("max_pressure_MPa", "Hertz pressure; a lower bound if `kind` is an edge",
          [](const P& p) { return p.position->max_pressure; });
   q.number("root_stress_MPa", "greatest root stress", "",
            "greatest principal stress along the fillets, per gear",
            [](const P& p) { return p.position->root_stress; })
       .per_gear();
   q.record<load_point_quantities>(
-       "points", "of the loaded points, in the order of `share`; double-arc teeth touch at two",
+       "points", "the loaded points in the order of `share`; double-arc teeth touch at two points",
        [](const P& p) -> const auto& { return p.position->pairs; })
       .list({0})
       .when([](const P& p) { return at_points(p); })
       .doors(kJson);
   q.word("kind", "where the pressure is greatest",
-         "along a line, in the interior about a point, or at a loaded edge",
+         "`line` is a contact line and `interior` is a point inside the flanks; all other kinds "
+         "are loaded edges",
          [](const P& p) {
            return p.position->kind == TouchKind::none ? Value()
                                                       : Value(to_string(p.position->kind));
@@ -111,7 +111,8 @@ void say_torque(Quantities<T>& q) {
   q.term("torque_Nm", "on gear 1", [](const T& t) {
      return newton_metres(t.torque->torque);
    }).always();
-  q.record<load_position_quantities>("positions", "in the order of the rotations",
+  q.record<load_position_quantities>("positions",
+                                     "one entry for each position, in the order of the rotations",
                                      [](const T& t) {
                                        std::vector<P> all;
                                        for (const LoadedPosition& p : t.torque->positions)
@@ -125,20 +126,21 @@ void say_torque(Quantities<T>& q) {
      return t.torque->peak_to_peak;
    }).words("loaded transmission error, peak to peak");
   q.term("harmonics_arcsec",
-         "amplitudes at orders 1, 2, … of the mesh frequency, at most 20; empty with "
-         "`rotation1_deg` and if a position has no result",
+         "amplitudes at orders 1, 2, … of the mesh frequency, at most 20; empty if `rotation1_deg` "
+         "is given or a position has no result",
          [](const T& t) { return angles(t.torque->harmonics); })
       .list({0})
       .always()
       .doors(kJson);
   q.record<stiffness_quantities>(
        "mesh_stiffness_N_per_mm_um",
-       "mesh stiffness, secant: line load over approach, twist of the bodies included",
+       "secant stiffness of the mesh: line load divided by approach, including the twist of the "
+       "bodies",
        [](const T& t) -> const auto& { return t.torque->stiffness; })
       .when(on_lines);
   q.record<stiffness_quantities>(
        "mesh_stiffness_without_twist_N_per_mm_um",
-       "the same without the twist of the bodies from bore to root [T12.16]",
+       "secant stiffness without the twist of the bodies from bore to root [T12.16]",
        [](const T& t) -> const auto& { return t.torque->without_twist; })
       .when(on_lines)
       .doors(kJson);
@@ -149,17 +151,18 @@ void say_torque(Quantities<T>& q) {
       .doors(kJson);
   q.record<point_stiffness_quantities>(
        "contact_stiffness_N_per_um",
-       "for point contact, secant: force over approach along the normals, twist of "
-       "the bodies included",
+       "secant stiffness for point contact: force divided by approach along the normals, including "
+       "the twist of the bodies",
        [](const T& t) -> const auto& { return t.torque->stiffness; })
       .when([](const T& t) { return at_points(t); });
   q.record<point_stiffness_quantities>(
-       "tangent_contact_stiffness_N_per_um", "the same for small changes of the torque",
+       "tangent_contact_stiffness_N_per_um",
+       "stiffness for point contact and small changes of the torque",
        [](const T& t) -> const auto& { return t.torque->tangent; })
       .when([](const T& t) { return at_points(t); })
       .doors(kJson);
   q.number("c_gamma_alpha", "mesh stiffness by ISO 6336-1", "c_γα",
-           "method B, of solid discs [T11.3]",
+           "method B, for solid discs [T11.3]",
            [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
       .unit(Unit::newton_per_mm_um)
       .when(has_standard);
@@ -170,26 +173,27 @@ void say_torque(Quantities<T>& q) {
                                     : Value();
            })
       .when(has_standard);
-  q.term("max_pressure_MPa", "of Hertz, over all positions; a lower bound if an edge carries load",
+  q.term("max_pressure_MPa",
+         "Hertz pressure over all positions; a lower bound if an edge carries load",
          [](const T& t) { return t.torque->max_pressure; });
   q.number("max_root_stress_MPa", "greatest root stress", "",
            "greatest principal stress along the fillets over all positions, per gear",
            [](const T& t) { return t.torque->max_root_stress; })
       .per_gear();
-  q.number(
-       "least_root_stress_MPa", "least root stress there", "",
-       "least principal stress over all positions at the place of the greatest stress, which is "
-       "the lower end of the stress range there; the fillet is compressed while neighbouring teeth "
-       "carry load",
-       [](const T& t) { return t.torque->least_at_max; })
+  q.number("least_root_stress_MPa", "least root stress there", "",
+           "least principal stress over all positions, at the place of the greatest stress, where "
+           "it is the lower end of the stress range; the fillet is compressed while neighbouring "
+           "teeth carry load",
+           [](const T& t) { return t.torque->least_at_max; })
       .per_gear();
   q.number("nominal_root_stress_MPa", "nominal root stress by ISO 6336-3", "σ_F0",
-           "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, of solid rims, per gear",
+           "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, for solid rims, per gear",
            [](const T& t) { return has_nominal(t) ? Value(*t.standard->root_stress) : Value(); })
       .per_gear()
       .when(has_nominal);
   q.number("root_stress_over_nominal", "greatest root stress over the nominal", "",
-           "the standard's load acts on one tooth pair, at the outer point of single contact",
+           "the nominal stress of the standard has the whole load on one tooth pair, at the outer "
+           "point of single contact",
            [](const T& t) {
              if (!has_nominal(t)) return Value();
              const auto& nominal = *t.standard->root_stress;
@@ -203,16 +207,18 @@ void say_torque(Quantities<T>& q) {
          [](const T& t) { return t.torque->face_load_factor; })
       .when(on_lines);
   q.number("transverse_load_factor", "transverse load factor", "K_Hα",
-           "greatest share of a tooth pair over that of the pair without errors and deflections",
+           "greatest share of a tooth pair, divided by its share without errors and deflections",
            [](const T& t) { return t.torque->transverse_load_factor; });
-  q.term("edge_carries", "the pressure there is a lower bound",
+  q.term("edge_carries", "true if an edge carries load, so that the pressure is a lower bound",
          [](const T& t) { return t.torque->edge_carries; });
   q.flag("ellipse_beyond_flank", "a contact ellipse extends beyond the flank",
-         "beyond an end of the flank or the face; the pressure there is higher than that of Hertz",
+         "true if an ellipse crosses an end of the flank or of the face, where the pressure is "
+         "higher than the Hertz pressure",
          [](const T& t) { return t.torque->beyond_flank; })
       .when([](const T& t) { return at_points(t); });
   q.number("face_load_N_per_mm", "load along the face", "",
-           "per length of the contact lines, slice by slice from −z on, mean of the positions",
+           "load per length of the contact lines for each slice from −z to +z, as the mean over "
+           "the positions",
            [](const T& t) { return numbers(t.torque->face_load); })
       .list({0})
       .when(on_lines)
@@ -222,17 +228,17 @@ void say_torque(Quantities<T>& q) {
 const Quantities<ProbeView>& probe_quantities() {
   static const Quantities<ProbeView> kAll("load.probes", [](Quantities<ProbeView>& q) {
     q.number("own_um_per_N_mm", "displacement under the load", "",
-             "per line load, of a wide gear in plane strain, twist of the body included",
+             "per line load, for a wide gear in plane strain, including the twist of the body",
              [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
         .unit(Unit::none)
         .when(&ProbeView::wide);
     q.number("own_um_per_N", "displacement under the load", "",
-             "per force spread over `z_mm`, its mean there",
+             "mean over the loaded length, per force distributed over `z_mm`",
              [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
         .unit(Unit::none)
         .when([](const ProbeView& p) { return !p.wide; });
     q.number("profile_um_per_N", "displacements along the face", "",
-             "at `read_z_mm`, per force spread over `z_mm`",
+             "at `read_z_mm`, per force distributed over `z_mm`",
              [](const ProbeView& p) {
                ValueList list;
                for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
@@ -262,24 +268,25 @@ const Quantities<LoadedPair>& load_point_quantities() {
     q.number("force_N", "force", "F_n", "along the common normal", [](const LoadedPair& p) {
        return p.point.force;
      }).always();
-    q.number("pressure_MPa", "greatest pressure", "p_0", "of Hertz, in the middle of the ellipse",
+    q.number("pressure_MPa", "greatest pressure", "p_0",
+             "Hertz pressure in the middle of the ellipse",
              [](const LoadedPair& p) { return p.point.pressure; })
         .always();
-    q.number("semi_major_mm", "semi-major axis", "a", "of the ellipse of contact",
+    q.number("semi_major_mm", "semi-major axis", "a", "of the contact ellipse",
              [](const LoadedPair& p) { return p.point.semi_major; })
         .always();
     q.number("semi_minor_mm", "semi-minor axis", "b", "", [](const LoadedPair& p) {
        return p.point.semi_minor;
      }).always();
-    q.number("diameter_mm", "diameter", "", "of its middle, on each gear", [](const LoadedPair& p) {
-       return p.point.diameter;
-     }).per_gear();
+    q.number("diameter_mm", "diameter", "", "diameter of its middle, on each gear",
+             [](const LoadedPair& p) { return p.point.diameter; })
+        .per_gear();
     q.number("height_mm", "place along the face", "z",
-             "of its middle, from the middle of each gear's face",
+             "height of its middle, from the middle of the face of each gear",
              [](const LoadedPair& p) { return p.point.height; })
         .per_gear();
-    q.flag("beyond_flank", "hangs over an end of the flank",
-           "if true, the pressure is higher than that of Hertz",
+    q.flag("beyond_flank", "crosses an end of the flank",
+           "true if the pressure is higher than the Hertz pressure for this reason",
            [](const LoadedPair& p) { return p.point.beyond; });
   });
   return kAll;
@@ -298,7 +305,7 @@ const Quantities<LoadTorqueView>& load_torque_quantities() {
 const Quantities<LoadView>& load_quantities() {
   static const Quantities<LoadView> kAll("load", [](Quantities<LoadView>& q) {
     q.record<load_torque_quantities>(
-         "torques", "one for each torque, in their order",
+         "torques", "one entry for each torque, in the given order",
          [](const LoadView& v) {
            const auto all = v.contact ? torque_views(*v.contact, v.standard) : std::vector<T>();
            return Value(load_torque_quantities().each(all));
@@ -308,21 +315,21 @@ const Quantities<LoadView>& load_quantities() {
         .doors(kJson);
     q.under(kLoad);
     q.word("regime", "how the teeth touch",
-           "along lines, as parallel involute teeth; about points, as crossed and circular-arc "
-           "teeth, by the ellipse of Hertz",
+           "parallel involute teeth touch along lines; crossed and circular-arc teeth touch at "
+           "points, with ellipses by Hertz",
            [](const LoadView& v) {
              return v.contact ? Value(to_string(v.contact->regime)) : Value();
            })
         .one_of({"line", "point"})
         .when([](const LoadView& v) { return v.contact != nullptr; });
     q.number("quietest_torque_Nm", "quietest torque", "",
-             "the given torque with the least peak-to-peak loaded transmission error",
+             "given torque with the least peak-to-peak loaded transmission error",
              [](const LoadView& v) {
                const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
                return t ? Value(newton_metres(t->torque)) : Value();
              })
         .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
-    q.record<probe_quantities>("probes", "one for each [[load.probe]], in their order",
+    q.record<probe_quantities>("probes", "one entry for each [[load.probe]], in the given order",
                                &LoadView::probes)
         .list({0})
         .always()

@@ -24,14 +24,14 @@ Key by_temperature(std::string_view key, std::string_view symbol,
     const std::vector<double>& celsius = m.temperatures;
     if (celsius.empty()) return std::string();
     if (values.size() != celsius.size())
-      return fmt::format("has {} values for {} temperatures_C", values.size(), celsius.size());
+      return fmt::format("has {} values, but temperatures_C has {}", values.size(), celsius.size());
     for (std::size_t i = 0; i < values.size(); ++i) (m.*member).push_back({celsius[i], values[i]});
     return std::string();
   };
   return Key::positive(key, symbol, KeyPlace::by<MaterialInput, std::vector<double>>(set),
-                       "the one value above", meaning)
+                       "the single value above", meaning)
       .with_list({kMinSteps, kMaxSteps})
-      .with_form("a list of as many values as `temperatures_C`")
+      .with_form("a list with one value for each of `temperatures_C`")
       .with_needs({"temperatures_C"})
       .with_fields({std::string(field)});
 }
@@ -57,18 +57,17 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
   if (std::find(known.begin(), known.end(), *m.name) != known.end()) return std::nullopt;
   if (names_plastic(*m.name)) {
-    return KeyFault{"name",
-                    "is a plastic, and the table of materials has none, because their strength "
-                    "depends on grade, temperature and life. Give the values of the supplier or of "
-                    "VDI 2736: kind = \"plastic\", youngs_modulus_MPa, sigma_Hlim_MPa and "
-                    "sigma_Flim_MPa, or lists of them at temperatures_C; [rating] then needs "
-                    "standard = \"VDI 2736:2014\""};
+    return KeyFault{
+        "name",
+        "is a plastic. The table of materials has no plastics, because their strength depends on "
+        "grade, temperature and life. Give the values of the supplier or of VDI 2736: kind = "
+        "\"plastic\", youngs_modulus_MPa, sigma_Hlim_MPa and sigma_Flim_MPa, or lists of these "
+        "values at temperatures_C; [rating] then needs standard = \"VDI 2736:2014\""};
   }
-  return KeyFault{"name",
-                  fmt::format("is not in the table of materials; {}. For any other material give "
-                              "the values: kind, sigma_Hlim_MPa, sigma_Flim_MPa, and of a plastic "
-                              "youngs_modulus_MPa",
-                              word_hint(*m.name, known))};
+  return KeyFault{
+      "name", fmt::format("is not in the table of materials; {}. For any other material give kind, "
+                          "sigma_Hlim_MPa, sigma_Flim_MPa and, for a plastic, youngs_modulus_MPa",
+                          word_hint(*m.name, known))};
 }
 
 }  // namespace
@@ -81,50 +80,54 @@ const KeyTable& material_keys() {
         "material",
         "Material of the teeth, for `rate`",
         {Key::text("name", &MaterialInput::name, "the values below",
-                   "a row of the table of materials, \"18CrNiMo7-6\"; any name if the values are "
-                   "given")
+                   "name of a row of the table of materials, for example \"18CrNiMo7-6\"; any name "
+                   "is allowed if the values are given")
              .with_also({"steel", "grade", "material"}),
-         Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind, "of the named row",
+         Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind,
+                   "value of the named row",
                    "kind of ISO 6336-5: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
                    "bai.), GGG (ferr.), GTS")
              .with_also({"type", "treatment", "heat_treatment"}),
          Key::positive("youngs_modulus_MPa", "E", &MaterialInput::youngs_modulus,
-                       "206 000, of cast iron less", "Young's modulus")
+                       "206 000, for cast iron less", "Young's modulus")
              .with_also({"e", "modulus", "elasticity"}),
          Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &MaterialInput::poisson_ratio,
                      "0.3", "Poisson's ratio")
              .with_also({"nu", "poisson"}),
-         Key::positive("density_kg_per_m3", "ρ", &MaterialInput::density, "7830, of cast iron 7300",
-                       "density, for the resonance of the mesh"),
-         Key::positive("sigma_Hlim_MPa", "σ_Hlim", &MaterialInput::sigma_Hlim, "of the named row",
+         Key::positive("density_kg_per_m3", "ρ", &MaterialInput::density,
+                       "7830, for cast iron 7300", "density, for the resonance of the mesh"),
+         Key::positive("sigma_Hlim_MPa", "σ_Hlim", &MaterialInput::sigma_Hlim,
+                       "value of the named row",
                        "allowable contact stress number of the reference test gears")
              .with_also({"sigma_h", "contact_strength", "hlim"}),
-         Key::positive("sigma_Flim_MPa", "σ_Flim", &MaterialInput::sigma_Flim, "of the named row",
-                       "allowable bending stress number, nominal: without Y_ST = 2")
+         Key::positive("sigma_Flim_MPa", "σ_Flim", &MaterialInput::sigma_Flim,
+                       "value of the named row",
+                       "nominal allowable bending stress number, which does not include Y_ST = 2")
              .with_also({"sigma_f", "bending_strength", "flim"}),
-         Key::number(
-             "surface_hardness_HV", "", Range::between(50, 1200), &MaterialInput::surface_hardness,
-             "of the named row",
-             "Vickers hardness of the surface; for a named row it also determines the limits")
+         Key::number("surface_hardness_HV", "", Range::between(50, 1200),
+                     &MaterialInput::surface_hardness, "value of the named row",
+                     "Vickers hardness of the surface; for a named row it also determines the "
+                     "stress limits")
              .with_also({"hardness", "hv"}),
          Key::positive("yield_strength_MPa", "R_e", &MaterialInput::yield_strength,
-                       "Y_δrelT = 1 of a tempered or normalized steel",
+                       "Y_δrelT = 1 for a tempered or normalized steel",
                        "yield strength or 0.2 % proof stress")
              .with_also({"yield", "re", "rp02"}),
          Key::number("temperatures_C", "ϑ", Range::between(-100, 400), &MaterialInput::temperatures,
                      "the values above, at any temperature",
-                     "plastics: the temperatures of the values below, with linear interpolation "
-                     "and no extrapolation")
+                     "temperatures of the values below, only for plastics; interpolation is linear "
+                     "and there is no extrapolation")
              .with_list({.least = kMinSteps,
                          .most = kMaxSteps,
-                         .order = {true, "must rise from one to the next"}})
+                         .order = {true, "must be in rising order"}})
              .with_form("a list of rising temperatures"),
          by_temperature("sigma_Hlim_by_temperature_MPa", "σ_HlimN", &MaterialInput::sigma_Hlim_by,
-                        "sigma_Hlim_by", "flank strength at each temperature, for the wanted life"),
+                        "sigma_Hlim_by",
+                        "flank strength at each temperature, for the required life"),
          by_temperature("sigma_Flim_by_temperature_MPa", "σ_FlimN", &MaterialInput::sigma_Flim_by,
                         "sigma_Flim_by",
-                        "root strength at each temperature, for the wanted life, nominal: without "
-                        "Y_ST = 2"),
+                        "nominal root strength at each temperature, for the required life; it does "
+                        "not include Y_ST = 2"),
          by_temperature("youngs_modulus_by_temperature_MPa", "E", &MaterialInput::youngs_modulus_by,
                         "youngs_modulus_by", "Young's modulus at each temperature")},
         check_name,

@@ -40,19 +40,19 @@ const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding
 void say_span(Quantities<Span>& q) {
   using S = Span;
   q.under("");
-  q.whole("teeth", "teeth between the anvils", "k", "of an internal gear its spaces", &S::teeth)
+  q.whole("teeth", "teeth between the anvils", "k", "for an internal gear the spaces", &S::teeth)
       .always();
   q.number("length_mm", "span", "W_k", "exact at any helix angle [T10.2]", &S::length).always();
-  q.term("contact_diameter_mm", "with the anvils laid symmetrically [T10.3]", &S::contact_diameter)
+  q.term("contact_diameter_mm", "for symmetric contact of the anvils [T10.3]", &S::contact_diameter)
       .always();
-  q.term("contact", "on the usable flank from d_Ff to d_Fa, or not",
+  q.term("contact", "whether the contact is on the usable flank from d_Ff to d_Fa",
          [](const S& s) { return place_word(s.place); })
       .always()
       .one_of(kPlaces);
   q.number("min_face_width_mm", "face width needed", "",
            "W_k sin |β_b|; on a narrower gear one anvil does not touch [T10.4]", &S::min_face_width)
       .always();
-  q.flag("face_wide_enough", "face wide enough for both anvils", "b is greater than that",
+  q.flag("face_wide_enough", "face wide enough for both anvils", "true if b is greater",
          &S::face_is_wide_enough);
 }
 
@@ -71,10 +71,11 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
   q.term("contact_diameter_mm", "[T10.7]", [seat](const V& v) {
      return seat(v).contact_diameter;
    }).always();
-  q.term("contact_offset_mm", "along the axis, one each way: D_M sin |β_b|/2", [seat](const V& v) {
-     return seat(v).contact_offset;
-   }).always();
-  q.term("contact", "on the usable flank from d_Ff to d_Fa, or not",
+  q.term("contact_offset_mm",
+         "axial distance of each contact from the centre, one on each side: D_M sin |β_b|/2",
+         [seat](const V& v) { return seat(v).contact_offset; })
+      .always();
+  q.term("contact", "whether the contact is on the usable flank from d_Ff to d_Fa",
          [seat](const V& v) { return place_word(seat(v).place); })
       .always()
       .one_of(kPlaces);
@@ -83,14 +84,16 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
 const Quantities<BallMeasure>& ball_quantities() {
   using B = BallMeasure;
   static const Quantities<B> kAll("measure.over_balls", [](Quantities<B>& q) {
-    q.number("ball_diameter_mm", "diameter of the balls", "D_M", "given, or the standard size",
+    q.number("ball_diameter_mm", "diameter of the balls", "D_M", "as given, or the standard size",
              [](const B& b) { return b.seat.ball_diameter; })
         .always();
     q.number("dimension_mm", "over two balls, between them in an internal gear", "M_dK",
-             "both in one transverse plane, in opposite spaces or those nearest to it [T10.8]",
+             "with both balls in one transverse plane, in opposite spaces or in the most nearly "
+             "opposite spaces [T10.8]",
              &B::dimension)
         .always();
-    q.number("radial_mm", "from the axis over one ball", "M_rK", "of an internal gear inside it",
+    q.number("radial_mm", "from the axis over one ball", "M_rK",
+             "for an internal gear to the inside of the ball",
              [](const B& b) { return b.seat.radial; })
         .always();
     say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
@@ -101,22 +104,22 @@ const Quantities<BallMeasure>& ball_quantities() {
 const Quantities<PinMeasure>& pin_quantities() {
   using P = PinMeasure;
   static const Quantities<P> kAll("measure.over_pins", [](Quantities<P>& q) {
-    q.number("pin_diameter_mm", "diameter of the pins", "D_M", "given, or that of the balls",
+    q.number("pin_diameter_mm", "diameter of the pins", "D_M",
+             "as given, or the diameter of the balls",
              [](const P& p) { return p.seat.ball_diameter; })
         .always();
     q.number("two_free_mm", "over two pins that may tilt", "M_dR",
-             "the least, as a micrometer finds it [T10.9]; null for an internal helical gear",
+             "least dimension, as a micrometer finds it [T10.9]; null for an internal helical gear",
              [](const P& p) { return p.reading.two_free; });
     q.number("three_mm", "over two pins between parallel anvils", "M_dR",
-             "also over three pins on helical gears [T10.10]; as over two pins on spur gears; null "
-             "for an internal helical gear",
+             "also over three pins on helical gears [T10.10]; equal to the dimension over two pins "
+             "on spur gears; null for an internal helical gear",
              [](const P& p) { return p.reading.three; });
-    q.number(
-        "three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
-        "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur gear "
-        "with an odd number of teeth [T10.30]; on other gears as between parallel anvils; null for "
-        "an internal helical gear",
-        [](const P& p) { return p.reading.three_pins; });
+    q.number("three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
+             "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur "
+             "gear with an odd number of teeth [T10.30]; on other gears equal to the dimension "
+             "between parallel anvils; null for an internal helical gear",
+             [](const P& p) { return p.reading.three_pins; });
     say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
   return kAll;
@@ -135,13 +138,14 @@ const Quantities<BallSizes>& size_quantities() {
   using S = BallSizes;
   static const Quantities<S> kAll("measure.ball_sizes", [](Quantities<S>& q) {
     q.number("ideal_mm", "touching at the V circle", "D_M",
-             "or at the middle of the usable flank if that circle lies outside it [T10.11]",
+             "or at the middle of the usable flank if the V circle lies outside it [T10.11]",
              &S::ideal)
         .always();
-    q.number("metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977", &S::metric)
+    q.number("metric_mm", "nearest metric size", "", "size of measuring pins by DIN 3977",
+             &S::metric)
         .always();
     q.word("inch", "nearest inch size",
-           "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in by 1/16 in",
+           "balls in steps of 1/64 in, from 1/2 in of 1/32 in, from 1 in of 1/16 in",
            [](const S& s) { return inch_text(s.inch); })
         .always();
     q.number("inch_mm", "the same in mm", "", "", [](const S& s) {
@@ -154,21 +158,21 @@ const Quantities<BallSizes>& size_quantities() {
 const Quantities<ChordMeasure>& chord_quantities() {
   using C = ChordMeasure;
   static const Quantities<C> kAll("measure.chordal_thickness", [](Quantities<C>& q) {
-    q.number("diameter_mm", "diameter of the chord", "d_y", "at which the calliper's jaws touch",
-             &C::diameter)
+    q.number("diameter_mm", "diameter of the chord", "d_y",
+             "diameter at which the jaws of the calliper touch", &C::diameter)
         .always();
     q.number("chord_mm", "chordal tooth thickness", "",
-             "the shortest over the inclinations of the calliper [T5.6]",
+             "shortest thickness over the inclinations of the calliper [T5.6]",
              [](const C& c) { return c.chord.chord; })
         .always();
-    q.number("height_mm", "height of the arc over the chord", "", "at that diameter",
+    q.number("height_mm", "height of the arc over the chord", "", "at the diameter of the chord",
              [](const C& c) { return c.chord.height; })
         .always();
     q.number("tip_to_chord_mm", "calliper setting from the tip", "",
-             "from d_a; < 0 where an internal gear's chord passes its tip",
+             "from d_a; < 0 if the chord of an internal gear lies beyond its tip",
              [](const C& c) { return c.chord.tip_to_chord; })
         .always();
-    q.number("caliper_angle_deg", "calliper to the transverse plane", "", "signed like β [T5.7]",
+    q.number("caliper_angle_deg", "calliper to the transverse plane", "", "sign as for β [T5.7]",
              [](const C& c) { return deg(c.chord.caliper_angle); })
         .always()
         .digits(3);
@@ -186,7 +190,7 @@ const Quantities<ConstantChord>& constant_quantities() {
     q.number("contact_diameter_mm", "diameter of the contacts", "", "[T10.14]",
              &C::contact_diameter)
         .always();
-    q.term("contact", "on the usable flank from d_Ff to d_Fa, or not",
+    q.term("contact", "whether the contacts are on the usable flank from d_Ff to d_Fa",
            [](const C& c) { return place_word(c.place); })
         .always()
         .one_of(kPlaces);
@@ -197,7 +201,7 @@ const Quantities<ConstantChord>& constant_quantities() {
 const Quantities<ThicknessAt>& thickness_quantities() {
   using T = ThicknessAt;
   static const Quantities<T> kAll("measure.tooth_thickness", [](Quantities<T>& q) {
-    q.number("diameter_mm", "diameter", "d_y", "that of the chord", &T::diameter).always();
+    q.number("diameter_mm", "diameter", "d_y", "diameter of the chord", &T::diameter).always();
     q.number("transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", &T::transverse)
         .always();
     q.number("normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", &T::normal).always();
@@ -214,10 +218,10 @@ const Quantities<ThicknessAt>& thickness_quantities() {
 void say_measure(Quantities<GearMeasures>& q) {
   using M = GearMeasures;
   q.under(kSpan);
-  q.record<span_quantities>("span", "null if none can be measured", &M::span);
+  q.record<span_quantities>("span", "null if no span can be measured", &M::span);
   q.under("Other spans");
   q.record<span_quantities>(
-       "spans", "all spans that can be measured, at most 31 around the usual one", &M::spans)
+       "spans", "all spans that can be measured, at most 31 around the usual span", &M::spans)
       .list({0})
       .always()
       .doors(kJson);
@@ -229,13 +233,16 @@ void say_measure(Quantities<GearMeasures>& q) {
   q.record<size_quantities>("ball_sizes", "null if no ball can be measured", &M::sizes);
   q.under(kChord);
   q.record<chord_quantities>("chordal_thickness",
-                             "thickness allowance included; null if there is no chord", &M::chord);
+                             "including the thickness allowance; null if there is no chord",
+                             &M::chord);
   q.under(kConstant);
   q.record<constant_quantities>("constant_chord", "null if there is no usable flank", &M::constant);
   q.under(kThickness);
-  q.record<thickness_quantities>("tooth_thickness", "null if the flank does not reach there",
+  q.record<thickness_quantities>("tooth_thickness",
+                                 "null if the flank does not reach the diameter of the chord",
                                  &M::thickness);
-  q.term("normal_base_pitch_mm", "between two flanks of one hand, along their common normal",
+  q.term("normal_base_pitch_mm",
+         "distance of two flanks of the same side, along their common normal",
          [](const M& m) { return m.reference ? Value(m.reference->base_pitch_normal) : Value(); });
   q.term("transverse_base_pitch_mm", "π d_b/z", [](const M& m) {
     return m.reference ? Value(m.reference->base_pitch_transverse) : Value();
@@ -243,8 +250,9 @@ void say_measure(Quantities<GearMeasures>& q) {
   q.under(kRanges);
   q.record<range_quantities>("flank", "null if there is no usable flank", &M::ranges);
   q.under(kTolerances);
-  q.record<tolerance_quantities>(
-       "tolerances", "with `quality`; ISO 1328-1, the edition of the spec", &M::tolerances)
+  q.record<tolerance_quantities>("tolerances",
+                                 "by the edition of ISO 1328-1 in the spec; only with `quality`",
+                                 &M::tolerances)
       .when([](const M& m) { return m.tolerances.has_value(); });
 }
 
@@ -258,17 +266,17 @@ const Quantities<GearMeasures>& measure_quantities() {
 const Quantities<ReferenceInput<double>>& as_rack_quantities() {
   using R = ReferenceInput<double>;
   static const Quantities<R> kAll("as_rack", [](Quantities<R>& q) {
-    constexpr const char* kRack = "As the rack asked for has it";
+    constexpr const char* kRack = "Values for the requested rack";
     q.under(kRack);
-    q.term("normal_module_mm", "of that rack", &R::normal_module).always().digits(6);
-    q.term("normal_pressure_angle_deg", "of that rack", [](const R& r) {
+    q.term("normal_module_mm", "of the requested rack", &R::normal_module).always().digits(6);
+    q.term("normal_pressure_angle_deg", "of the requested rack", [](const R& r) {
        return deg(r.normal_pressure_angle);
      }).always();
-    q.term("helix_angle_deg", "at its reference cylinder", [](const R& r) {
+    q.term("helix_angle_deg", "at the reference cylinder of that rack", [](const R& r) {
        return deg(r.helix_angle);
      }).always();
-    q.term("profile_shift", "thickness allowance included", &R::profile_shift).always();
-    q.term("reference_diameter_mm", "of that rack", [](const R& r) {
+    q.term("profile_shift", "including the thickness allowance", &R::profile_shift).always();
+    q.term("reference_diameter_mm", "of the requested rack", [](const R& r) {
        return r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth);
      }).always();
   });

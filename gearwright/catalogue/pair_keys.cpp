@@ -7,19 +7,21 @@ namespace gearwright {
 
 namespace {
 
-KeyRange no_pressing() { return KeyRange::not_negative(": the teeth would press into each other"); }
+KeyRange no_pressing() {
+  return KeyRange::not_negative(", because the teeth would press into each other");
+}
 
 }  // namespace
 
 const KeyTable& pair_keys() {
   static const KeyTable table{
       "pair",
-      "How the two gears are mounted",
-      {Key::positive("center_distance_mm", "a", &PairInput::center_distance, "that of `mounting`",
-                     "centre distance")
+      "Mounting of the two gears",
+      {Key::positive("center_distance_mm", "a", &PairInput::center_distance,
+                     "distance by `mounting`", "centre distance")
            .with_also({"centre_distance", "distance", "axis_distance", "center", "cd"}),
        Key::text("center_distance_tolerance", &PairInput::distance_tolerance, "",
-                 "tolerance of the centre distance by ISO 286, `\"JS7\"` (JS1 to JS12)")
+                 "tolerance of the centre distance by ISO 286, for example `\"JS7\"` (JS1 to JS12)")
            .with_excludes({"center_distance_deviations_mm"})
            .with_fields({"distance_tolerance"})
            .with_also({"js"}),
@@ -27,53 +29,52 @@ const KeyTable& pair_keys() {
                    "lower and upper deviation of the centre distance")
            .with_list(kLowerAndUpper)
            .with_fields({"distance_deviations"}),
-       Key::number("shaft_angle_deg", "Σ",
-                   KeyRange::inside(-180, 180, " (> 0: right hands prevail)"),
-                   &PairInput::shaft_angle,
-                   "0 if the helix angles allow it; an error if both gears have the same hand and "
-                   "helix angle; otherwise the angle of the minimum centre distance, with a "
-                   "warning",
-                   "Σ = β_w1 + β_w2, signed: two right hands cross at Σ > 0, two left hands at "
-                   "Σ < 0")
+       Key::number(
+           "shaft_angle_deg", "Σ", KeyRange::inside(-180, 180, " (> 0 if right hands prevail)"),
+           &PairInput::shaft_angle,
+           "0 if the helix angles allow parallel axes; an error if both gears have the same hand "
+           "and helix angle; otherwise the angle of the minimum centre distance, with a warning",
+           "shaft angle Σ = β_w1 + β_w2; two right-hand gears have Σ > 0, two left-hand gears Σ < "
+           "0")
            .with_also({"axis_angle", "crossing_angle"}),
        Key::number("backlash_mm", "j_n", no_pressing(),
                    KeyPlace::mean_and_ends<PairInput>(
                        [](auto& p) -> auto& { return p.backlash; },
                        [](auto& p) -> auto& { return p.backlash_ends; }),
-                   "the backlash that follows from allowances and centre distance",
-                   "normal backlash: the teeth are thinned for it, instead of by "
-                   "`thickness_allowance_mm`; two: the least and the greatest")
+                   "computed from allowances and centre distance",
+                   "normal backlash for which the teeth are thinned, instead of "
+                   "`thickness_allowance_mm`; two numbers are the least and the greatest backlash")
            .with_list(kOneOrEnds)
            .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
            .with_also({"backlash", "play", "normal_backlash", "jn"}),
        Key::number("backlash_circumferential_mm", "j_t", no_pressing(),
                    &PairInput::backlash_circumferential, "",
-                   "the same as an arc of the working pitch circle of gear 1")
+                   "backlash as an arc of the working pitch circle of gear 1")
            .with_excludes({"backlash_deg"})
            .with_also({"circumferential_backlash", "transverse_backlash", "jt", "jwt"}),
        Key::number("backlash_deg", "", no_pressing(), &PairInput::backlash_angle, "",
-                   "the same as the angle that gear 1 turns while gear 2 is held")
+                   "backlash as the angle that gear 1 turns while gear 2 is held")
            .with_fields({"backlash_angle"})
            .with_also({"angular_backlash", "backlash_angle"}),
        Key::number("backlash_split", "", KeyRange::between(0, 1), &PairInput::backlash_split, "0.5",
-                   "share of gear 1 in the thinning; gear 2 has the rest"),
+                   "share of gear 1 in the thinning; the rest is for gear 2"),
        Key::word("mounting", {"tight", "extended"}, &PairInput::mounting, "\"tight\"",
-                 "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
-                 "x2), an internal gear a_d − m_n (x1 + x2)"),
+                 "`\"tight\"` is free of backlash for nominal teeth; `\"extended\"` is a_d + m_n "
+                 "(x1 + x2), or with an internal gear a_d − m_n (x1 + x2)"),
        Key::flag("choose_profile_shifts", &PairInput::choose_profile_shifts, "true",
-                 "if `true`, absent profile shifts follow from a given centre distance, and a note "
-                 "reports them; if `false`, they must be given"),
+                 "if `true`, absent profile shifts are computed from a given centre distance and "
+                 "reported in a note; if `false`, they must be given"),
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
-                 "tips without a given `tip_diameter_mm` are shortened by k m_n, so that the "
-                 "clearance of the racks is kept"),
+                 "if true, tips without a given `tip_diameter_mm` are shortened by k m_n, which "
+                 "keeps the clearance of the racks"),
        Key::number("friction_coefficient", "μ",
                    KeyRange{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
                    &PairInput::friction_coefficient, "no efficiency",
                    "coefficient of friction of the flanks, for the efficiency")
            .with_also({"friction"}),
        Key::positive("bearing_span_mm", "L", &PairInput::bearing_span,
-                     "that of `[rating.mounting]`; no tolerances of the axes",
-                     "greater distance of the bearings of a shaft, for the tolerances of the axes")
+                     "distance of `[rating.mounting]`; without it no tolerances of the axes",
+                     "greater bearing distance of the two shafts, for the tolerances of the axes")
            .with_also({"bearing_distance", "span"}),
        Key::positive("speed_rpm", "n_1", &PairInput::speed_rpm, "no velocities",
                      "speed of rotation of gear 1, for the pitch line velocity")
@@ -85,11 +86,12 @@ const KeyTable& rack_bar_keys() {
   static const KeyTable table{
       "rack_bar",
       "A rack as gear 2, with the profile of the basic rack of gear 1",
-      {Key::word("form", {"rack"}, KeyPlace::unused(), kRequired, "gear 2 is a rack"),
+      {Key::word("form", {"rack"}, KeyPlace::unused(), kRequired, "makes gear 2 a rack"),
        Key::number("teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
-                   "as many as are needed", "number of teeth; the rack is as long as their pitches")
+                   "as many as needed", "number of teeth, which determines the length of the rack")
            .with_also({"number_of_teeth"}),
-       Key::positive("face_width_mm", "b", &RackBar::face_width, "that of gear 1", "face width")
+       Key::positive("face_width_mm", "b", &RackBar::face_width, "face width of gear 1",
+                     "face width")
            .with_also({"width", "face"}),
        Key::positive("height_mm", "", &RackBar::height, "no mounting distance",
                      "height from the back of the rack to its datum line")

@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// mm, or rad
+// in mm or rad
 double amount(const Interference& i) {
   const auto* angle = std::get_if<Angle>(&i.amount);
   return angle ? angle->rad() : std::get<double>(i.amount);
@@ -23,9 +23,9 @@ struct PathPoint {
 void say_path_point(Quantities<PathPoint>& q) {
   using P = PathPoint;
   q.under("");
-  q.number("from_A_mm", "distance from A", "", "along the line",
+  q.number("from_A_mm", "distance from A", "", "along the line of action",
            [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_A) / p.pair->mesh.line_cosine; });
-  q.number("from_pitch_point_mm", "distance from the pitch point", "", "along the line",
+  q.number("from_pitch_point_mm", "distance from the pitch point", "", "along the line of action",
            [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_C) / p.pair->mesh.line_cosine; });
   q.number("rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile", &P::rho1);
   q.number("rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
@@ -74,7 +74,7 @@ const Quantities<CrossedPlace>& place_quantities() {
 const Quantities<CrossedPlaces>& places_quantities() {
   using P = CrossedPlaces;
   static const Quantities<P> kAll("places", [](Quantities<P>& q) {
-    const char* ends = "[at the least α_wn, at the greatest]";
+    const char* ends = "[at the least α_wn, at the greatest α_wn]";
     q.term("working_normal_pressure_angle_deg", ends, [](const P& p) {
        return std::array{p.lo.normal_pressure_angle, p.hi.normal_pressure_angle};
      }).ends();
@@ -104,15 +104,16 @@ const Quantities<LineView>& line_quantities() {
       return Value(ValueList{line[0], line[1]});
     };
     q.number("length_mm", "length of path of contact", "g_α",
-             "crossed AE along the line of action; 0 when the path has none", &L::length)
+             "for crossed axes AE along the line of action; 0 if the path has no length",
+             &L::length)
         .always();
     q.number("leading", "leading line of action", "",
-             "[A, E] as points, on parallel axes in the section z = 0",
+             "points [A, E], for parallel axes in the section z = 0",
              [ends](const L& l) { return ends(l.leading); })
         .unit(Unit::mm)
         .list({2, 3})
         .doors(kJson);
-    q.number("trailing", "trailing line of action", "", "[A′, E′] as points",
+    q.number("trailing", "trailing line of action", "", "points [A′, E′]",
              [ends](const L& l) { return ends(l.trailing); })
         .unit(Unit::mm)
         .list({2, 3})
@@ -129,7 +130,7 @@ std::optional<LineView> line_between(const InvolutePair& p) {
                   {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
 }
 
-// The way of the first contact over the common face, and its mirror image on the non-working flanks.
+// Path of the first contact over the common face, and its mirror image on the non-working flanks.
 std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
@@ -174,11 +175,11 @@ const Quantities<InvolutePair>& path_quantities() {
          return path_point_quantities().of({&p, p.mesh.*rho1});
        }).always();
     };
-    point("A", "where contact begins: the tip of gear 2", &Mesh<double>::rho1_A);
+    point("A", "start of contact, at the tip of gear 2", &Mesh<double>::rho1_A);
     point("B", "one pitch before E", &Mesh<double>::rho1_B);
-    point("C", "the pitch point, crossed: of gear 1", &Mesh<double>::rho1_C);
+    point("C", "pitch point, for crossed axes the pitch point of gear 1", &Mesh<double>::rho1_C);
     point("D", "one pitch after A", &Mesh<double>::rho1_D);
-    point("E", "where contact ends: the tip of gear 1", &Mesh<double>::rho1_E);
+    point("E", "end of contact, at the tip of gear 1", &Mesh<double>::rho1_E);
   });
   return kAll;
 }
@@ -197,8 +198,8 @@ const Quantities<PairBacklash>& backlash_quantities() {
         .always();
     q.number(
          "free_rotation_deg", "free play (mating gear fixed)", "",
-         "per gear, the rotation without any contact; less than the backlash if other parts meet "
-         "before the flanks; null if not computed, or if a tip lies inside a root",
+         "per gear, rotation without any contact; less than the backlash if other parts of the "
+         "teeth meet before the flanks; null if it was not computed or if a tip lies inside a root",
          [](const B& b) {
            if (!b.free) return Value();
            return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
@@ -251,7 +252,7 @@ const Quantities<InvolutePair>& sliding_velocity_quantities() {
            [](double across, double) { return across; });
         at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
            [](double, double along) { return along; });
-        at("total", "[at A, at C, at E]; resultant of the two",
+        at("total", "[at A, at C, at E]; resultant of `across_teeth` and `along_teeth`",
            [](double across, double along) { return std::hypot(across, along); });
       });
   return kAll;
@@ -261,10 +262,10 @@ const Quantities<Efficiency>& efficiency_quantities() {
   using E = Efficiency;
   static const Quantities<E> kAll("pair.efficiency", [](Quantities<E>& q) {
     q.number("gear1_drives", "efficiency, gear 1 driving", "η",
-             "power out over power in; null if self-locking", &E::gear1_drives)
+             "output power divided by input power; null if self-locking", &E::gear1_drives)
         .unit(Unit::percent);
     q.number("gear2_drives", "efficiency, gear 2 driving", "η",
-             "power out over power in; null if self-locking", &E::gear2_drives)
+             "output power divided by input power; null if self-locking", &E::gear2_drives)
         .unit(Unit::percent);
   });
   return kAll;
@@ -274,15 +275,16 @@ const Quantities<InternalMargins>& internal_quantities() {
   using M = InternalMargins;
   static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
-    q.number("involute_margin_mm", "involute: start of the path above the pinion's form point", "",
-             "[T2.27]; negative if the tip reaches below it; null without such a limit",
-             &M::involute);
+    q.number(
+        "involute_margin_mm", "involute: start of the path above the pinion's form point", "",
+        "[T2.27]; negative if the tip reaches below that point; null if there is no such limit",
+        &M::involute);
     q.number("trochoid_margin_deg", "trochoid: tips pass each other", "",
-             "[T2.28], of sharp tips without backlash; negative if they collide; null without such "
-             "a limit",
+             "[T2.28]; for sharp tips without backlash; negative if the tips collide; null if "
+             "there is no such limit",
              &M::trochoid);
     q.number("trimming_margin_deg", "trimming: radial assembly", "",
-             "[T2.28]; negative if only axial mounting is possible; null without such a limit",
+             "[T2.28]; negative if only axial mounting is possible; null if there is no such limit",
              &M::trimming);
   });
   return kAll;
@@ -291,15 +293,15 @@ const Quantities<InternalMargins>& internal_quantities() {
 const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
   static const Quantities<I> kAll("pair.interference", [](Quantities<I>& q) {
-    q.text("code", "a fixed word for programs", [](const I& i) {
+    q.text("code", "fixed word for programs", [](const I& i) {
        return to_string(i.code);
      }).always();
-    q.term("gear", "the gear whose root or tip is affected; null for both",
+    q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.number("amount", "amount", "",
-             "mm; rad for `trochoid`; < 0 for an interference of this amount", &I::amount)
+             "in mm, for `trochoid` in rad; negative if the parts interfere", &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
-    q.text("message", "one sentence for people", &I::message).always();
+    q.text("message", "sentence for users", &I::message).always();
   });
   return kAll;
 }
@@ -310,32 +312,34 @@ const Quantities<Collision>& collision_quantities() {
     return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
   };
   static const Quantities<S> kAll("pair.strike", [at](Quantities<S>& q) {
-    q.text("cause", "a fixed word for programs", [](const S& s) {
+    q.text("cause", "fixed word for programs", [](const S& s) {
        return to_string(s.cause);
      }).always();
-    q.term("gear", "the gear with the affected root or the projecting tip; null for both",
+    q.term("gear", "gear with the affected root or the projecting tip; null for both gears",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
-             "along the common normal: depth of an overlap in the middle of the play; for contact "
-             "beyond the flank, distance before the flanks meet",
+             "depth of an overlap along the common normal, in the middle of the play; for contact "
+             "beyond the flank, the remaining distance between the flanks",
              &S::depth)
         .always();
-    q.text("arcs", "of gear 1 and of gear 2, named as in `outline`", at([](const OutlineTouch& t) {
+    q.text("arcs", "touching arcs of gear 1 and gear 2, named as in `outline`",
+           at([](const OutlineTouch& t) {
              return Value(ValueList{std::string(to_string(t.places[0].arc)),
                                     std::string(to_string(t.places[1].arc))});
            }))
         .list({2});
-    q.flag("corners", "in the corner", "that ends the arc, of gear 1 and of gear 2",
+    q.flag("corners", "in the corner", "true if the end of the arc touches, for gear 1 and gear 2",
            at([](const OutlineTouch& t) {
              return Value(ValueList{t.places[0].corner, t.places[1].corner});
            }))
         .list({2});
-    q.number("rotation1_deg", "rotation of gear 1", "", "there, within half a pitch",
+    q.number("rotation1_deg", "rotation of gear 1", "",
+             "rotation of gear 1 at the contact, within half a pitch",
              at([](const OutlineTouch& t) { return Angle::radians(t.rotation_1).deg(); }));
     q.term("point_mm", "in the housing frame",
            at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), t.height); }))
         .list({3});
-    q.text("message", "one sentence for people", &S::message).always();
+    q.text("message", "sentence for users", &S::message).always();
   });
   return kAll;
 }

@@ -65,7 +65,7 @@ bool flanks_meet(const V& v) {
   return p && p->flanks_meet();
 }
 
-// The angle of each gear on its side of the rack, rad.
+// The requested angle of each gear, on its side of the rack.
 Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
   const auto& sides = p.mesh.rack.sides;
   return degrees({sides[0].*angle, sides[1].*angle});
@@ -86,7 +86,8 @@ std::array<double, 2> pitch_line_velocity(const V& v) {
 void say_mounting(Quantities<V>& q) {
   q.under(kMounting);
   auto of_involutes = q.part(as<InvolutePair>);
-  q.word("kind", "kind of pair", "how the axes lie", [](const V& v) { return to_string(v.kind()); })
+  q.word("kind", "kind of pair", "position of the axes",
+         [](const V& v) { return to_string(v.kind()); })
       .always()
       .one_of({"parallel_external", "parallel_internal", "crossed"})
       .doors(kJson);
@@ -94,13 +95,13 @@ void say_mounting(Quantities<V>& q) {
   q.term("shaft_angle_deg", "0 on parallel axes", &V::shaft_angle).always().shown(is<CrossedPair>);
   q.term("center_distance_mm", "as mounted", &V::center_distance).always();
   q.number("reference_center_distance_mm", "reference centre distance", "a_d",
-           "from the reference diameters",
+           "computed from the reference diameters",
            [](const V& v) { return v.mounted().reference_center_distance; })
       .always();
   of_involutes
       .term("backlash_free_center_distance_mm",
-            "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null if "
-            "there is none",
+            "for the teeth as cut, including allowances [T2.20], for crossed axes at this Σ "
+            "[T4.11]; null if there is no such distance",
             &InvolutePair::backlash_free_center_distance)
       .expected();
   of_involutes.number("extended_center_distance_mm", "extended centre distance", "",
@@ -108,7 +109,7 @@ void say_mounting(Quantities<V>& q) {
                       &InvolutePair::extended_center_distance);
   q.term(
        "working_normal_pressure_angle_deg",
-       "of circular arcs the racks' normal angle at the contact",
+       "for circular arcs, normal angle of the racks at the contact",
        by_kind([](const InvolutePair& p) { return Value(deg(p.mesh.rack.normal_pressure_angle)); },
                [](const ArcPair& p) {
                  return p.contacts.empty() ? Value() : Value(p.first_contact().at.theta.deg());
@@ -135,14 +136,14 @@ void say_mounting(Quantities<V>& q) {
            [](const V& v) { return working_pitch_diameter(v); })
       .per_gear();
   q.term("pitch_line_velocity_m_per_s",
-         "per gear, on the working pitch cylinder; with `speed_rpm` only; equal for both gears on "
-         "parallel axes",
+         "per gear, on the working pitch cylinder; equal for both gears on parallel axes; only "
+         "with `speed_rpm`",
          [](const V& v) { return pitch_line_velocity(v); })
       .per_gear()
       .when([](const V& v) { return v.mounted().speed_rpm.has_value(); });
   of_involutes
       .number("pitch_plane_distance_mm", "distance of the pitch planes", "X",
-              "as mounted, backlash or not; 0 on parallel axes",
+              "as mounted, including backlash; 0 on parallel axes",
               [](const InvolutePair& p) { return p.mesh.pitch_plane_distance; })
       .shown(is<CrossedPair>);
 }
@@ -160,12 +161,12 @@ void say_crossed(Quantities<V>& all) {
            [](const CrossedPair& p) { return p.face_widths.both_flanks; })
       .per_gear()
       .shown(flanks_meet);
-  q.record<two_gears>(
-       "face_interval_mm",
-       "[at A, at E]: where on the face the leading flanks touch, from its middle [T4.20]",
-       [](const CrossedPair& p) {
-         return each_gear(p.face_widths.interval[0], p.face_widths.interval[1]);
-       })
+  q.record<two_gears>("face_interval_mm",
+                      "[at A, at E]: axial position at which the leading flanks touch, from the "
+                      "middle of the face [T4.20]",
+                      [](const CrossedPair& p) {
+                        return each_gear(p.face_widths.interval[0], p.face_widths.interval[1]);
+                      })
       .doors(kJson)
       .when(is<InvolutePair>);
   all.under(kContact);
@@ -178,11 +179,12 @@ void say_crossed(Quantities<V>& all) {
       .when(is<InvolutePair>);
   all.under("Minimum centre distance, free of backlash");
   q.record<place_quantities>("minimum_center_distance",
-                             "of the teeth as cut [T4.15]; null if the teeth are too thin",
+                             "place of the minimum centre distance for the teeth as cut [T4.15]; "
+                             "null if the teeth are too thin",
                              &CrossedPair::min_distance);
   all.under("Contact ratio of 1 and more, free of backlash");
   q.record<places_quantities>("contact_ratio_range",
-                              "where AE ≥ p_bn [T4.23]; null if there is no such place",
+                              "places with AE ≥ p_bn [T4.23]; null if there is no such place",
                               &CrossedPair::contact_ratio_range);
 }
 
@@ -191,8 +193,8 @@ void say_contact(Quantities<V>& q) {
   auto of_involutes = q.part(as<InvolutePair>);
   auto of_crossed = q.part(as<CrossedPair>);
   q.term("contact_ratio",
-         "ε_α + ε_β, crossed AE/p_bn; 0 when the teeth do not meet; of circular arcs ε_β times the "
-         "points of contact per tooth",
+         "ε_α + ε_β, for crossed axes AE/p_bn, for circular arcs ε_β times the points of contact "
+         "per tooth; 0 if the teeth do not meet",
          &V::contact_ratio)
       .always()
       .shown([](const V& v) { return !is<CrossedPair>(v); });
@@ -203,16 +205,18 @@ void say_contact(Quantities<V>& q) {
       .doors(kPeople);
   of_crossed
       .number("contact_ratio_crossed_true", "effective contact ratio", "",
-              "the path clipped to the usable flanks and faces", &CrossedPair::contact_ratio_true)
+              "for the path clipped to the usable flanks and faces",
+              &CrossedPair::contact_ratio_true)
       .doors(kPeople);
-  q.term("transverse_contact_ratio", "tip form circle to tip form circle; null on crossed axes",
+  q.term("transverse_contact_ratio",
+         "from tip form circle to tip form circle; null on crossed axes",
          by_kind([](const ParallelPair& p) { return Value(p.transverse_contact_ratio()); },
                  [](const CrossedPair&) { return Value(); },
                  [](const ArcPair&) { return Value(0.0); }))
       .shown(is<InvolutePair>);
   q.term("contact_ratio_true",
-         "the path clipped to the usable flanks [T2.19], of crossed pairs to the faces too; 0 if "
-         "nothing of it remains",
+         "for the path clipped to the usable flanks [T2.19], and for crossed axes to the faces "
+         "too; 0 if nothing of the path remains",
          by_kind([](const InvolutePair& p) { return Value(p.contact_ratio_true()); },
                  [](const ArcPair& p) {
                    return p.contacts.empty() ? Value() : Value(p.contact_ratio_true());
@@ -220,7 +224,7 @@ void say_contact(Quantities<V>& q) {
       .shown(is<ParallelPair>);
   q.part(as<ParallelPair>)
       .number("transverse_contact_ratio_true", "effective transverse contact ratio", "",
-              "the path clipped to the usable flanks",
+              "for the path clipped to the usable flanks",
               [](const ParallelPair& p) { return p.mesh.true_ratio; })
       .doors(kPeople);
   q.term("overlap_ratio", "null on crossed axes",
@@ -231,20 +235,19 @@ void say_contact(Quantities<V>& q) {
   q.part(as<ArcPair>)
       .number(
           "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-          "circular arcs only: the smallest common face width with a contact point at all times",
+          "smallest common face width with a contact point at all times; only for circular arcs",
           [](const ArcPair& p) { return p.face_for_contact; })
       .when();
   q.under(kContact);
-  q.record<line_quantities>(
-       "line_of_action",
-       "for circular arcs, the path of the contact point over the common face; null without "
-       "contact",
-       [](const V& v) { return record_value(line_quantities(), line_of(v)); })
+  q.record<line_quantities>("line_of_action",
+                            "line of action, or for circular arcs the path of the contact point "
+                            "over the common face; null without contact",
+                            [](const V& v) { return record_value(line_quantities(), line_of(v)); })
       .shown(is<InvolutePair>);
   of_involutes
       .number(
           "base_tangent_distance_mm", "distance of the base tangent points", "N",
-          "in the transverse section [T2.14]; crossed: L, along the common normal [T4.19]",
+          "in the transverse section [T2.14]; for crossed axes L, along the common normal [T4.19]",
           [](const InvolutePair& p) { return p.mesh.base_tangent_distance / p.mesh.line_cosine; })
       .doors(kJson)
       .when();
@@ -255,9 +258,9 @@ void say_contact(Quantities<V>& q) {
       .when();
   q.record<collision_quantities>(
        "overlap",
-       "overlap of the bodies in the middle of the backlash, deepest first [T2.34], on crossed "
-       "axes of tips and roots [T4.33]; null if not computed (circular arcs of unequal lead, an "
-       "internal gear whose cutter is not given)",
+       "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34], on "
+       "crossed axes overlaps of tips and roots [T4.33]; null if they were not computed (circular "
+       "arcs of unequal lead, an internal gear without a given cutter)",
        [](const V& v) {
          const auto& overlap = v.mounted().overlap;
          return overlap ? Value(collision_quantities().each(*overlap)) : Value();
@@ -265,15 +268,15 @@ void say_contact(Quantities<V>& q) {
       .list({0})
       .doors(kJson);
   q.record<collision_quantities>("beyond_flank",
-                                 "contact on a root or a tip beyond the flank, without overlap",
+                                 "contacts of a root or a tip beyond the flank, without overlap",
                                  [](const V& v) { return v.mounted().beyond_flank; })
       .always()
       .list({0})
       .doors(kJson);
-  q.record<interference_quantities>(
-       "interference",
-       "reasons for an overlap; if overlap is not computed, all findings of circles and corners",
-       [](const V& v) { return interference_of(v); })
+  q.record<interference_quantities>("interference",
+                                    "reasons for an overlap; if `overlap` was not computed, every "
+                                    "interference of circles and corners",
+                                    [](const V& v) { return interference_of(v); })
       .always()
       .list({0})
       .doors(kJson);
@@ -282,28 +285,29 @@ void say_contact(Quantities<V>& q) {
 void say_clearances(Quantities<V>& q) {
   q.under(kClearances);
   q.term("tip_clearance_mm",
-         "tip of gear 1 to root of gear 2, then tip of gear 2 to root of gear 1",
+         "from the tip of gear 1 to the root of gear 2, then from the tip of gear 2 to the root of "
+         "gear 1",
          [](const V& v) { return v.mounted().tip_clearance; })
       .per_gear();
   auto of_involutes = q.part(as<InvolutePair>);
   of_involutes
       .number("contact_root_diameter_mm", "active root diameter", "d_Nf",
-              "per gear, where contact starts; null past the base tangent point",
+              "per gear, diameter at which contact starts; null if contact starts beyond the base "
+              "tangent point",
               &InvolutePair::contact_root_diameter)
       .per_gear()
       .when()
       .expected();
   of_involutes
-      .number(
-          "form_clearance_mm", "form clearance at the root", "c_F",
-          "per gear, (d_Nf − d_Ff)/2 [T2.25]; null past the base tangent point and without a d_Ff",
-          &InvolutePair::form_clearance)
+      .number("form_clearance_mm", "form clearance at the root", "c_F",
+              "per gear, (d_Nf − d_Ff)/2 [T2.25]; null if d_Nf or d_Ff is null",
+              &InvolutePair::form_clearance)
       .per_gear()
       .when()
       .expected();
   q.number(
        "fillet_clearance_mm", "fillet clearance to the mating tip corner", "",
-       "per gear, least distance [T2.26]; null on crossed axes and where no corner gets that deep",
+       "per gear, least distance [T2.26]; null on crossed axes and if no corner reaches the fillet",
        by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
                [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
                [](const ArcPair&) { return Value(); }))
@@ -311,25 +315,26 @@ void say_clearances(Quantities<V>& q) {
       .when(is<InvolutePair>)
       .expected(is<ParallelPair>);
   of_involutes
-      .number("tip_shortening_mm", "tip alteration", "k m_n",
-              "that would keep the racks' clearance [T2.21], ≤ 0 as a rule",
-              &InvolutePair::tip_shortening)
+      .number(
+          "tip_shortening_mm", "tip alteration", "k m_n",
+          "alteration that would keep the clearance of the racks [T2.21]; usually negative or 0",
+          &InvolutePair::tip_shortening)
       .when();
 }
 
 void say_sliding(Quantities<V>& q) {
   q.under(kContact);
-  add_sliding(
-      q,
-      "[at A, at E]: sliding distance per mm of contact travel on the flank. Parallel axes "
-      "[T2.22]: < 0 where the mating gear drags the flank, null at and beyond a base tangent "
-      "point; crossed [T4.25]: of whole velocities, ≥ 0",
-      [](const V& v) -> std::optional<SlidingAtEnds> {
-        const InvolutePair* p = v.involute();
-        if (!p) return std::nullopt;
-        const auto &a = p->sliding_A, &e = p->sliding_E;
-        return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
-      });
+  add_sliding(q,
+              "[at A, at E]: sliding distance per mm that the contact travels on the flank. On "
+              "parallel axes [T2.22], it is negative where the mating gear drags the flank and "
+              "null at and beyond a base tangent point. On crossed axes [T4.25], it is the ratio "
+              "of the magnitudes of the velocities",
+              [](const V& v) -> std::optional<SlidingAtEnds> {
+                const InvolutePair* p = v.involute();
+                if (!p) return std::nullopt;
+                const auto &a = p->sliding_A, &e = p->sliding_E;
+                return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
+              });
 }
 
 // Null on crossed axes.
@@ -338,19 +343,21 @@ void say_parallel(Quantities<V>& all) {
   all.under(kFace);
   q.record<needed_face_quantities>(
        "needed_face_width_mm",
-       "the face for a total contact ratio of 1 and 1.2, and for an overlap of 1 [T6.14]; null "
-       "on crossed axes",
+       "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
+       "null on crossed axes",
        [](const ParallelPair& p) { return needed_face_quantities().of(p); })
       .when(is<InvolutePair>);
   all.under(kContact);
-  q.term("approach_contact_ratio", "before the pitch point, gear 1 driving; null on crossed axes",
+  q.term("approach_contact_ratio",
+         "before the pitch point, with gear 1 driving; null on crossed axes",
          [](const ParallelPair& p) { return approach_and_recess(p)[0]; })
       .when(is<InvolutePair>);
-  q.term("recess_contact_ratio", "after the pitch point, gear 1 driving; null on crossed axes",
+  q.term("recess_contact_ratio", "after the pitch point, with gear 1 driving; null on crossed axes",
          [](const ParallelPair& p) { return approach_and_recess(p)[1]; })
       .when(is<InvolutePair>);
   q.number("axial_force_ratio", "axial over tangential force", "F_z/F_t",
-           "per gear, along +z, while gear 1 drives in its sense [T6.15]; null on crossed axes",
+           "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; null on crossed "
+           "axes",
            [](const ParallelPair& p) { return axial_force(p); })
       .per_gear()
       .when(is<InvolutePair>)
@@ -368,7 +375,7 @@ void say_friction(Quantities<V>& q) {
   of_involutes
       .record<sliding_velocity_quantities>(
           "sliding_velocity_mm_per_rad",
-          "speed of the contact along flank 1 minus that along flank 2, per radian of gear 1 "
+          "speed of the contact along flank 1 minus its speed along flank 2, per radian of gear 1 "
           "[T4.24]",
           [](const InvolutePair& p) { return sliding_velocity_quantities().of(p); })
       .doors(kJson)
@@ -377,9 +384,9 @@ void say_friction(Quantities<V>& q) {
   of_efficiency
       .record<efficiency_quantities>(
           "efficiency",
-          "by friction of the flanks alone [T4.27]; tooth pairs in contact at one time carry equal "
-          "parts of a constant normal force. Null without `friction_coefficient`, and with "
-          "`contact_ratio_true` below 1",
+          "efficiency with friction of the flanks alone [T4.27]. All tooth pairs in contact carry "
+          "equal parts of a constant normal force. Null without `friction_coefficient`, and if "
+          "`contact_ratio_true` is less than 1",
           [](const Efficiency& e) { return efficiency_quantities().of(e); })
       .doors(kJson);
   of_efficiency
@@ -404,19 +411,19 @@ void say(Quantities<V>& q) {
   say_friction(q);
   q.under(kBacklash);
   q.record<backlash_quantities>(
-      "backlash", "of the flanks as cut at this centre distance",
+      "backlash", "backlash of the flanks as cut, at this centre distance",
       [](const V& v) { return record_value(backlash_quantities(), backlash_of(v)); });
   q.under(kMargins);
   q.part(margins_of)
       .record<internal_quantities>(
-          "internal", "internal pairs only",
+          "internal", "margins of internal pairs; absent for other pairs",
           [](const InternalMargins& m) { return internal_quantities().of(m); })
       .when();
   q.under("Point of contact");
   q.part(as<ArcPair>)
       .record<arc_contact_quantities>(
           "arc_contacts",
-          "circular arcs only: the points of contact; empty for gears of unequal lead",
+          "points of contact, only for circular arcs; empty for gears of unequal lead",
           [](const ArcPair& p) { return arc_contacts_of(p); })
       .list({0})
       .when();

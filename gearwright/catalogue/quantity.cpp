@@ -35,7 +35,7 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
     return fmt::format("{}", *whole);
   if (const auto* word = std::get_if<std::string>(&value.variant())) {
     std::string text = *word;
-    // One of some identifiers: "beyond_tip" is printed as two words.
+    // Prints an identifier such as "beyond_tip" as two words.
     if (!info.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
@@ -48,14 +48,14 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
 
 namespace {
 
-// One quantity of records side by side; null if a record lacks it.
+// Values of one quantity in several records; null if a record lacks it.
 struct Across {
   const QuantityInfo* info;
   std::vector<const Member*> members;
 };
 
-// The quantities of all records in their common order. Every record follows one table, so a
-// quantity that a record lacks has the place that it has in the others.
+// The quantities of all records in their common order. All records have the order of one table, so
+// a quantity that one record lacks keeps its place from the other records.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -99,7 +99,8 @@ class Groups {
   std::vector<TextGroup> take() { return std::move(groups_); }
 
  private:
-  // A record's own quantities, under its group. The records of a list follow each other.
+  // The quantities of a record, under the group of the record. The records of a list follow each
+  // other.
   void nest(const Across& a, const std::string& title) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

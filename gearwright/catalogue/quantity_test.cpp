@@ -1,10 +1,10 @@
 // The laws of the catalogue of results.
 //
-//   (1) a key stands once in a record, and ends with its unit where it ends with one at all
-//   (2) words are a term: they begin small and have no full stop; so has no meaning
-//   (3) a value has the type and the lengths that are said of it, and is there where it always is
-//   (4) what a getter gives once, all doors give: no number for people where JSON has null
-//   (5) what several tables call by one key, in the same words and with the same symbol, is a term
+//   (1) a key occurs once in a record, and if it ends with a unit, the unit is the right one
+//   (2) words are a term, which begins with a small letter; words and meaning have no full stop
+//   (3) a value has the declared type and lengths, and a quantity that is always present has a value
+//   (4) all interfaces give the value of the getter: if JSON has null, users see no number
+//   (5) a key that occurs in several tables with the same words and the same symbol is a term
 #include "gearwright/catalogue/quantity.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@
 namespace gearwright {
 namespace {
 
-// Every table, those inside others too.
+// Every table, including tables within tables.
 void collect(const QuantityTable& table, std::set<const QuantityTable*>& all) {
   if (!all.insert(&table).second) return;
   for (const QuantityInfo* s : table.list)
@@ -63,7 +63,7 @@ TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
       for (const Unit u :
            {Unit::mm, Unit::um, Unit::deg, Unit::arcsec, Unit::per_mm, Unit::mm_per_rad}) {
         const bool ends = s->key.ends_with(unit_suffix(u));
-        // "_per_mm" is no length, "_N_per_mm" no curvature.
+        // "_per_mm" is not a length, and "_N_per_mm" is not a curvature.
         const bool longer = (u == Unit::mm && s->key.ends_with("_per_mm")) ||
                             s->key.ends_with("_N_per_mm") || s->key.ends_with("_per_N_mm");
         if (ends && !longer && s->type != Type::record) {
@@ -81,7 +81,7 @@ TEST(Catalogue, SharedWordsAreTerms) {
   std::map<std::pair<Type, std::array<std::string, 3>>, std::set<std::string>> tables;
   for (const QuantityTable* t : all_tables())
     for (const QuantityInfo* s : t->list)
-      // Both tables of stiffness are filled by one function.
+      // One function fills both tables of stiffness.
       if (s->type != Type::record && s->type != Type::text && s->type != Type::map &&
           !t->name.ends_with("stiffness"))
         tables[{s->type, {s->key, s->words, s->symbol}}].insert(t->name);
@@ -110,7 +110,7 @@ TEST(Catalogue, WordsAreTerms) {
   }
 }
 
-// What is wrong with a value of what is said of it, empty if nothing.
+// The difference between a value and its declaration; empty if they agree.
 std::string fault(const QuantityInfo& s, const Value& v, std::size_t depth = 0);
 
 std::string fault_in(const ValueRecord& record) {
@@ -183,8 +183,8 @@ TEST(Catalogue, ValuesAreWhatIsSaidOfThem) {
   }
 }
 
-// A tip circle inside the base circle: there is no involute, and no form diameter. The listing
-// once printed one, JSON and the page did not.
+// A tip circle inside the base circle has no involute and no form diameter. The listing once
+// printed a form diameter, while JSON and the page did not.
 TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
   const SolvedJob job =
       solved("[gear1]\nteeth = 10\nnormal_module_mm = 2\ntip_diameter_mm = 17.5\n");

@@ -21,7 +21,7 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
   return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
 }
 
-// The defaults of the cutter come first. Other keys take precedence.
+// The defaults of the cutter are set first, and other keys replace them.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
 // If the default tip rounding is the full radius, rounding errors must not move it beyond the tip.
@@ -57,22 +57,21 @@ const KeyTable& straight_rack_keys() {
            .with_also({"dedendum_factor"}),
        Key::number("root_fillet_radius", "ρ_fP*", no_or_some_length(" (0 is a sharp corner)"),
                    &StraightRack::root_fillet_radius, "0.38",
-                   "the cutter's tip rounding, which cuts the root fillet; 0 is a sharp corner")
+                   "tip rounding of the cutter, which cuts the root fillet; 0 is a sharp corner")
            .with_also({"fillet_radius", "root_radius", "tip_radius"}),
        Key::number("tip_fillet_radius", "ρ_1*", no_or_some_length(" (0 is none)"),
                    &StraightRack::tip_fillet_radius, "0",
-                   "the cutter's bottom rounding, which cuts a tip fillet"),
+                   "bottom rounding of the cutter, which cuts a tip fillet"),
        Key::number("tool_addendum", "", any_length(), &StraightRack::tool_addendum, "see below",
-                   "height above the datum line at which the cutter's straight flank ends"),
-       Key::number(
-           "semi_topping_angle_deg", "", Range::inside(0, 90), &StraightRack::semi_topping_angle,
-           "none",
-           "a ramp of this pressure angle, greater than α_n, from `tool_addendum` on, which "
-           "cuts a tip chamfer; instead of `tip_fillet_radius`")
+                   "height above the datum line at which the straight flank of the cutter ends"),
+       Key::number("semi_topping_angle_deg", "", Range::inside(0, 90),
+                   &StraightRack::semi_topping_angle, "none",
+                   "pressure angle of a ramp from `tool_addendum` on, which cuts a tip chamfer; "
+                   "greater than α_n; instead of `tip_fillet_radius`")
            .with_needs({"tool_addendum"}),
        Key::number("protuberance", "pr_P*", no_or_some_length(" (0 is none)"),
                    &StraightRack::protuberance, "0",
-                   "protuberance of the cutter's tip beyond its flank, normal to it"),
+                   "protuberance of the cutter tip beyond the flank, in the normal direction"),
        Key::number("protuberance_angle_deg", "α_pr", {}, &StraightRack::protuberance_angle, "10",
                    "pressure angle of the protuberance, greater than 0 and less than α_n")}};
   return table;
@@ -81,28 +80,29 @@ const KeyTable& straight_rack_keys() {
 const KeyTable& arc_rack_keys() {
   static const KeyTable table{
       "rack_circular_arc",
-      "A rack with one circular arc for a flank: F cuts the convex teeth of one gear, P the "
-      "concave ones of its mating gear; lengths in normal modules",
-      {kind("circular_arc", "one circular arc for a flank"),
+      "A rack with one circular arc as flank: F cuts the convex teeth of one gear and P the "
+      "concave teeth of its mating gear; lengths in normal modules",
+      {kind("circular_arc", "one circular arc as flank"),
        Key::word("cutter", {"F", "P"}, KeyPlace::by<ArcRack, ArcRack::Cutter>(set_cutter),
-                 kRequired, "`\"F\"` cuts convex teeth, `\"P\"` concave ones"),
+                 kRequired, "`\"F\"` cuts convex teeth, `\"P\"` cuts concave teeth"),
        Key::number("arc_radius", "ρ*", some_length(), &ArcRack::arc_radius, kRequired,
-                   "radius of the flank's arc [T7.1] [T7.2]"),
+                   "radius of the flank arc [T7.1] [T7.2]"),
        Key::number("center_a", "a*", any_length(), &ArcRack::center_a, kRequired,
-                   "distance of the arc's centre beyond the middle"),
+                   "distance of the arc centre beyond the middle"),
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
-                   "distance of the arc's centre from the pitch plane"),
+                   "distance of the arc centre from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
-                   "the value on the drawing: an error if the arc has no such point, a warning "
-                   "(`pressure_angle`) if the pair touches at an angle that differs by more than "
-                   "0.05° [T7.9]"),
-       Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "F 0.9, P 0",
+                   "pressure angle on the drawing, which is only checked: an error if the arc has "
+                   "no such point, and a warning (`pressure_angle`) if the pair touches at an "
+                   "angle that differs by more than 0.05° [T7.9]"),
+       Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "0.9 for F, 0 for P",
                    "addendum of the tooth above the pitch cylinder"),
-       Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "F 0.3, P 1.05",
+       Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "0.3 for F, 1.05 for P",
                    "depth of the cutter below the datum line"),
        Key::number("root_fillet_radius", "ρ_r*", no_or_some_length(" (0 is a sharp corner)"),
-                   &ArcRack::root_fillet_radius, "F 0.35, P 0.5; the full radius if it is smaller",
-                   "the cutter's tip rounding [T7.4]; at most the full radius [T7.5]")},
+                   &ArcRack::root_fillet_radius,
+                   "0.35 for F, 0.5 for P, or the full radius if it is smaller",
+                   "tip rounding of the cutter [T7.4]; at most the full radius [T7.5]")},
       complete_arc_rack};
   return table;
 }
@@ -116,12 +116,12 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("concave_radius", "ρ_f*", some_length(), &DoubleArcRack::concave_radius,
                    kRequired, "radius of the concave arc"),
        Key::number("concave_height", "x_f*", any_length(), &DoubleArcRack::concave_height,
-                   kRequired, "height of its centre over the datum line"),
+                   kRequired, "height of the arc centre above the datum line"),
        Key::number("space_width", "e_f*", some_length(), &DoubleArcRack::space_width, kRequired,
-                   "width of the space where the concave arc is touched"),
+                   "width of the tooth space at the contact on the concave arc"),
        Key::number("pressure_angle_deg", "α", Range::inside(0, 90, ", usually 24"),
                    &DoubleArcRack::pressure_angle, "24",
-                   "pressure angle where the arcs touch the mating gear's"),
+                   "pressure angle at the contact with the arcs of the mating gear"),
        Key::number("addendum", "h_a*", some_length(), &DoubleArcRack::addendum, "0.9",
                    "addendum of the tooth above the datum line"),
        Key::number("dedendum", "h_f*", some_length(), &DoubleArcRack::dedendum, "1.1",
@@ -129,51 +129,52 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("convex_radius", "ρ_a*", some_length(), &DoubleArcRack::convex_radius, "1.3",
                    "radius of the convex arc"),
        Key::number("convex_height", "x_a*", any_length(), &DoubleArcRack::convex_height, "0.0163",
-                   "height of its centre over the datum line"),
+                   "height of the arc centre above the datum line"),
        Key::number("convex_offset", "l_a*", any_length(), &DoubleArcRack::convex_offset, "0.6289",
-                   "distance of its centre beyond the middle of the tooth"),
+                   "distance of the arc centre beyond the middle of the tooth"),
        Key::number("step_height", "h_ja*", some_length(), &DoubleArcRack::step_height, "0.16",
-                   "height over the datum line at which the step begins"),
+                   "height above the datum line at which the step begins"),
        Key::number("step_depth", "h_jf*", some_length(), &DoubleArcRack::step_depth, "0.2",
-                   "depth under the datum line at which it ends")}};
+                   "depth below the datum line at which the step ends")}};
   return table;
 }
 
 const KeyTable& rack_of_arcs_keys() {
   static const KeyTable table{
       "rack_arcs",
-      "Any chain of arcs from the cutter's tip on; lengths in normal modules",
+      "Any chain of arcs, starting at the cutter tip; lengths in normal modules",
       {kind("arcs", "any chain of arcs"),
        Key::number("addendum", "h_a*", {}, &RackOfArcs::addendum, kRequired,
-                   "addendum of the gear's tooth above the datum line"),
+                   "addendum of the gear tooth above the datum line"),
        Key::number("dedendum", "h_f*", {}, &RackOfArcs::dedendum, kRequired,
                    "depth of the cutter below the datum line"),
        {.key = "arcs",
         .kind = KeyKind::table,
         .list = KeyList{.most = kMaxArcs,
-                        .must = "must be a list of 1 to {} tables, one for each arc, from the "
-                                "cutter's tip on"},
+                        .must = "must be a list of 1 to {} tables, one for each arc, starting at "
+                                "the cutter tip"},
         .place = &RackOfArcs::arcs,
         .required = true,
         .tables = {rack_arc_keys},
-        .meaning = "list of tables, one for each arc, from the cutter's tip on"}}};
+        .meaning = "list of tables, one for each arc, starting at the cutter tip"}}};
   return table;
 }
 
 const KeyTable& rack_arc_keys() {
   static const KeyTable table{
       "rack_arc",
-      "One arc of a rack's edge; lengths in normal modules",
+      "One arc of the edge of a rack; lengths in normal modules",
       {Key::word("part", {"root_fillet", "flank", "joint", "tip_fillet"},
                  KeyPlace::by<RackArc, ArcPart>(set_part), "\"flank\"",
-                 "the part of the tooth that it cuts; a joint lies between two flanks and has no "
+                 "part of the tooth that the arc cuts; a joint lies between two flanks and has no "
                  "contact"),
        Key::number("center_height", "x", {}, &RackArc::center_height, kRequired,
-                   "height of the arc's centre over the datum line"),
+                   "height of the arc centre above the datum line"),
        Key::number("center_offset", "y", {}, &RackArc::center_offset, kRequired,
-                   "distance of the arc's centre from the middle of the tooth"),
-       Key::number("radius", "q", {}, &RackArc::radius, kRequired,
-                   "radius; > 0 cuts a convex part of the tooth, < 0 a concave one, 0 is a corner"),
+                   "distance of the arc centre from the middle of the tooth"),
+       Key::number(
+           "radius", "q", {}, &RackArc::radius, kRequired,
+           "radius; > 0 cuts a convex part of the tooth, < 0 a concave part, and 0 is a corner"),
        Key::number("begin_deg", "τ", {}, &RackArc::begin, kRequired,
                    "normal angle at the root side"),
        Key::number("end_deg", "τ", {}, &RackArc::end, kRequired, "normal angle at the tip side")}};

@@ -13,7 +13,7 @@ const Quantities<RackPair>& rack_backlash_quantities() {
   static const Quantities<V> kAll("rack_pair.backlash", [](Quantities<V>& q) {
     q.term("normal_base_mm", "along the common normal", &V::base_backlash).always();
     q.term("normal_mm", "j_bn/cos α_n", &V::normal_backlash).always();
-    q.term("circumferential_mm", "of the pinion at its reference circle, and along the rack",
+    q.term("circumferential_mm", "for the pinion at its reference circle, and along the rack",
            [](const V& v) {
              const double j = v.circumferential_backlash();
              return Value(std::array{j, j});
@@ -32,37 +32,40 @@ const Quantities<RackPair>& rack_backlash_quantities() {
 
 void say_mounting(Quantities<V>& q) {
   q.under(kMounting);
-  q.word("kind", "kind of pair", "the pair is a pinion and a rack",
+  q.word("kind", "kind of pair", "a pinion and a rack",
          [](const V&) { return Value("rack_and_pinion"); })
       .always()
       .one_of({"rack_and_pinion"})
       .doors(kJson);
-  q.term("gear_ratio", "null, because a rack has no number of teeth per turn", [](const V&) {
+  q.term("gear_ratio", "null, because a rack does not turn", [](const V&) {
      return Value();
    }).doors(kJson);
-  q.term("center_distance_mm", "pinion axis to the datum line of the rack [T2.36]",
+  q.term("center_distance_mm", "from the pinion axis to the datum line of the rack [T2.36]",
          &V::center_distance)
       .always();
   q.number("mounting_distance_mm", "mounting distance", "",
-           "pinion axis to the back of the rack; null without `height_mm`", &V::mounting_distance);
-  q.term("backlash_free_center_distance_mm", "of the teeth as cut, allowances included [T2.36]",
+           "from the pinion axis to the back of the rack; null without `height_mm`",
+           &V::mounting_distance);
+  q.term("backlash_free_center_distance_mm", "for the teeth as cut, including allowances [T2.36]",
          &V::backlash_free_center_distance)
       .always();
   q.number("travel_mm_per_turn", "travel per turn of the pinion", "", "π m_t z",
            &V::travel_per_turn)
       .unit(Unit::mm)
       .always();
-  q.term("working_normal_pressure_angle_deg", "that of the basic rack at every centre distance",
+  q.term("working_normal_pressure_angle_deg",
+         "pressure angle of the basic rack, at every centre distance",
          [](const V& v) { return v.pinion.spec.normal_pressure_angle; })
       .always();
-  q.term("working_transverse_pressure_angle_deg", "that of the basic rack at every centre distance",
+  q.term("working_transverse_pressure_angle_deg",
+         "pressure angle of the basic rack, at every centre distance",
          [](const V& v) { return Angle::radians(v.pinion.reference().transverse_pressure_angle); })
       .always();
   q.number("working_pitch_diameter_mm", "working pitch diameter of the pinion", "d_w",
-           "its reference diameter at every centre distance",
+           "reference diameter of the pinion, at every centre distance",
            [](const V& v) { return v.pinion.reference_diameter; })
       .always();
-  q.term("pitch_line_velocity_m_per_s", "speed of the rack; with `speed_rpm` only", [](const V& v) {
+  q.term("pitch_line_velocity_m_per_s", "speed of the rack; only with `speed_rpm`", [](const V& v) {
      return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM;
    }).when([](const V& v) { return v.speed_rpm.has_value(); });
 }
@@ -73,22 +76,22 @@ void say_contact(Quantities<V>& q) {
      return v.transverse_contact_ratio() + v.overlap_ratio;
    }).always();
   q.term("transverse_contact_ratio",
-         "tip form circle of the pinion to the tip line of the rack [T2.38]",
+         "from the tip form circle of the pinion to the tip line of the rack [T2.38]",
          &V::transverse_contact_ratio)
       .always();
-  q.term("contact_ratio_true", "the path clipped to the usable flanks [T2.39]", [](const V& v) {
+  q.term("contact_ratio_true", "for the path clipped to the usable flanks [T2.39]", [](const V& v) {
      return v.true_contact_ratio() + v.overlap_ratio;
    }).always();
   q.term("overlap_ratio", "over the common face", &V::overlap_ratio).always();
-  q.term("approach_contact_ratio", "before the pitch point, the pinion driving", [](const V& v) {
-     return v.approach / v.base_pitch;
-   }).always();
-  q.term("recess_contact_ratio", "after the pitch point, the pinion driving", [](const V& v) {
+  q.term("approach_contact_ratio", "before the pitch point, with the pinion driving",
+         [](const V& v) { return v.approach / v.base_pitch; })
+      .always();
+  q.term("recess_contact_ratio", "after the pitch point, with the pinion driving", [](const V& v) {
      return v.recess / v.base_pitch;
    }).always();
   add_sliding(q,
-              "[at A, at E]: sliding distance per mm of contact travel on the flank [T2.41]; null "
-              "for the pinion at and beyond its base tangent point",
+              "[at A, at E]: sliding distance per mm that the contact travels on the flank "
+              "[T2.41]; null for the pinion at and beyond its base tangent point",
               [](const V& v) {
                 const auto a = v.specific_sliding(-v.approach), e = v.specific_sliding(v.recess);
                 return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
@@ -101,21 +104,21 @@ void say(Quantities<V>& q) {
   say_contact(q);
   q.under(kBacklash);
   q.record<rack_backlash_quantities>(
-       "backlash", "of the flanks as cut at this centre distance [T2.37]",
+       "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]",
        [](const V& v) -> const auto& { return v; })
       .always();
   q.under(kClearances);
-  q.term(
-       "tip_clearance_mm",
-       "tip of the pinion to root of the rack, then tip of the rack to root of the pinion [T2.40]",
-       &V::tip_clearance)
+  q.term("tip_clearance_mm",
+         "from the tip of the pinion to the root of the rack, then from the tip of the rack to the "
+         "root of the pinion [T2.40]",
+         &V::tip_clearance)
       .per_gear()
       .always();
   q.number("contact_root_diameter_mm", "active root diameter of the pinion", "d_Nf",
-           "where contact starts; null past the base tangent point", &V::contact_root_diameter);
+           "diameter at which contact starts; null if contact starts beyond the base tangent point",
+           &V::contact_root_diameter);
   q.number("form_clearance_mm", "form clearance at the root of the pinion", "c_F",
-           "(d_Nf − d_Ff)/2; null past the base tangent point and without a d_Ff",
-           &V::form_clearance);
+           "(d_Nf − d_Ff)/2; null if d_Nf or d_Ff is null", &V::form_clearance);
 }
 
 }  // namespace
@@ -127,26 +130,27 @@ const Quantities<RackGeometry>& rack_quantities() {
         .always()
         .one_of({"rack"})
         .doors(kJson);
-    q.term("teeth", "null if it is as long as required",
+    q.term("teeth", "null if the rack is as long as required",
            [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
-    q.term("normal_module_mm", "that of the pinion", &R::normal_module).always();
+    q.term("normal_module_mm", "normal module of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",
-           "of the teeth against the pinion axis, of the hand opposite to the pinion's",
+           "angle of the teeth to the pinion axis; its hand is opposite to that of the pinion",
            &R::helix_angle)
         .always();
-    q.term("face_width_mm", "that of the pinion if none is given", &R::face_width).always();
+    q.term("face_width_mm", "as given, or the face width of the pinion", &R::face_width).always();
     q.number("normal_pitch_mm", "normal pitch", "p_n", "π m_n", &R::normal_pitch).always();
-    q.number("transverse_pitch_mm", "transverse pitch", "p_t", "along the travel, π m_n/cos β",
-             &R::transverse_pitch)
+    q.number("transverse_pitch_mm", "transverse pitch", "p_t",
+             "in the direction of travel, π m_n/cos β", &R::transverse_pitch)
         .always();
     q.number("length_mm", "length", "",
-             "n p_t, with half a space at both ends; null without `teeth`", &R::length);
-    q.number("height_mm", "height", "", "from the back to the datum line; null if not given",
+             "n p_t, with half a tooth space at both ends; null without `teeth`", &R::length);
+    q.number("height_mm", "height", "",
+             "from the back of the rack to the datum line; null if not given",
              [](const R& r) { return r.bar.height; });
     q.number("addendum_mm", "addendum", "h_a", "above the datum line", &R::addendum).always();
     q.number("dedendum_mm", "dedendum", "h_f", "below the datum line", &R::dedendum).always();
-    q.term("reference_tooth_thickness_normal_mm", "at the datum line, thickness allowance included",
-           &R::thickness)
+    q.term("reference_tooth_thickness_normal_mm",
+           "at the datum line, including the thickness allowance", &R::thickness)
         .always();
   });
   return kAll;

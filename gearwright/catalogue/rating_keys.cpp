@@ -31,34 +31,35 @@ Key factor(std::string_view key, std::string_view symbol,
                      meaning);
 }
 
-// A number of each gear; a single one applies to both.
+// A number for each gear; a single number applies to both.
 Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
       .with_list(KeyList{2, 2, true})
-      .with_form("one number, or a list of two: gear 1, gear 2");
+      .with_form("one number, or a list of two numbers for gear 1 and gear 2");
 }
 
 std::string set_quality(RatingTable& rating, const std::array<double, 2>& grade) {
   for (const double g : grade)
-    if (g != std::floor(g)) return "must be whole numbers, grades of ISO 1328-1";
+    if (g != std::floor(g)) return "must be whole numbers, which are grades of ISO 1328-1";
   rating.input.quality = {static_cast<int>(grade[0]), static_cast<int>(grade[1])};
   return "";
 }
 
-// In the stiffness of the bodies, both gears have the rim of the thinner one.
+// For the stiffness of the bodies, both gears have the thinner of the two rims.
 void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.input.rim = {rim[0], rim[1]};
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// A load that is given twice must agree. With a spectrum alone, the heaviest step is the load.
+// If power and torque are given, they must agree. If only a spectrum is given, its heaviest step is
+// the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {
     if (in.life_h)
       return KeyFault{"life_h",
-                      "cannot be combined with a spectrum, whose steps have their own hours"};
+                      "cannot be combined with a spectrum, because its steps have their own hours"};
     const LoadBin& worst =
         *std::max_element(rating.spectrum.begin(), rating.spectrum.end(),
                           [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });
@@ -70,11 +71,10 @@ std::optional<KeyFault> complete_load(RatingTable& rating) {
     const double omega = *in.speed * 2 * std::numbers::pi / 60.0;
     const double torque = *rating.power * kWattPerKilowatt / omega;
     if (rating.torque && std::abs(torque - *rating.torque) > 1e-9 * torque) {
-      return KeyFault{
-          "torque_Nm",
-          fmt::format("contradicts power_kW = {}, which is {} N m at this speed; leave one of "
-                      "them out",
-                      format_number(*rating.power), format_number(torque, *rating.torque))};
+      return KeyFault{"torque_Nm", fmt::format("contradicts power_kW = {}, which is {} N m at this "
+                                               "speed; leave out one of the two keys",
+                                               format_number(*rating.power),
+                                               format_number(torque, *rating.torque))};
     }
     rating.torque = torque;
   }
@@ -86,18 +86,19 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
   const bool plastics = rating.input.edition == RatingEdition::vdi_2736;
   if (rating.input.mounting && rating.input.face_load_factor) {
     return KeyFault{"face_load_factor",
-                    "cannot be combined with [rating.mounting], which determines it; leave one of "
-                    "them out"};
+                    "cannot be combined with [rating.mounting], which determines this value; leave "
+                    "out one of the two"};
   }
   if (rating.input.mounting && rating.input.misalignment) {
     return KeyFault{"misalignment_um",
-                    "belongs to the shafts of the gears; [rating.mounting] has its own key "
+                    "is used only with the shafts of the gears; [rating.mounting] has its own key "
                     "misalignment_um"};
   }
   if (given("plastic") && !plastics)
-    return KeyFault{"plastic", "belongs to standard = \"VDI 2736:2014\""};
+    return KeyFault{"plastic", "is used only with standard = \"VDI 2736:2014\""};
   if (!rating.spectrum.empty() && plastics) {
-    return KeyFault{"spectrum", "cannot be used with VDI 2736, whose strengths apply to one life"};
+    return KeyFault{"spectrum",
+                    "cannot be used with VDI 2736, because its strengths apply to one life"};
   }
   return complete_load(rating);
 }
@@ -118,14 +119,15 @@ const KeyTable& rating_keys() {
       "Strength by ISO 6336, method B",
       {Key::word("standard", {"ISO 6336:2006", "ISO 6336:2019", "VDI 2736:2014"},
                  {&R::input, &RatingInput::edition}, "\"ISO 6336:2006\"",
-                 "the edition of ISO 6336-1, -2, -3; or the guideline for plastics")
+                 "edition of ISO 6336-1, -2 and -3, or the guideline for plastics")
            .with_fields({"edition"})
            .with_also({"norm", "edition", "method"}),
-       Key::positive("power_kW", "P", &R::power, "the torque",
-                     "power through the mesh; or the torque")
+       Key::positive("power_kW", "P", &R::power, "from `torque_Nm`",
+                     "power through the mesh; `torque_Nm` can replace it")
            .with_needs({"speed_rpm"})
            .with_also({"power", "p", "kw"}),
-       Key::positive("torque_Nm", "T_1", &R::torque, "the power", "torque on gear 1; or the power")
+       Key::positive("torque_Nm", "T_1", &R::torque, "from `power_kW`",
+                     "torque on gear 1; `power_kW` can replace it")
            .with_also({"torque", "moment", "t"}),
        Key::positive("speed_rpm", "n_1", {&R::input, &RatingInput::speed},
                      "only with a given `dynamic_factor`", "speed of gear 1")
@@ -133,10 +135,10 @@ const KeyTable& rating_keys() {
        factor("application_factor", "K_A", &RatingInput::application_factor, "1",
               "additional load from the driving and the driven machine"),
        factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
-              "greatest load of a mesh over the mean if several meshes share the power, as with "
-              "planets"),
-       Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors of 1",
-                     "hours at this load")
+              "greatest load of a mesh divided by the mean load, if several meshes share the "
+              "power, as with planets"),
+       Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors are 1",
+                     "life in hours at this load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
        Key::flag(
@@ -150,10 +152,11 @@ const KeyTable& rating_keys() {
            .with_also({"viscosity", "oil", "iso_vg", "lubricant"}),
        of_both("quality", "Q", Range::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
                KeyPlace::by<R, std::array<double, 2>>(set_quality),
-               "`quality` of the gears; not needed if the dynamic and transverse load factors are "
-               "given",
-               "accuracy grades of ISO 1328-1, of 1995 for the edition of 2006, else of 2013")
-           .with_form("one whole number, or a list of two: gear 1, gear 2")
+               "`quality` of the gears; not required if the dynamic and transverse load factors "
+               "are given",
+               "accuracy grades of ISO 1328-1, by the edition of 1995 for ISO 6336 of 2006, "
+               "otherwise by the edition of 2013")
+           .with_form("one whole number, or a list of two whole numbers for gear 1 and gear 2")
            .with_also({"accuracy", "grade", "iso1328"}),
        of_both("flank_roughness_um", "Rz_H", Range::between(0.01, 1000),
                {&R::input, &RatingInput::flank_roughness}, "Z_R = 1",
@@ -163,7 +166,7 @@ const KeyTable& rating_keys() {
                {&R::input, &RatingInput::root_roughness}, "Y_RrelT = 1", "Rz of the root fillets")
            .with_also({"root_rz"}),
        Key::not_negative("tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
-                         "the relief after running-in; none from grade 6 on",
+                         "the relief after running-in; no relief from grade 6 on",
                          "tip relief, for the dynamic factor of grades 0 to 5"),
        of_both("rim_thickness_mm", "s_R", Range::positive(),
                KeyPlace::by<R, std::array<double, 2>>(set_rims), "a thick rim",
@@ -176,7 +179,7 @@ const KeyTable& rating_keys() {
        Key::flag("limited_pitting",
                  KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
                  "false",
-                 "if true, some pitting is permitted, with the corresponding line of Z_NT"),
+                 "if true, some pitting is permitted and Z_NT follows the corresponding line"),
        Key::number("life_factor_end", "", Range::between(0.85, 1),
                    KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
                    "0.85",
@@ -184,41 +187,41 @@ const KeyTable& rating_keys() {
                    "lubrication"),
        factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
               "from `[rating.mounting]` or the shafts of the gears",
-              "face load factor of the flank, given"),
+              "given face load factor of the flank"),
        Key::not_negative("misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment},
                          "√(f_Hβ1² + f_Hβ2²)",
                          "mesh misalignment from manufacture, with `[gear1.shaft]` or "
                          "`[gear2.shaft]`"),
        factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
-              "face load factor of the root, given"),
+              "given face load factor of the root"),
        factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "by formula",
-              "dynamic factor, given"),
+              "given dynamic factor"),
        factor("transverse_load_factor", "K_Hα", &RatingInput::transverse_load_factor, "by formula",
-              "transverse load factor of the flank, given"),
+              "given transverse load factor of the flank"),
        factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
-              "by formula", "transverse load factor of the root, given"),
-       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none; 1 is used",
+              "by formula", "given transverse load factor of the root"),
+       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none, so that 1 is used",
                      "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
-       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none; 1 is used",
+       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none, so that 1 is used",
                      "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
-       Key::flag(
-           "tooth_contact", &R::tooth_contact, "false",
-           "if true, also computes Hertz pressure and root stress of the teeth under T_1 K_A K_γ "
-           "K_v, as `load` does with the positions, slices and accuracy of `[load]` (a few "
-           "seconds)")
+       Key::flag("tooth_contact", &R::tooth_contact, "false",
+                 "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "
+                 "computed too, as `load` does with the positions, slices and accuracy of `[load]` "
+                 "(a few seconds)")
            .with_also({"loaded_contact", "compare_load"}),
        {.key = "spectrum",
         .kind = KeyKind::table,
-        .list = KeyList{.most = kMaxLoadBins,
-                        .must = "must be a list of 1 to {} tables, one for each step, "
-                                "[[rating.spectrum]]"},
+        .list =
+            KeyList{
+                .most = kMaxLoadBins,
+                .must = "must be a list of 1 to {} tables [[rating.spectrum]], one for each step"},
         .place = &R::spectrum,
         .tables = {load_bin_keys},
         .fallback = "one load for the whole life",
-        .meaning = "steps of the load with their hours, each a table; the safeties by Miner's rule "
-                   "with K_A = 1"},
+        .meaning = "steps of the load with their hours, each as a table; safeties are computed by "
+                   "Miner's rule with K_A = 1"},
        Key::part("material", material_keys, &R::material,
                  "material of gears without a `material` table"),
        Key::part("mounting", rating_mounting_keys, {&R::input, &RatingInput::mounting},
@@ -239,7 +242,7 @@ const KeyTable& rating_plastic_keys() {
        of_both("root_temperature_C", "ϑ_Fu", Range::between(-100, 400), &P::root_temperature,
                "from the friction", "temperature of the roots"),
        Key::number("ambient_temperature_C", "ϑ_0", Range::between(-100, 400),
-                   &P::ambient_temperature, "", "temperature of the air, or oil, around the gears")
+                   &P::ambient_temperature, "", "temperature of the air or oil around the gears")
            .with_also({"ambient"}),
        Key::number("friction_coefficient", "μ", Range::between(0, 1), &P::friction, "",
                    "coefficient of friction of the flanks")
@@ -259,7 +262,7 @@ const KeyTable& rating_plastic_keys() {
            .with_fields({"flank_heat_transfer"}),
        Key::not_negative("heat_transfer_root", "k_ϑ,Fu", &P::root_heat_transfer,
                          "2148 for two plastics, 895 with metal",
-                         "heat transfer of the roots, in the same unit")
+                         "heat transfer of the roots, K (m/s)^0.75 mm^1.75/W")
            .with_fields({"root_heat_transfer"})}};
   return table;
 }
@@ -270,7 +273,7 @@ const KeyTable& load_bin_keys() {
       "One step of the load",
       {Key::positive("torque_Nm", "T_1", &LoadBin::torque, kRequired, "torque on gear 1"),
        Key::positive("speed_rpm", "n_1", &LoadBin::speed, kRequired, "speed of gear 1"),
-       Key::positive("duration_h", "", &LoadBin::hours, kRequired, "how long")
+       Key::positive("duration_h", "", &LoadBin::hours, kRequired, "duration")
            .with_fields({"hours"})}};
   return table;
 }
@@ -281,14 +284,15 @@ const KeyTable& rating_mounting_keys() {
       "rating_mounting",
       "Position of the pinion between its bearings, for K_Hβ without helix modification",
       {Key::positive("bearing_span_mm", "l", &P::bearing_span, kRequired,
-                     "distance of the pinion's bearings"),
-       Key::not_negative("pinion_offset_mm", "s", &P::offset, "0",
-                         "from the middle of the bearings to the middle of the pinion's face"),
+                     "distance of the pinion bearings"),
+       Key::not_negative(
+           "pinion_offset_mm", "s", &P::offset, "0",
+           "distance from the middle of the bearings to the middle of the pinion face"),
        Key::positive("shaft_diameter_mm", "d_sh", &P::shaft_diameter, kRequired,
-                     "outside diameter of the pinion's shaft"),
+                     "outside diameter of the pinion shaft"),
        Key::word("arrangement", {"a", "b", "c", "d", "e"}, &P::arrangement, "\"a\"",
-                 "of the standard's figure of K': a, b torque from the near or the far side, c "
-                 "overhung, d and e with a second pinion"),
+                 "arrangement in the figure of the standard for K': a and b for torque from the "
+                 "near or the far side, c for an overhung pinion, d and e for a second pinion"),
        Key::flag("stiffening", &P::stiffening, "true",
                  "true if the pinion is integral with its shaft or shrunk onto it"),
        Key::not_negative("misalignment_um", "f_ma", &P::manufacture, "√(f_Hβ1² + f_Hβ2²)",

@@ -18,7 +18,7 @@ constexpr const char* kGeneral = "General influence, ISO 6336-1";
 constexpr const char* kFlank = "Flank, ISO 6336-2";
 constexpr const char* kRoot = "Root, ISO 6336-3";
 
-// A factor of the rating: of the pair (`of`), or of each gear (`each`).
+// A factor of the rating, either for the pair (`of`) or for each gear (`each`).
 struct FactorEntry {
   const char *group, *key, *words, *symbol;
   Unit unit;
@@ -165,7 +165,7 @@ double ratio(const V& v) {
 
 void say_inputs(Quantities<V>& q) {
   q.under("");
-  q.word("standard", "standard", "and its edition", [](const V& v) {
+  q.word("standard", "standard", "standard with its edition", [](const V& v) {
      return name(v.rating.edition);
    }).always();
   q.under(kLoad);
@@ -173,19 +173,21 @@ void say_inputs(Quantities<V>& q) {
     const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
     return power > 0 ? Value(power) : Value();
   });
-  q.number("torque_Nm", "torque", "T", "of the nominal load", [](const V& v) {
+  q.number("torque_Nm", "torque", "T", "for the nominal load", [](const V& v) {
      return std::array{v.input.torque, v.input.torque * ratio(v)};
    }).per_gear();
-  q.term("speed_rpm", "null where none is given", [](const V& v) {
+  q.term("speed_rpm", "null if no speed is given", [](const V& v) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
   q.under(kMaterial);
-  q.add(Type::text, "material", "material", "", "by name or kind", [](const V& v) {
-     ValueList names;
-     for (const Material& m : v.input.materials)
-       names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
-     return Value(names);
-   }).per_gear();
+  q.add(Type::text, "material", "material", "", "name, or kind if there is no name",
+        [](const V& v) {
+          ValueList names;
+          for (const Material& m : v.input.materials)
+            names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
+          return Value(names);
+        })
+      .per_gear();
   q.number("sigma_Hlim_MPa", "allowable contact stress number", "σ_Hlim",
            "of the reference test gears",
            [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
@@ -197,11 +199,11 @@ void say_inputs(Quantities<V>& q) {
       .per_gear()
       .digits(0);
   q.under(kGeneral);
-  q.number("f_pb_um", "base pitch deviation", "f_pb", "of the accuracy grade",
+  q.number("f_pb_um", "base pitch deviation", "f_pb", "for the accuracy grade",
            [](const V& v) { return tolerance(v, &Tolerances::f_pb); })
       .per_gear()
       .digits(1);
-  q.number("f_falpha_um", "profile form deviation", "f_fα", "of the accuracy grade",
+  q.number("f_falpha_um", "profile form deviation", "f_fα", "for the accuracy grade",
            [](const V& v) { return tolerance(v, &Tolerances::f_falpha); })
       .per_gear()
       .digits(1);
@@ -210,7 +212,7 @@ void say_inputs(Quantities<V>& q) {
 void say_section(Quantities<V>& q) {
   using C = CriticalSection;
   q.under(kRoot);
-  q.number("h_F_mm", "bending moment arm", "h_F", "above the critical section",
+  q.number("h_F_mm", "bending moment arm", "h_F", "distance of the load from the critical section",
            [](const V& v) { return section(v, &C::h_F); })
       .per_gear()
       .digits(3);
@@ -227,7 +229,7 @@ void say_section(Quantities<V>& q) {
            [](const V& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
       .per_gear()
       .digits(3);
-  q.number("d_en_mm", "diameter of that point", "d_en", "of the virtual spur gear",
+  q.number("d_en_mm", "diameter of that point", "d_en", "on the virtual spur gear",
            [](const V& v) { return section(v, &C::d_en); })
       .per_gear()
       .digits(3);
@@ -240,37 +242,37 @@ Value of_spectrum(const V& v, std::array<double, 2> SpectrumRating::*member) {
 void say_spectrum(Quantities<V>& q) {
   using S = SpectrumRating;
   q.under(kWhole);
-  q.number(
-       "damage_flank", "damage of the flanks", "U_H",
-       "by Miner's rule, 1 at failure; null without a spectrum, or if a step exceeds the static "
-       "strength",
-       [](const V& v) { return of_spectrum(v, &S::damage_flank); })
+  q.number("damage_flank", "damage of the flanks", "U_H",
+           "by Miner's rule; 1 means failure; null without a spectrum, or if a step exceeds the "
+           "static strength",
+           [](const V& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
-  q.number("damage_root", "damage of the roots", "U_F", "the same",
+  q.number("damage_root", "damage of the roots", "U_F", "as for the flanks",
            [](const V& v) { return of_spectrum(v, &S::damage_root); })
       .per_gear()
       .digits(4);
-  q.number("S_H_spectrum", "safety against pitting", "S_H", "of the whole spectrum",
+  q.number("S_H_spectrum", "safety against pitting", "S_H", "for the whole spectrum",
            [](const V& v) { return of_spectrum(v, &S::S_H); })
       .per_gear()
       .digits(3);
-  q.number("S_F_spectrum", "safety against root breakage", "S_F", "of the whole spectrum",
+  q.number("S_F_spectrum", "safety against root breakage", "S_F", "for the whole spectrum",
            [](const V& v) { return of_spectrum(v, &S::S_F); })
       .per_gear()
       .digits(3);
   q.under(kSizing);
-  q.number(
-      "torque_holding_Nm", "greatest torque", "T_1",
-      "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, or "
-      "1 if they are absent; null if there is none",
-      &V::torque_holding);
+  q.number("torque_holding_Nm", "greatest torque", "T_1",
+           "greatest torque on gear 1 that satisfies the safeties `safety_flank_min` and "
+           "`safety_root_min`, or 1 if they are absent; null if there is no such torque",
+           &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
-           "with the same safeties, up to 40 modules; null if there is none", &V::face_holding)
+           "least face width with the same safeties, up to 40 modules; null if there is no such "
+           "face width",
+           &V::face_holding)
       .digits(2);
 }
 
-// A number of the loaded teeth divided by that of the standard.
+// Stresses of the teeth under load, divided by the stresses of the standard.
 Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
@@ -294,7 +296,7 @@ void say_contact(Quantities<V>& q) {
       .digits(3)
       .when(asked);
   q.number("contact_root_stress_MPa", "greatest root stress", "σ_1",
-           "the greatest principal stress at the surface of the root",
+           "greatest principal stress at the surface of the root",
            [](const V& v) { return v.contact->root_stress; })
       .per_gear()
       .when(asked);
@@ -304,13 +306,13 @@ void say_contact(Quantities<V>& q) {
       .digits(3)
       .when(asked);
   q.number("contact_face_load_factor", "face load factor of the contact", "K_Hβ",
-           "the greatest load of a slice over the mean, mean of the positions",
+           "greatest load of a slice divided by the mean load, averaged over the positions",
            [](const V& v) { return v.contact->face_load_factor; })
       .digits(3)
       .when(asked);
 }
 
-// For plastics only. A rating by ISO 6336 does not have these rows and keys.
+// Temperatures exist only for plastics. A rating by ISO 6336 does not have these rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void say_temperatures(Quantities<V>& q) {
@@ -322,10 +324,10 @@ void say_temperatures(Quantities<V>& q) {
   };
   q.under(kMaterial);
   q.number("flank_temperature_C", "temperature of the flanks", "ϑ_Fla",
-           "by VDI 2736, or as given; of plastic gears", of(&ToothTemperatures::flank))
+           "by VDI 2736, or as given; only for plastic gears", of(&ToothTemperatures::flank))
       .per_gear()
       .when(by_vdi);
-  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu", "the same",
+  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu", "as for the flanks",
            of(&ToothTemperatures::root))
       .per_gear()
       .when(by_vdi);
@@ -353,18 +355,19 @@ void say(Quantities<V>& q) {
   }
   say_spectrum(q);
   say_contact(q);
-  q.add(Type::map, "formulas", "formulas", "",
-        "clause of the standard and branch of each factor: {key: {formula, branch}}",
-        [](const V& v) {
-          ValueMap all;
-          for (const FactorSource& s : factor_sources(v.rating)) {
-            ValueList branches(s.branches.begin(), s.branches.end());
-            all.emplace_back(s.key, ValueMap{{"formula", Value(s.formula)},
-                                             {"branch", branches.size() == 1 ? branches.front()
-                                                                             : Value(branches)}});
-          }
-          return Value(all);
-        })
+  q.add(
+       Type::map, "formulas", "formulas", "",
+       "clause of the standard and branch of the formula for each factor, {key: {formula, branch}}",
+       [](const V& v) {
+         ValueMap all;
+         for (const FactorSource& s : factor_sources(v.rating)) {
+           ValueList branches(s.branches.begin(), s.branches.end());
+           all.emplace_back(s.key, ValueMap{{"formula", Value(s.formula)},
+                                            {"branch", branches.size() == 1 ? branches.front()
+                                                                            : Value(branches)}});
+         }
+         return Value(all);
+       })
       .always()
       .doors(kJson);
 }

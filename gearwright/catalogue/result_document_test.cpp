@@ -1,4 +1,5 @@
-// The result tables of docs/spec.md say what the catalogue says. GW_WRITE_DOCS=1 writes them anew.
+// The tables of results in docs/spec.md agree with the catalogue. GW_WRITE_DOCS=1 writes them
+// again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ namespace {
 
 constexpr const char* kDocument = "docs/spec.md";
 
-// A word's values, then the meaning: "tip diameter, of the blank".
+// The words and the meaning, with the values of a word: "tip diameter; of the blank".
 std::string meaning_of(const QuantityInfo& s) {
   std::string text = s.words == s.key ? "" : s.words;
   if (!s.meaning.empty()) text += (text.empty() ? "" : "; ") + s.meaning;
@@ -43,7 +44,7 @@ std::string meaning_of(const QuantityInfo& s) {
   return text;
 }
 
-// Tables of their own; records of other tables stand inside the row that holds them.
+// Tables with a heading of their own. Other records are described in the row that contains them.
 const std::map<std::string, const QuantityTable*>& blocks() {
   static const std::map<std::string, const QuantityTable*> kBlocks{
       {"gear", &gear_quantities().table()},
@@ -79,7 +80,7 @@ const std::map<std::string, const QuantityTable*>& blocks() {
   return kBlocks;
 }
 
-// What a record holds is said once in a table, where it first stands.
+// A table describes the contents of a record only at its first occurrence.
 void add_rows(std::string& text, const QuantityTable& table, const std::string& before,
               std::set<const QuantityTable*>& written) {
   for (const QuantityInfo* s : table.list) {
@@ -109,7 +110,7 @@ TEST(ResultDocument, TablesAreTheCatalogues) {
   }
 }
 
-// A pair and a gear may have warnings of one word: `contact_lost`.
+// A pair and a gear can have warnings with the same word, `contact_lost`.
 TEST(ResultDocument, CodesAreTheWarnings) {
   std::string text = "| code | level | meaning |\n|---|---|---|\n";
   for (const WarningMeaning& m : warning_meanings()) {

@@ -29,23 +29,22 @@ Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& ra
 std::optional<KeyFault> check_scatter(S& s, const KeyGiven&) {
   if ((s.samples & (s.samples - 1)) != 0)
     return KeyFault{"samples",
-                    "must be a power of two, 1024 or 2048 for example; with another number the "
-                    "points do not fill the ranges evenly"};
+                    "must be a power of two, for example 1024 or 2048, because any other number of "
+                    "points fills the ranges unevenly"};
   const long long all = static_cast<long long>(s.samples) * s.replicates;
   if (all <= kMaxScatterSamples) return std::nullopt;
-  return KeyFault{"samples", fmt::format("samples times replicates must be at most {}; here they "
-                                         "are {}",
-                                         kMaxScatterSamples, all)};
+  return KeyFault{"samples",
+                  fmt::format("samples times replicates must be at most {}, but the product is {}",
+                              kMaxScatterSamples, all)};
 }
 
 std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
   if (!r.range) return std::nullopt;
   const auto [lo, hi] = *r.range;
   if (lo <= 0.0 && hi >= 0.0 && lo < hi) return std::nullopt;
-  return KeyFault{
-      "range",
-      "must contain 0 and another value, because the case without a correction must be among the "
-      "choices; [0, 20] for example"};
+  return KeyFault{"range",
+                  "must contain 0 and another value, for example [0, 20], because the case without "
+                  "a correction must be possible"};
 }
 
 }  // namespace
@@ -57,49 +56,51 @@ const KeyTable& scatter_keys() {
       {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &S::samples, "1024",
                    "samples of each replicate, a power of two"),
        Key::number("replicates", "R", KeyRange::between(1, 1024), &S::replicates, "8",
-                   "independent replicates, which give the error of every number; samples times "
-                   "replicates at most 524 288"),
+                   "number of independent replicates, which determine the error of every result; "
+                   "samples times replicates at most 524 288"),
        Key::number("seed", "", KeyRange::between(0, kMaxWholeInput), &S::seed, "1",
-                   "another seed draws other samples, the same seed the same ones"),
+                   "seed of the random numbers; the same seed always gives the same samples"),
        Key::word("sampling", {"sobol", "random"}, &S::sampling, "\"sobol\"",
                  "scrambled Sobol points [T14.5], or plain random numbers"),
        Key::number("percentiles", "", KeyRange::inside(0, 100), &S::percentiles, "[5, 50, 95]",
-                   "the percentiles of each quantity")
+                   "percentiles that are computed for each quantity")
            .with_list(KeyList{.most = 100, .single = true}),
        Key::number("confidence", "", KeyRange::inside(0, 1), &S::confidence, "0.95",
                    "confidence level of the intervals"),
        Key::flag("indices", &S::indices, "false",
-                 "if true, computes first and total Sobol indices of each input [T14.10], for "
-                 "(inputs + 2) times the work"),
+                 "if true, first and total Sobol indices of each input are computed [T14.10], "
+                 "which multiplies the work by (inputs + 2)"),
        Key::flag("worst_case", &S::worst_case, "false",
-                 "if true, searches the greatest peak to peak and the least play within all ranges "
-                 "[T14.15]"),
-       Key::flag(
-           "loosening", &S::loosening, "false",
-           "if true, computes how far each tolerance may grow until the greatest of `percentiles` "
-           "of the peak to peak has grown by 5 %, and which one to tighten first [T14.19]"),
+                 "if true, the greatest peak to peak and the least play within all ranges are "
+                 "searched [T14.15]"),
+       Key::flag("loosening", &S::loosening, "false",
+                 "if true, the result shows the factor by which each tolerance can grow until the "
+                 "greatest of `percentiles` of the peak to peak has grown by 5 %, and the "
+                 "tolerance to tighten first [T14.19]"),
        Key::flag(
            "loaded", &S::loaded, "false",
-           "if true, computes loaded transmission error, pressure and face load factor of the "
-           "first 256 / `replicates` samples of each replicate under the torques of [load], "
-           "over its positions or 16; pitch deviations have no effect there [T14.24]"),
-       Key::number(
-           "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
-           "ISO 1328 grade, one for both gears or two, which gives the tolerances that are not "
-           "given below: f_Hα, f_Hβ, waves of f_fα and f_fβ, and the pitches of each gear, the "
-           "axes by ISO/TR 10064-3, and the centre distance by `[pair] "
-           "center_distance_tolerance` [T14.23]")
+           "if true, loaded transmission error, pressure and face load factor are computed for the "
+           "first 256 / `replicates` samples of each replicate, under the torques of [load] and "
+           "over its positions or 16; pitch deviations have no effect on them [T14.24]"),
+       Key::number("quality", "A", KeyRange::between(0, 12), &S::quality,
+                   "`[gearN.tolerance] quality`",
+                   "grade of ISO 1328 for both gears, or two grades. It determines the tolerances "
+                   "that are not given below: f_Hα, f_Hβ, the waves of f_fα and f_fβ and the "
+                   "pitches of each gear, the axes by ISO/TR 10064-3, and the centre distance by "
+                   "`[pair] center_distance_tolerance` [T14.23]")
            .with_list(KeyList{.least = 1, .most = 2, .single = true}),
        Key::part("errors", scatter_error_keys, {}, "ranges of the keys of [errors]"),
        Key::part("bearings", scatter_bearing_keys, {},
-                 "bores in circles, instead of the centre distance and the shaft deviations"),
+                 "positions of the bores in circles, instead of the centre distance and the shaft "
+                 "deviations"),
        Key::part("gear1", scatter_gear_keys, {}, "ranges of the teeth of gear 1"),
-       Key::part("gear2", scatter_gear_keys, {}, "the same of gear 2"),
+       Key::part("gear2", scatter_gear_keys, {}, "as for gear 1"),
        {.key = "groups",
         .kind = KeyKind::any,
         .form = "a table of names, each with a list of inputs: { housing = "
                 "[\"errors.crossing_deg\", \"errors.center_distance_mm\"] }",
-        .meaning = "inputs that `indices` treats as one; an input in no group is one of its own"},
+        .meaning = "groups of inputs that `indices` treats as one input; an input without a group "
+                   "is a group of its own"},
        Key::part("robust", scatter_robust_keys, &S::robust,
                  "corrections that minimise a percentile of the peak to peak")},
       check_scatter};
@@ -120,11 +121,11 @@ const KeyTable& scatter_bearing_keys() {
   using B = ScatterBearings;
   static const KeyTable table{
       "scatter_bearings",
-      "The bores of axis 1 against those of axis 2, each anywhere in a circle [T14.12]",
+      "The bores of axis 1 relative to the bores of axis 2, each anywhere in a circle [T14.12]",
       {Key::positive("span_mm", "L", &B::span, kRequired, "distance of the bearings of a shaft"),
        Key::not_negative("radius_mm", "R", &B::radius, kRequired, "radius of the circle"),
        Key::number("offset_mm", "c", {}, &B::offset, "0",
-                   "place of the gears on the shaft, from the middle of the span towards +z")}};
+                   "position of the gears on the shaft, from the middle of the span towards +z")}};
   return table;
 }
 
@@ -140,24 +141,27 @@ const KeyTable& scatter_gear_keys() {
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},
-        .meaning = "the pitches of the teeth vary within F_pT and f_ptT of the grade [T14.20]"},
+        .meaning = "grade of the pitch deviations, which vary within its F_pT and f_ptT [T14.20]"},
        Key::number("profile_waves", "", KeyRange::between(1, 100), &G::profile_waves,
                    "[1, 4] with a grade",
-                   "least and greatest number of waves of the profile form over the usable flank, "
-                   "f_fαT of the grade high [T14.21]")
+                   "least and greatest number of waves of the profile form over the usable flank; "
+                   "the waves are f_fαT of the grade high [T14.21]")
            .with_list(kWaves),
        Key::number("helix_waves", "", KeyRange::between(1, 100), &G::helix_waves,
-                   "[1, 4] with a grade", "the same of the helix form over the face, f_fβT high")
+                   "[1, 4] with a grade",
+                   "least and greatest number of waves of the helix form over the face; the waves "
+                   "are f_fβT of the grade high")
            .with_list(kWaves),
        Key::part("modifications", scatter_modification_keys, {},
-                 "ranges of modifications, of both flanks")}};
+                 "ranges of modifications, for both flanks")}};
   return table;
 }
 
 const KeyTable& scatter_modification_keys() {
   static const KeyTable table = [] {
     static std::deque<std::string> names;
-    KeyTable t{"scatter_modifications", "Ranges of amounts, added to [gearN.modifications]", {}};
+    KeyTable t{
+        "scatter_modifications", "Ranges of amounts, which are added to [gearN.modifications]", {}};
     for (const ModificationEntry& m : modification_entries())
       t.keys.push_back(toleranced(names.emplace_back(std::string(m.name) + "_um"), m.symbol,
                                   KeyRange::between(-5000, 5000), m.words));
@@ -171,16 +175,16 @@ const KeyTable& scatter_robust_keys() {
   static const KeyTable table{
       "scatter_robust",
       "Corrections for a percentile of the peak-to-peak transmission error [T14.18]",
-      {Key::word("corrections", correction_words(), &R::corrections, "those of `[compensate]`",
-                 "those that may be made, each as `[compensate]` has it and added to what the spec "
-                 "has")
+      {Key::word(
+           "corrections", correction_words(), &R::corrections, "corrections of `[compensate]`",
+           "allowed corrections, as in `[compensate]`; each is added to the value in the spec")
            .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
                    "the percentile to minimise"),
-       Key::number("range", "", KeyRange::between(-1000, 1000), &R::range,
-                   "the ranges of `[compensate]`",
-                   "least and greatest value of every correction, in its unit; 0 lies between them")
+       Key::number(
+           "range", "", KeyRange::between(-1000, 1000), &R::range, "ranges of `[compensate]`",
+           "least and greatest value of every correction, in its unit; the range must contain 0")
            .with_list(KeyList{.least = 2, .most = 2, .order = kLowerFirst})},
       check_robust};
   return table;
@@ -191,17 +195,19 @@ const KeyTable& scatter_range_keys() {
   static const KeyTable table{
       "scatter_range",
       "A toleranced number [T14.1]",
-      {Key::number("range", "l, h", {}, &D::range, kRequired, "the least and the greatest value")
+      {Key::number("range", "l, h", {}, &D::range, kRequired, "least and greatest value")
            .with_list(KeyList{.least = 2, .most = 2}),
        Key::word("distribution", {"uniform", "triangular", "normal", "beta"}, &D::kind,
                  "\"uniform\"",
-                 "how it is distributed over the range; a normal distribution is cut at the range"),
+                 "distribution over the range; a normal distribution is truncated at the ends of "
+                 "the range"),
        Key::number("cpk", "C_pk", {}, &D::cpk, "1",
-                   "of a normal distribution: the mean lies 3 C_pk standard deviations inside the "
-                   "range"),
+                   "process capability of a normal distribution, whose mean lies 3 C_pk standard "
+                   "deviations inside the range"),
        Key::number("offset", "", {}, &D::offset, "0",
-                   "of a normal distribution: the mean off the middle of the range"),
-       Key::number("shape", "p, q", {}, &D::shape, "[1, 1]", "of a beta distribution")
+                   "offset of the mean of a normal distribution from the middle of the range"),
+       Key::number("shape", "p, q", {}, &D::shape, "[1, 1]",
+                   "shape parameters of a beta distribution")
            .with_list(KeyList{.least = 2, .most = 2})}};
   return table;
 }

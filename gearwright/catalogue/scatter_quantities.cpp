@@ -28,7 +28,7 @@ Value listed(const std::vector<Estimate>& all, bool error) {
 const Quantities<SpreadView>& error_quantities() {
   using S = SpreadView;
   static const Quantities<S> kAll("scatter.standard_errors", [](Quantities<S>& q) {
-    q.number("mean", "standard error of the mean", "", "null of one replicate", [](const S& s) {
+    q.number("mean", "standard error of the mean", "", "null for one replicate", [](const S& s) {
       const auto& e = s.spread->mean.standard_error;
       return e ? Value(s.entry->shown(*e)) : Value();
     });
@@ -50,7 +50,7 @@ const Quantities<IndexView>& index_quantities() {
   static const Quantities<I> kAll("scatter.index", [](Quantities<I>& q) {
     const auto list = [&q](const char* key, const char* words, const char* symbol, bool total,
                            bool error) {
-      q.number(key, words, symbol, "by input or group",
+      q.number(key, words, symbol, "for each input or group",
                [total, error](const I& i) {
                  return listed(total ? i.estimates->total : i.estimates->first, error);
                })
@@ -67,7 +67,7 @@ const Quantities<IndexView>& index_quantities() {
 
 const Quantities<V>& indices_quantities() {
   static const Quantities<V> kAll("scatter.indices", [](Quantities<V>& q) {
-    q.text("groups", "order of the lists: inputs or groups",
+    q.text("groups", "inputs or groups in the order of the lists",
            [](const V& v) {
              ValueList names;
              for (const ToleranceGroup& g : v.task->groups) names.emplace_back(g.name);
@@ -77,7 +77,7 @@ const Quantities<V>& indices_quantities() {
         .always();
     for (const ScatterEntry& entry : scatter_entries()) {
       const auto at = static_cast<std::size_t>(entry.quantity);
-      q.record<index_quantities>(entry.key, "null where it varies by rounding only",
+      q.record<index_quantities>(entry.key, "null if the quantity varies only by rounding",
                                  [at](const V& v) {
                                    const auto& found = v.scatter->indices[at];
                                    return found ? Value(index_quantities().of({&*found})) : Value();
@@ -93,8 +93,8 @@ const Quantities<WorstView>& worst_quantities() {
     q.number("value", "worst value", "", "in the unit of its key", [](const W& w) {
        return w.entry->shown(w.worst->value);
      }).always();
-    q.add(Type::map, "at", "where", "", "by input, in its unit", &W::at).always();
-    q.flag("corner", "corner", "every input is at an end of its range",
+    q.add(Type::map, "at", "where", "", "values of the inputs in their units", &W::at).always();
+    q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
   });
   return kAll;
@@ -117,14 +117,16 @@ const Quantities<V>& worsts_quantities() {
 const Quantities<V>& probabilities_quantities() {
   static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
     q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches somewhere",
+         "edge_contact", "an edge of a tooth touches at some position",
          [](const V& v) -> const auto& { return v.scatter->edge_contact; })
         .always();
     q.record<probability_quantities>(
-         "jam", "least play < 0", [](const V& v) -> const auto& { return v.scatter->jam; })
+         "jam", "the least play is negative",
+         [](const V& v) -> const auto& { return v.scatter->jam; })
         .always();
     q.record<probability_quantities>(
-         "contact_lost", "at some position no teeth touch; left out of the distributions",
+         "contact_lost",
+         "no teeth touch at some position; these samples are not in the distributions",
          [](const V& v) -> const auto& { return v.scatter->contact_lost; })
         .always();
   });
@@ -135,13 +137,13 @@ const Quantities<JudgedView>& judged_quantities() {
   using J = JudgedView;
   static const Quantities<J> kAll("scatter.robust judged", [](Quantities<J>& q) {
     const auto arcsec = [](double rad) { return Value(Angle::radians(rad).arcsec()); };
-    q.number("percentile_arcsec", "percentile of the peak to peak", "", "that which is minimised",
+    q.number("percentile_arcsec", "percentile of the peak to peak", "", "minimised percentile",
              [arcsec](const J& j) {
                return arcsec(RobustCorrections::percentile(*j.scatter).estimate.value);
              })
         .always();
-    q.number("standard_error_arcsec", "its standard error", "", "from the replicates [T14.9]",
-             [arcsec](const J& j) {
+    q.number("standard_error_arcsec", "its standard error", "",
+             "computed from the replicates [T14.9]", [arcsec](const J& j) {
                const auto& e = RobustCorrections::percentile(*j.scatter).estimate.standard_error;
                return e ? arcsec(*e) : Value();
              });
@@ -149,7 +151,7 @@ const Quantities<JudgedView>& judged_quantities() {
        return Value(spread_quantities().of(j.peak_to_peak));
      }).always();
     q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches somewhere",
+         "edge_contact", "an edge of a tooth touches at some position",
          [](const J& j) { return Value(probability_quantities().of(j.scatter->edge_contact)); })
         .always();
   });
@@ -160,24 +162,26 @@ const Quantities<RobustView>& robust_quantities() {
   using R = RobustView;
   static const Quantities<R> kAll("scatter.robust", [](Quantities<R>& q) {
     q.record<correction_quantities>(
-         "corrections", "what was found; every value is 0 if none lowers the percentile",
+         "corrections",
+         "corrections that were found; every value is 0 if no correction lowers the percentile",
          [](const R& r) { return Value(correction_quantities().each(r.corrections)); })
         .list({0})
         .always();
-    q.number("percentile", "percentile", "p", "that which is minimised", [](const R& r) {
+    q.number("percentile", "percentile", "p", "minimised percentile", [](const R& r) {
        return Value(r.percent);
      }).always();
-    q.record<judged_quantities>("before", "without corrections, by samples of the next seed",
+    q.record<judged_quantities>("before",
+                                "without corrections, computed with samples of the next seed",
                                 [](const R& r) { return Value(judged_quantities().of(r.before)); })
         .always();
-    q.record<judged_quantities>("after", "with them, by the same samples", [](const R& r) {
-       return Value(judged_quantities().of(r.after));
-     }).always();
+    q.record<judged_quantities>("after", "with the corrections, computed with the same samples",
+                                [](const R& r) { return Value(judged_quantities().of(r.after)); })
+        .always();
   });
   return kAll;
 }
 
-// A tolerance with the effect of loosening or tightening it.
+// A tolerance, and the effect of loosening or tightening it.
 struct LooseningView {
   const std::string* input;
   const Loosening::Change* change;
@@ -186,7 +190,7 @@ struct LooseningView {
 const Quantities<LooseningView>& change_quantities() {
   using L = LooseningView;
   static const Quantities<L> kAll("scatter.loosening input", [](Quantities<L>& q) {
-    q.text("input", "the tolerance", [](const L& l) { return Value(*l.input); }).always();
+    q.text("input", "name of the tolerance", [](const L& l) { return Value(*l.input); }).always();
     q.number(
         "factor", "factor until the percentile has grown by 5 %", "",
         "null if the percentile grows by less than 5 % at every factor up to 8 for which the teeth "
@@ -203,14 +207,14 @@ const Quantities<V>& loosening_quantities() {
     q.number("percentile", "percentile", "", "the greatest of `percentiles`", [](const V& v) {
        return Value(v.scatter->loosening->percent);
      }).always();
-    q.number("percentile_arcsec", "its value as it is", "",
-             "of the first replicate, whose samples all lines have in common",
+    q.number("percentile_arcsec", "present percentile", "",
+             "for the first replicate, whose samples all rows share",
              [](const V& v) {
                return Value(Angle::radians(v.scatter->loosening->percentile).arcsec());
              })
         .always();
     q.record<change_quantities>(
-         "tolerances", "by input",
+         "tolerances", "effect of each tolerance",
          [](const V& v) {
            std::vector<LooseningView> list;
            for (std::size_t i = 0; i < v.inputs.size(); ++i)
@@ -220,7 +224,7 @@ const Quantities<V>& loosening_quantities() {
         .list({0})
         .always();
     q.text("tighten_first",
-           "the input that lowers the percentile most if it is halved; null if none does",
+           "input whose halved tolerance lowers the percentile most; null if no input lowers it",
            [](const V& v) {
              const auto& first = v.scatter->loosening->tighten_first;
              return first ? Value(v.inputs[*first]) : Value();
@@ -230,7 +234,7 @@ const Quantities<V>& loosening_quantities() {
 }
 
 void say(Quantities<V>& q) {
-  q.text("inputs", "what varies, in order",
+  q.text("inputs", "names of the inputs that vary, in order",
          [](const V& v) {
            ValueList names;
            for (const std::string& name : v.inputs) names.emplace_back(name);
@@ -254,38 +258,38 @@ void say(Quantities<V>& q) {
      }).doors(kJson);
   }
   q.record<probabilities_quantities>(
-       "probability", "of events, with the interval of Clopper and Pearson",
+       "probability", "probabilities of events, with the interval of Clopper and Pearson",
        [](const V& v) -> const auto& { return v; })
       .always()
       .doors(kJson);
   q.record<indices_quantities>(
-       "indices", "Sobol indices of each quantity; with `indices` only",
+       "indices", "Sobol indices of each quantity; only with `indices`",
        [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.task->indices; })
       .doors(kJson);
   q.record<worsts_quantities>(
-       "worst", "the worst within all ranges; with `worst_case` only",
+       "worst", "worst values within all ranges; only with `worst_case`",
        [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.task->worst_case; })
       .doors(kJson);
   q.record<loosening_quantities>("loosening",
-                                 "how far each tolerance may grow; with `loosening` only",
+                                 "factor by which each tolerance may grow; only with `loosening`",
                                  [](const V& v) { return Value(loosening_quantities().of(v)); })
       .when([](const V& v) { return v.scatter->loosening.has_value(); })
       .doors(kJson);
   q.record<loaded_spread_quantities>(
-       "loaded", "under each torque of `[load]`; with `loaded` only",
+       "loaded", "results under each torque of `[load]`; only with `loaded`",
        [](const V& v) { return Value(loaded_spread_quantities().each(v.loaded)); })
       .list({0})
       .when([](const V& v) { return v.task->load.has_value(); })
       .doors(kJson);
   q.record<robust_quantities>("robust",
-                              "corrections for a percentile; with `[scatter.robust]` only",
+                              "corrections for a percentile; only with `[scatter.robust]`",
                               [](const V& v) { return Value(robust_quantities().of(*v.robust)); })
       .when([](const V& v) { return v.robust.has_value(); })
       .doors(kJson);
   q.add(Type::map, "spec", "spec", "",
-        "the whole spec with the corrections in it; with `[scatter.robust]` only",
+        "the whole spec with the corrections; only with `[scatter.robust]`",
         [](const V& v) { return v.robust->spec; })
       .when([](const V& v) { return v.robust.has_value(); })
       .doors(kJson);
@@ -299,22 +303,22 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "transmission error, peak to peak of the continuous curve [T14.11]"},
        Q::peak_to_peak},
       {{"harmonic1_arcsec", "transmission error, 1st harmonic", Unit::arcsec, 4,
-        "its first harmonic, as in `contact`"},
+        "first harmonic of the transmission error, as in `contact`"},
        Q::harmonic1},
       {{"harmonic2_arcsec", "transmission error, 2nd harmonic", Unit::arcsec, 4,
-        "its second harmonic"},
+        "second harmonic of the transmission error"},
        Q::harmonic2},
       {{"harmonic3_arcsec", "transmission error, 3rd harmonic", Unit::arcsec, 4,
-        "its third harmonic"},
+        "third harmonic of the transmission error"},
        Q::harmonic3},
       {{"mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
-        "its mean, which includes the play: a phase without effect on noise"},
+        "mean of the transmission error, which includes the play and has no effect on noise"},
        Q::mean},
       {{"contact_along_face", "contact along the face", Unit::none, 4,
-        "mean place of the contact along the face, −1 to 1 [T8.24]"},
+        "mean position of the contact along the face, −1 to 1 [T8.24]"},
        Q::along_face},
       {{"contact_along_profile", "contact along the profile", Unit::none, 4,
-        "mean place of the contact along the profile [T8.24]; of circular-arc pairs, else null"},
+        "mean position of the contact along the profile [T8.24]; null for involute pairs"},
        Q::along_profile},
       {{"edge_share", "positions with an edge in contact", Unit::none, 4,
         "share of the positions of a pitch at which an edge touches, 0 to 1"},
@@ -325,7 +329,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
        Q::least_play},
       {{"long_period_arcsec", "transmission error until the same teeth meet again", Unit::arcsec, 3,
         "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "
-        "with `pitch` only, else null"},
+        "null without `pitch`"},
        Q::long_period},
   }};
   return entries;
@@ -350,7 +354,7 @@ const Quantities<SpreadView>& spread_quantities() {
     q.number("standard_deviation", "standard deviation", "", "", [](const S& s) {
        return s.entry->shown(s.spread->standard_deviation.value);
      }).always();
-    q.number("percentiles", "percentiles", "", "those of `percentiles`",
+    q.number("percentiles", "percentiles", "", "values of the requested `percentiles`",
              [](const S& s) {
                return listed(s.spread->percentiles, *s.entry,
                              [](const Percentile& p) { return std::optional(p.estimate.value); });
@@ -370,7 +374,7 @@ const Quantities<SpreadView>& spread_quantities() {
              })
         .list({0});
     q.record<error_quantities>(
-         "standard_errors", "from the replicates [T14.9]",
+         "standard_errors", "computed from the replicates [T14.9]",
          [](const S& s) -> const auto& { return s; })
         .always();
     q.number("least", "least of all samples", "", "", [](const S& s) {
@@ -380,7 +384,8 @@ const Quantities<SpreadView>& spread_quantities() {
        return s.entry->shown(s.spread->greatest);
      }).always();
     q.add(Type::map, "samples", "samples", "",
-          "the sample next to each percentile: `errors` as in a spec, and other inputs as added",
+          "sample next to each percentile: `errors` as in a spec, and the increments of the other "
+          "inputs",
           &S::samples)
         .list({0})
         .always();
@@ -392,7 +397,7 @@ const Quantities<Probability>& probability_quantities() {
   using P = Probability;
   static const Quantities<P> kAll("scatter probability", [](Quantities<P>& q) {
     q.number("value", "share of the samples", "", "", &P::value).always();
-    q.add(Type::index, "count", "samples in which it is so", "", "", [](const P& p) {
+    q.add(Type::index, "count", "samples with the event", "", "", [](const P& p) {
        return static_cast<long long>(p.count);
      }).always();
     q.add(Type::index, "of", "all samples", "", "", [](const P& p) {

@@ -13,11 +13,11 @@ namespace {
 using Range = KeyRange;
 using P = SearchProblem;
 
-constexpr std::size_t kMaxValues = 100'000;  // of one list
-constexpr double kMinShiftStep = 0.0025;     // half a million points of a wide region
-constexpr ListOrder kBandOrder{.sentence =
-                                   "is an empty band; nothing lies between {} and {}; write the "
-                                   "least value first"};
+constexpr std::size_t kMaxValues = 100'000;  // of a list
+constexpr double kMinShiftStep = 0.0025;     // gives half a million points for a wide region
+constexpr ListOrder kBandOrder{
+    .sentence =
+        "is an empty band, because nothing lies between {} and {}; write the least value first"};
 constexpr KeyList kBand{.most = 2, .single = true, .order = kBandOrder};
 constexpr KeyList kNumbers{1, kMaxValues, true};
 
@@ -50,7 +50,7 @@ std::string_view objective_called(std::string_view word) {
   return row == kCalled.end() ? std::string_view() : row->objective;
 }
 
-// A number among the limits: a least or a greatest value, or a margin.
+// A key of a limit, which is a least value, a greatest value or a margin.
 template <class V>
 Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLimits::*member,
           std::string_view fallback, std::string_view meaning) {
@@ -63,7 +63,7 @@ Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLi
 std::string set_shaft_angle(SearchProblem& problem, double sigma_deg) {
   if (sigma_deg == 0.0) return "";
   if (!(std::abs(sigma_deg) >= 0.1))
-    return "must be 0 (parallel axes) or lie between 0.1 and 178, of either sign";
+    return "must be 0 (parallel axes) or between 0.1 and 178, with either sign";
   problem.shaft_angle = Angle::degrees(sigma_deg);
   return "";
 }
@@ -76,13 +76,14 @@ void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
 std::vector<Key> trial_keys() {
   return {
       Key::number("ratio", "u", {}, &P::ratio, kRequired,
-                  "the band of z2/z1, [1.9, 2.1]; z2 ≥ z1; negative for internal pairs, [-5, -4]")
+                  "band of z2/z1, for example [1.9, 2.1], with z2 ≥ z1; negative for internal "
+                  "pairs, for example [-5, -4]")
           .with_list(kBand)
-          .with_form(std::string("z2/z1, one number") + kBandForm),
+          .with_form(std::string("a number, z2/z1") + kBandForm),
       Key::number("pinion_teeth", "z1", Range::between(3, kMaxSearchTeeth), &P::pinion_teeth,
-                  "[12, 40]", "the band of z1; wheels have at most 20 000 teeth")
+                  "[12, 40]", "band of z1; wheels have at most 20 000 teeth")
           .with_list(kBand)
-          .with_form(std::string("z1, a whole number") + kBandForm)
+          .with_form(std::string("a whole number, z1") + kBandForm)
           .with_also({"teeth", "z"}),
       {.key = "modules_mm",
        .symbol = "m_n",
@@ -94,12 +95,12 @@ std::vector<Key> trial_keys() {
        .meaning = "normal modules",
        .fields = {"modules"}},
       Key::positive("center_distance_mm", "a", &P::center_distance, "free",
-                    "centre distance; one number: exactly that")
+                    "centre distance; one number is the exact distance")
           .with_list(kBand)
           .with_form(std::string("a distance in mm") + kBandForm),
       Key::number("helix_angle_deg", "β", Range::inside(-89, 89), {},
-                  "that of `[gear1]`, else 0; crossed: half the shaft angle",
-                  "helix angle of gear 1; a band includes its ends")
+                  "helix angle of `[gear1]`, otherwise 0; for crossed axes half the shaft angle",
+                  "helix angle of gear 1, or a closed band")
           .with_list(kBand)
           .with_form(std::string("an angle") + kBandForm)
           .with_fields({"helix"}),
@@ -107,17 +108,17 @@ std::vector<Key> trial_keys() {
           .with_needs({"helix_angle_deg"})
           .with_fields({"helix"}),
       Key::number("helix_angles_deg", "", Range::inside(-89, 89), {}, "",
-                  "a list of helix angles instead")
+                  "list of helix angles, instead of the two keys above")
           .with_list(kNumbers)
           .with_form("a list of angles")
           .with_excludes({"helix_angle_deg"})
           .with_fields({"helix"}),
       Key::number("shaft_angle_deg", "Σ", Range::inside(-178, 178),
                   KeyPlace::by<P, double>(set_shaft_angle), "0",
-                  "shaft angle of crossed axes, 0.1 to 178 of either sign, or 0 for parallel axes; "
-                  "gear 2 has β2 = Σ − β1"),
+                  "shaft angle of crossed axes, 0.1 to 178 with either sign, or 0 for parallel "
+                  "axes; gear 2 has β2 = Σ − β1"),
       Key::word("racks", {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}, {},
-                "those of `[gear1]`, `[gear2]`; else α_n 20°, h_aP* 1, h_fP* 1.25",
+                "racks of `[gear1]` and `[gear2]`, otherwise α_n 20°, h_aP* 1, h_fP* 1.25",
                 "racks to try, each for both gears")
           .with_list(KeyList{1, 4})
           .with_form("a list of names, [\"ISO53-A\", \"ISO53-C\"]")};
@@ -126,109 +127,111 @@ std::vector<Key> trial_keys() {
 std::vector<Key> limit_keys() {
   return {
       Key::number("profile_shift", "x", {}, KeyPlace::by<P, std::array<double, 2>>(set_shifts),
-                  "those two alone",
+                  "only undercut and tip thickness",
                   "lower and upper limit of x1 and x2, in addition to undercut and tip thickness")
           .with_list({.most = 2,
                       .order = kBandOrder,
                       .must = "must be a band [lower limit, upper limit], because a search "
-                              "determines the shifts"})
+                              "determines the profile shifts"})
           .with_form(std::string("floor and ceiling of x") + kBandForm)
           .with_fields({"limits.min_shift", "limits.max_shift"}),
       Key::number("undercut_depth", "h_F", Range::between(0, 3), {},
-                  "of the rack if one is given, h_fP* − ρ_fP*(1 − sin α_n), else 1",
-                  "depth of the rack's straight edge in modules: 1 for a rounded tip, 1.25 for a "
-                  "sharp one")
+                  "h_fP* − ρ_fP*(1 − sin α_n) of the given rack, otherwise 1",
+                  "depth of the straight edge of the rack in modules: 1 for a rounded tip, 1.25 "
+                  "for a sharp tip")
           .with_fields({"racks.undercut_depth"}),
       limit("undercut_margin", "", Range::between(-5, 5), &SearchLimits::undercut_margin, "0",
-            "x ≥ the undercut limit plus this"),
+            "least difference between x and its undercut limit"),
       limit("tip_thickness_min", "s_an", Range::between(0, 1.5), &SearchLimits::tip_thickness,
             "0.2", "least normal tip thickness, in modules"),
       limit("contact_ratio_min", "ε_α", Range::between(0, 10), &SearchLimits::contact_ratio, "1.2",
-            "least transverse contact ratio, of Eq. 10 and of the path clipped to the "
-            "usable flanks; crossed: of AE"),
+            "least transverse contact ratio, by Eq. 10 and for the path clipped to the usable "
+            "flanks; for crossed axes AE/p_bn"),
       limit("overlap_ratio_min", "ε_β", Range::between(0, 1000), &SearchLimits::overlap_ratio,
-            "none", "least overlap ratio, with the face width"),
+            "none", "least overlap ratio"),
       limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding, "none",
-            "greatest specific sliding at A and E, parallel axes"),
+            "greatest specific sliding at A and E, for parallel axes"),
       limit("tip_clearance_min", "c", Range::between(-1, 1), &SearchLimits::tip_clearance,
             "0.02; none with `interference = \"flag\"`", "least tip clearance, in modules"),
       limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
             "0.02; 0 with `interference = \"flag\"`",
-            "distance of a tip from the start of the mating gear's flank, along the line of "
-            "action, in modules [T9.9]"),
+            "least distance of a tip from the start of the mating flank along the line of action, "
+            "in modules [T9.9]"),
       Key::word("interference", {"exclude", "flag"}, {}, "\"exclude\"",
-                "`\"exclude\"`: a tip may not pass the start of the mating gear's flank [T9.9]; "
-                "shifts with a tip inside its own reference circle are then left out; `\"flag\"`: "
-                "designs with interference are listed too and marked")
+                "`\"exclude\"`: designs in which a tip passes the start of the mating flank are "
+                "excluded [T9.9], and shifts with a tip inside its own reference circle too; "
+                "`\"flag\"`: designs with interference are listed and marked")
           .with_fields({"limits.avoid_interference"}),
-      Key::flag("avoid_interference", {}, "that of `interference`",
-                "the same as a switch: true is `\"exclude\"`, false `\"flag\"`")
+      Key::flag("avoid_interference", {}, "as `interference`",
+                "`interference` as a switch: true is `\"exclude\"`, false is `\"flag\"`")
           .with_fields({"limits.avoid_interference"}),
       limit("safety_flank_min", "S_Hmin", Range::positive(), &SearchLimits::safety_flank,
-            "of `[rating]` if designs are rated, otherwise none",
-            "least safety against pitting of both gears, by `[rating]` and "
-            "`[gearN.material]` as `rate` has it, at the shifts of the design")
+            "as in `[rating]` if designs are rated, otherwise none",
+            "least safety against pitting of both gears at the profile shifts of the design, "
+            "computed as in `rate` with `[rating]` and `[gearN.material]`")
           .with_also({"sh_min", "safety_flank"}),
       limit("safety_root_min", "S_Fmin", Range::positive(), &SearchLimits::safety_root,
-            "of `[rating]` if designs are rated, otherwise none",
-            "least safety against root breakage, likewise")
+            "as in `[rating]` if designs are rated, otherwise none",
+            "least safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
-                "if true, only z1, z2 without a common factor (hunting tooth) are counted")};
+                "if true, only z1 and z2 without a common factor (hunting tooth) are allowed")};
 }
 
 std::vector<Key> design_keys() {
   return {
       Key::word("mounting", {"extended", "tight"}, {},
-                "\"extended\"; of internal pairs and of designs that are drawn \"tight\"",
-                "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"),
+                "\"extended\"; for internal pairs and for designs that are drawn \"tight\"",
+                "`\"extended\"` is a = a_d + m_n Σx; `\"tight\"` is free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
-                "if true, tips are shortened by the clearance that tight centres remove"),
-      Key::positive("face_width_mm", "b", &P::face_width, "of `[gear1]`, else 10 m_n",
-                    "face width of both gears; of a band each design takes the least width with "
-                    "the required safeties and overlap ratio")
+                "if true, tips are shortened by the clearance that a backlash-free centre distance "
+                "removes"),
+      Key::positive("face_width_mm", "b", &P::face_width, "as in `[gear1]`, otherwise 10 m_n",
+                    "face width of both gears; within a band, each design takes the least width "
+                    "with the required safeties and overlap ratio")
           .with_list(kBand)
           .with_form(std::string("a width in mm") + kBandForm),
       Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules,
-                  "10 without other widths", "the same in modules")
+                  "10 if no other width is given", "face width in modules")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
       Key::number("face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
-                  "[0.2, 1] if a safety is required and no other width is given, else none",
-                  "the same in reference diameters of the pinion")
+                  "[0.2, 1] if a safety is required and no other width is given, otherwise none",
+                  "face width in reference diameters of the pinion")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &P::face_step, "1",
-                    "widths within a band are multiples of it")
+                    "step of the face width; widths within a band are multiples of it")
           .with_fields({"face_step"}),
       Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
-                "\"cd25\" of designs that are drawn, if they are mounted tight",
-                "thickness allowances of both gears by DIN 3967, `\"cd25\"`; `\"none\"`: nominal "
-                "teeth")
+                "\"cd25\" for designs that are drawn and mounted tight",
+                "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
+                "`\"none\"` gives nominal teeth")
           .with_fields({"allowances.series"}),
       Key::number(
           "backlash_mm", "j_n", Range::not_negative(),
           {&P::allowances, &SearchAllowances::backlash}, "by `thickness_series`",
-          "normal backlash of every design, least and greatest; the teeth are thinned for it")
+          "least and greatest normal backlash of every design, for which the teeth are thinned")
           .with_list(kBand)
           .with_form("a backlash in mm, or a band [least, greatest]")
           .with_excludes({"thickness_series"})
           .with_fields({"allowances.backlash"}),
       Key::text("center_distance_tolerance",
                 {&P::allowances, &SearchAllowances::distance_tolerance}, "none",
-                "tolerance of the centre distance by ISO 286, `\"JS7\"`")
+                "tolerance of the centre distance by ISO 286, for example `\"JS7\"`")
           .with_fields({"allowances.distance_tolerance"}),
       Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
-                  "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; the "
-                  "pinion of an internal pair takes all"),
-      Key::word("objective", objective_words(), &P::objectives, "\"contact_ratio\"",
-                "criterion of the ranking: `contact_ratio` (greatest effective), `ratio` (nearest "
-                "to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
-                "(largest region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest by Eq. "
-                "10), `mass` (least), `safety` (the greatest least of S_H and S_F, over those "
-                "wanted; needs `[rating]`); or a list of them: a Pareto front")
+                  "λ of the line of Eq. 11 [T2.18a] on which the profile shifts of a design are "
+                  "chosen; for internal pairs the pinion takes the whole shift"),
+      Key::word(
+          "objective", objective_words(), &P::objectives, "\"contact_ratio\"",
+          "criterion of the ranking: `contact_ratio` (greatest effective), `ratio` (nearest to "
+          "`target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` (largest "
+          "region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest by Eq. 10), `mass` "
+          "(least) or `safety` (greatest value of the lesser of S_H and S_F, each divided by its "
+          "required value; needs `[rating]`); a list of criteria gives a Pareto front")
           .with_list({.most = kObjectiveNames.size(),
                       .single = true,
                       .noun = "objective",
@@ -236,9 +239,9 @@ std::vector<Key> design_keys() {
           .with_fields({"objectives"}),
       Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band",
                   "target of the objective `ratio`"),
-      Key::number("shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
-                  "step of a grid of shifts, whose feasible points are written to "
-                  "`points.parquet`")};
+      Key::number(
+          "shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
+          "step of a grid of profile shifts; its feasible points are written to `points.parquet`")};
 }
 
 }  // namespace

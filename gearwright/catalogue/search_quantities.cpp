@@ -20,12 +20,12 @@ namespace {
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
   static const Quantities<C> kAll("search.changes", [](Quantities<C>& q) {
-    q.text("key", "of the spec", [](const C& c) { return spelled_change(c).key; }).always();
-    q.text("from", "as given", [](const C& c) { return spelled_change(c).from; }).always();
-    q.text("to", "with which a design exists", [](const C& c) {
+    q.text("key", "key of the spec", [](const C& c) { return spelled_change(c).key; }).always();
+    q.text("from", "value as given", [](const C& c) { return spelled_change(c).from; }).always();
+    q.text("to", "value with which a design exists", [](const C& c) {
        return spelled_change(c).to;
      }).always();
-    q.number("effort", "effort", "", "they are ordered by it", &C::effort).always();
+    q.number("effort", "effort", "", "changes are ordered by their effort", &C::effort).always();
   });
   return kAll;
 }
@@ -41,32 +41,37 @@ const Quantities<SearchProblem>& margin_quantities() {
     q.number("form_clearance_min", "form clearance", "c_F", "along the line of action",
              [](const P& p) { return Value(p.limits.form_clearance); })
         .always();
-    q.number("safety_flank_min", "safety against pitting", "S_Hmin", "if one is required",
+    q.number("safety_flank_min", "safety against pitting", "S_Hmin", "only if a safety is required",
              [](const P& p) { return Value(p.limits.safety_flank); })
         .when([](const P& p) { return p.limits.safety_flank.has_value(); });
-    q.number("safety_root_min", "safety against root breakage", "S_Fmin", "if one is required",
-             [](const P& p) { return Value(p.limits.safety_root); })
+    q.number("safety_root_min", "safety against root breakage", "S_Fmin",
+             "only if a safety is required", [](const P& p) { return Value(p.limits.safety_root); })
         .when([](const P& p) { return p.limits.safety_root.has_value(); });
     const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
-    q.word("mounting", "mounting", "of designs that are drawn",
+    q.word("mounting", "mounting", "only for designs that are drawn",
            [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
         .one_of({"extended", "tight"})
         .when(drawn);
-    q.text("thickness_series", "series of DIN 3967 of both gears; `null` if there is none",
+    q.text("thickness_series", "series of DIN 3967 for both gears; `null` if there is no series",
            [](const P& p) {
              return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
            })
         .when(drawn);
     q.term(
          "backlash_mm",
-         "least and greatest that the teeth are thinned for; `null` if the series determines them",
+         "least and greatest backlash for which the teeth are thinned; `null` if the series "
+         "determines the allowances",
          [](const P& p) { return p.allowances.backlash ? Value(*p.allowances.backlash) : Value(); })
         .ends()
         .when(drawn);
-    q.text("center_distance_tolerance", "of ISO 286; `null` if there is none", [](const P& p) {
-       return p.allowances.distance_tolerance ? Value(*p.allowances.distance_tolerance) : Value();
-     }).when(drawn);
-    q.number("profile_shift", "limits of the profile shifts", "x", "lower and upper, of both",
+    q.text("center_distance_tolerance", "tolerance of ISO 286; `null` if there is no tolerance",
+           [](const P& p) {
+             return p.allowances.distance_tolerance ? Value(*p.allowances.distance_tolerance)
+                                                    : Value();
+           })
+        .when(drawn);
+    q.number("profile_shift", "limits of the profile shifts", "x",
+             "lower and upper limit for both gears",
              [](const P& p) {
                return Value(std::array{p.limits.min_shift, p.limits.max_shift});
              })
@@ -89,46 +94,52 @@ void say_search(Quantities<SearchView>& q) {
         .always();
   };
   const auto grid = [](const S& s) { return s.problem->shift_step.has_value(); };
-  count("tested", "trials: modules, z1, z2, helices and racks tried", &SearchCounts::tested);
-  count("feasible_count", "those with a region", &SearchCounts::feasible);
-  q.add(Type::map, "rejected", "rejected", "",
-        "number of trials that each limit ruled out; the first limit that leaves nothing counts, "
-        "in the order `shift_limits`, `center_distance`, `contact_ratio`, `overlap_ratio`, "
-        "`sliding`, `tip_clearance`, `interference`, of a rated search `safety_flank`, "
-        "`safety_root`, of drawn designs `verdict`; no working angle counts as `contact_ratio`",
-        [](const S& s) {
-          ValueMap map;
-          for (const Limit limit : s.problem->rejecting_limits())
-            map.emplace_back(name(limit),
-                             s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
-          return Value(std::move(map));
-        })
+  count("tested", "number of trials, that is combinations of module, z1, z2, helix angles and rack",
+        &SearchCounts::tested);
+  count("feasible_count", "number of trials with a region of feasible shifts",
+        &SearchCounts::feasible);
+  q.add(
+       Type::map, "rejected", "rejected", "",
+       "number of trials that each limit ruled out. The first limit that leaves nothing counts, in "
+       "the order `shift_limits`, `center_distance`, `contact_ratio`, `overlap_ratio`, `sliding`, "
+       "`tip_clearance`, `interference`, for a rated search `safety_flank` and `safety_root`, and "
+       "for drawn designs `verdict`. A trial without a working angle counts as `contact_ratio`",
+       [](const S& s) {
+         ValueMap map;
+         for (const Limit limit : s.problem->rejecting_limits())
+           map.emplace_back(name(limit),
+                            s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
+         return Value(std::move(map));
+       })
       .always();
   q.record<margin_quantities>("margins",
                               "limits that every design satisfies; clearances in modules",
                               [](const S& s) { return Value(margin_quantities().of(*s.problem)); })
       .always();
-  count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
-  count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)
+  count("points_tested", "number of points on the grid of `shift_step`",
+        &SearchCounts::points_tested)
+      .when(grid);
+  count("points_feasible", "number of points on the grid of `shift_step`",
+        &SearchCounts::points_feasible)
       .when(grid);
   q.record<change_quantities>(
        "changes",
-       "if no design is feasible: single changes that would make designs feasible, the "
-       "smallest first; for at most 2 million trials",
+       "single changes of limits with which designs exist, the smallest first; only if no design "
+       "is feasible, and for at most 2 million trials",
        [](const S& s) { return change_quantities().each(*s.changes); })
       .always()
       .list({0})
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
   q.record<design_quantities>(
        "safest",
-       "if no design is feasible: the rated design, among at most 10 000, that comes nearest to "
-       "the required safeties",
+       "rated design, among at most 10 000, that comes nearest to the required safeties; only if "
+       "no design is feasible",
        [](const S& s) {
          return s.safest ? Value(design_quantities().of({s.problem, s.safest})) : Value();
        })
       .when([](const S& s) { return s.safest != nullptr; });
   q.add(Type::index, "pareto", "Pareto front", "",
-        "positions in `designs` of the Pareto-optimal designs, with several objectives",
+        "positions of the Pareto-optimal designs in `designs`; only with several objectives",
         [](const S& s) {
           const auto& front = s.answer->pareto;
           return Value(ValueList(front.begin(), front.end()));
@@ -136,8 +147,9 @@ void say_search(Quantities<SearchView>& q) {
       .list({0})
       .always()
       .doors(kJson);
-  q.record<design_quantities>("designs", "best first, every feasible one up to 100 000, or `--top`",
-                              [](const S&) { return Value(ValueList()); })
+  q.record<design_quantities>(
+       "designs", "feasible designs, the best first, at most 100 000 or the number of `--top`",
+       [](const S&) { return Value(ValueList()); })
       .list({0})
       .always();
 }

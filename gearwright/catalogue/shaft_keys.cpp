@@ -15,12 +15,14 @@ namespace {
 std::optional<KeyFault> check_shaft(Shaft& shaft, const KeyGiven&) {
   const std::size_t diameters = shaft.diameters.size();
   if (shaft.steps.size() + 1 == diameters) return std::nullopt;
-  return KeyFault{"steps_mm",
-                  diameters == 1
-                      ? std::string("needs several diameters in diameter_mm, one more than steps")
-                      : fmt::format("must have one number less than diameter_mm, {} for {} "
-                                    "diameters: the places at which the diameter changes",
-                                    diameters - 1, diameters)};
+  return KeyFault{
+      "steps_mm",
+      diameters == 1
+          ? std::string(
+                "needs several diameters in diameter_mm, that is one diameter more than steps")
+          : fmt::format("must have one number less than diameter_mm, {} for {} diameters, because "
+                        "these are the places at which the diameter changes",
+                        diameters - 1, diameters)};
 }
 
 void set_bearing_stiffness(Shaft& shaft, const std::vector<double>& newton_per_um) {
@@ -33,18 +35,19 @@ const KeyTable& shaft_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "shaft",
-      "The shaft of a gear on two bearings; positions along the axis from the middle of the face",
+      "The shaft of a gear on two bearings; positions are along the axis, from the middle of the "
+      "face",
       {Key::number("bearings_mm", "", Range::between(-kMaxInput, kMaxInput), &Shaft::bearings,
                    kRequired,
                    "positions of the two bearings along the axis, from the middle of the face "
-                   "towards +z; both on one side of an overhung gear")
+                   "towards +z; for an overhung gear, both are on the same side")
            .with_list({.least = 2,
                        .most = 2,
-                       .order = {true, "must grow: the bearing towards −z, then the other one"}})
+                       .order = {true, "must be in rising order, first the bearing towards −z"}})
            .with_also({"bearings", "bearing_positions", "supports"}),
        Key::positive("diameter_mm", "d_sh", &Shaft::diameters, kRequired,
-                     "diameter of the shaft, or of its sections from −z on; of a pinion that is "
-                     "integral with its shaft, its root diameter for example")
+                     "diameter of the shaft, or of its sections from −z on; for a pinion that is "
+                     "integral with its shaft, for example its root diameter")
            .with_list(KeyList{1, kMostShaftDiameters, true})
            .with_fields({"diameters"})
            .with_also({"diameters", "diameter", "d"}),
@@ -54,9 +57,9 @@ const KeyTable& shaft_keys() {
            .with_list({.least = 1,
                        .most = kMostShaftDiameters - 1,
                        .single = true,
-                       .order = {true, "must grow along the shaft, from −z on"}})
+                       .order = {true, "must be in rising order along the shaft, from −z on"}})
            .with_also({"steps", "shoulders"}),
-       Key::positive("youngs_modulus_MPa", "E", &Shaft::youngs_modulus, "206 000, of steel",
+       Key::positive("youngs_modulus_MPa", "E", &Shaft::youngs_modulus, "206 000, for steel",
                      "Young's modulus of the shaft")
            .with_also({"e", "modulus", "elasticity"}),
        Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &Shaft::poisson_ratio, "0.3",
@@ -64,7 +67,8 @@ const KeyTable& shaft_keys() {
            .with_also({"nu", "poisson"}),
        Key::positive("bearing_stiffness_N_per_um", "",
                      KeyPlace::by<Shaft, std::vector<double>>(set_bearing_stiffness),
-                     "rigid bearings", "radial stiffness of the bearings: one number, or two")
+                     "rigid bearings",
+                     "radial stiffness of the bearings: one number for both, or two numbers")
            .with_list(KeyList{1, 2, true})
            .with_also({"bearing_stiffness", "stiffness"}),
        Key::word("torque_from", {"left", "right"}, &Shaft::torque_from, "\"left\"",
@@ -72,7 +76,7 @@ const KeyTable& shaft_keys() {
                  "towards +z")
            .with_also({"torque_side", "coupling"}),
        Key::flag("shear", &Shaft::shear, "true",
-                 "true: with shear deformation (Timoshenko); false: bending alone")},
+                 "if true, with shear deformation (Timoshenko); if false, with bending only")},
       check_shaft};
   return table;
 }

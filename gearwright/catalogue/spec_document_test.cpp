@@ -1,6 +1,6 @@
-// docs/spec.md and the JSON Schema of specs say what the key tables say.
+// docs/spec.md and the JSON Schema of specs agree with the key tables.
 //
-// GW_WRITE_DOCS=1 writes both anew.
+// GW_WRITE_DOCS=1 writes both again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ std::string fallback(const Key& key) {
   return as_in_file ? code(key.fallback) : std::string(key.fallback);
 }
 
-// Columns that no key fills are left out.
+// Columns without any text are left out.
 std::string markdown(const KeyTable& table) {
   std::vector<std::vector<std::string>> rows{{"key", "symbol", "meaning", "allowed", "default"}};
   for (const Key& key : table.keys) {
@@ -106,8 +106,8 @@ TEST(SpecDocument, every_table_stands_there_as_the_catalogue_has_it) {
   for (const KeyTable* table : all_key_tables()) {
     const bool any = std::any_of(table->keys.begin(), table->keys.end(),
                                  [](const Key& key) { return key.in_documents; });
-    // A cutter has the keys of a gear, ranges those of [errors] and of modifications; the file itself is
-    // a heading for each table.
+    // These tables are not shown: a cutter has the keys of a gear, ranges have the keys of [errors]
+    // and of modifications, and the file itself has a heading for each table.
     if (!any || table->name == "spec" || table->name == "cutter" ||
         table->name == "compensate_range" || table->name == "scatter_errors" ||
         table->name == "scatter_modifications")

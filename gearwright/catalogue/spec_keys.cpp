@@ -33,7 +33,7 @@ Key gear_2_key() {
 }
 
 Key search_key() {
-  Key k = table_key("search", search_keys, {}, "inputs of a search for pairs or for drives");
+  Key k = table_key("search", search_keys, {}, "inputs of a search for pairs or drives");
   k.tables.push_back(drive_search_keys);
   return k;
 }
@@ -45,20 +45,20 @@ const KeyTable& spec_keys() {
       "spec",
       "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, as "
       "the keys show",
-      {Key::text("title", &SpecTables::title, "", "heading of listings and of the report"),
+      {Key::text("title", &SpecTables::title, "", "title of listings and of the report"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair"),
        gear_2_key(),
        table_key("pair", pair_keys,
                  KeyPlace::within<SpecTables>([](auto& tables) -> auto& { return tables.pair; }),
-                 "how the two gears are mounted"),
+                 "mounting of the two gears"),
        table_key("errors", error_keys, &SpecTables::errors, "errors of mounting and of the teeth"),
        table_key("contact", contact_keys, &SpecTables::contact,
-                 "how the contact of the pair is computed"),
+                 "settings of the contact computation"),
        table_key("compensate", compensate_keys, &SpecTables::compensate,
-                 "which corrections the verb compensate may make"),
-       table_key("scatter", scatter_keys, {}, "tolerances, and the options of the verb scatter"),
+                 "corrections that the verb compensate can make"),
+       table_key("scatter", scatter_keys, {}, "tolerances and options of the verb scatter"),
        table_key("load", load_keys, &SpecTables::load,
                  "settings of the verb load: torques and resolution"),
        table_key("rating", rating_keys, &SpecTables::rating,

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Whole numbers without a point.
+// Whole numbers are written without a decimal point.
 Json number_json(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
 }
@@ -125,8 +125,8 @@ Json table_schema(const KeyTable& table) {
 
 Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
 
-// A search may choose the teeth of a gear, and a drive has its own gears. Any other spec needs at
-// least one complete gear.
+// A search can choose the numbers of teeth, and a drive has its own gears. Every other spec needs
+// at least one complete gear.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});

@@ -30,7 +30,7 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
       if (member == name) found.push_back({here, &key});
       if (key.tables.empty() || !member.starts_with(name)) continue;
       std::string_view rest = member.substr(name.size());
-      std::string index;  // of a list: "arcs[2]"
+      std::string index;  // element of a list, "arcs[2]"
       if (rest.starts_with('[')) {
         const std::size_t end = std::min(rest.find(']'), rest.size() - 1) + 1;
         index = rest.substr(0, end);
@@ -47,7 +47,7 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
     if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
 }
 
-// The given one of several keys, otherwise the first one in documents.
+// The first of the keys that the spec gives, otherwise the first key in documents.
 std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
   if (found.empty()) return std::nullopt;
   for (const Spelling& s : found)
@@ -63,8 +63,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// The key for the member's own number. Another key computes it, such as a diametral pitch for a
-// module.
+// The key that contains the number of the member itself. Other keys, such as a diametral pitch for
+// a module, are converted into it.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)
@@ -72,7 +72,7 @@ std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s)
   return plain;
 }
 
-// Words in the form of a file, in quotes.
+// A word as it is written in the file, in quotes.
 std::string spelled_value(const std::string& value, const Key& key) {
   const bool word = key.kind != KeyKind::number && key.kind != KeyKind::whole && !value.empty() &&
                     value != "true" && value != "false" &&
@@ -80,7 +80,8 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
-// A member named in a sentence about `owner`: the nearest table that has it is used.
+// The key for a member that a sentence about `owner` names, in the nearest table that has the
+// member.
 std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
   for (std::string_view around = owner; !around.empty();) {
     if (const auto s = spelling_of(joined(around, member), given))
@@ -126,7 +127,7 @@ Error spelled(const Error& error, const GivenKeys& given) {
   // The message does not blame a default rack, which is not in the file.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
   if (of_rack && !worded.value.empty() && !given.contains(s->path))
-    worded.rule = "not given, and this default does not suit the other values: " + worded.rule;
+    worded.rule = "not given, and its default does not fit the other values: " + worded.rule;
   const auto own = own_spelling(error.field, *s);
   if (!own) return worded;
   Error made = worded;

@@ -1,4 +1,4 @@
-// Members of structs become keys of a file, once, and nothing else does.
+// Members of structs are replaced by keys of a file, once, and other words are unchanged.
 #include "gearwright/catalogue/spelling.hpp"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(Spelling, sentences_name_the_nearest_table) {
   EXPECT_EQ(spelled(""), "");
 }
 
-// A sentence of the library, to a programmer and to a person with a file.
+// A sentence of the library, for a programmer and for the user of a file.
 TEST(Spelling, one_sentence_for_both) {
   CylindricalSpec spec = testing::plain_spec({.teeth = 20, .module = 2.0, .face_width = 10.0});
   spec.straight_rack().semi_topping_angle = Angle::degrees(45);

@@ -98,7 +98,7 @@ constexpr std::array kTerms{
     Term{"teeth", "number of teeth", "z", Type::whole},
     Term{"tip_clearance_mm", "tip clearance", "c"},
     Term{"tip_diameter_mm", "tip diameter", "d_a"},
-    Term{"tool", "its teeth or balls", "k, D_M"},
+    Term{"tool", "teeth or balls", "k, D_M"},
     Term{"torque_Nm", "torque", "T_1"},
     Term{"transmission_error_arcsec", "transmission error", "TE"},
     Term{"transverse_base_pitch_mm", "transverse base pitch", "p_bt"},
@@ -115,7 +115,7 @@ int unit_digits(Unit unit) { return row(unit).digits; }
 Unit unit_of(std::string_view key) {
   Unit found = Unit::none;
   for (const UnitRow& r : kUnitRows)
-    // "_N_per_mm" ends with "_per_mm" and "_mm" too.
+    // The longest suffix is used, because "_N_per_mm" also ends with "_per_mm" and "_mm".
     if (key.ends_with(r.suffix) && unit_suffix(found).size() < std::string_view(r.suffix).size())
       found = r.unit;
   return found;

@@ -14,7 +14,7 @@ Value values_of(const Finding& finding) {
   return values;
 }
 
-// The path of the member that a change sets, in its gear.
+// The path, within its gear, of the member that a change sets.
 const char* member_of(Adjustable what) {
   switch (what) {
     case Adjustable::profile_shift: return "profile_shift";
@@ -56,28 +56,30 @@ const Quantities<Finding>& finding_quantities() {
   using F = Finding;
   static const Quantities<F> kAll("verdict.finding", [](Quantities<F>& q) {
     q.text("code",
-           "of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
+           "code of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
            "`contact_place`, `root_safety`, `flank_safety`",
            [](const F& f) { return to_string(f.code); })
         .always();
-    q.word("level", "level", "green is for information",
+    q.word("level", "level", "green is information only",
            [](const F& f) { return to_string(f.level); })
         .always()
         .one_of({"green", "amber", "red"});
     q.term("gear", "1 or 2; null for the pair or the spec",
            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
-    q.text("message", "one sentence for people", &F::message).always();
+    q.text("message", "sentence for users", &F::message).always();
     q.text("at",
-           "the ends of the tolerances at which the finding occurs; null if it occurs as drawn",
+           "ends of the tolerances at which the finding occurs; null if it occurs at the nominal "
+           "values",
            [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
     q.text("remedy",
-           "a change that helps, tried before it is printed; null if no single change was found",
+           "change that removes the finding, verified by computation; null if no single change was "
+           "found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
     q.add(Type::map, "change", "change", "",
-          "the keys of the spec that the remedy sets, with their values", change_of)
+          "keys of the spec that the remedy sets, with their values", change_of)
         .always();
     q.add(Type::map, "values", "values", "",
-          "the number that is too small, first, and its limit, by keys with their units", values_of)
+          "number that is too small, then its limit, under keys with their units", values_of)
         .always();
   });
   return kAll;
@@ -88,17 +90,17 @@ const Quantities<Finding>& finding_quantities() {
 const Quantities<Verdict>& verdict_quantities() {
   using V = Verdict;
   static const Quantities<V> kAll("verdict", [](Quantities<V>& q) {
-    q.word(
-         "level", "verdict",
-         "green: it runs and nothing needs a look; amber: it runs, and the user should look at the "
-         "findings; red: as specified it cannot be made or does not run",
-         [](const V& v) { return to_string(v.level); })
+    q.word("level", "verdict",
+           "green: the gears run without findings; amber: the gears run, but the user should check "
+           "the findings; red: the gears cannot be made as specified or do not run",
+           [](const V& v) { return to_string(v.level); })
         .always()
         .one_of({"green", "amber", "red"});
     q.text("headline", "the verdict in words, with the worst finding and a remedy", &V::headline)
         .always();
-    q.record<finding_quantities>(
-         "findings", "worst first: all warnings, and margins that are too small", &V::findings)
+    q.record<finding_quantities>("findings",
+                                 "all warnings and all margins that are too small, the worst first",
+                                 &V::findings)
         .always()
         .list({0});
     q.add(Type::text, "not_judged", "not judged", "",

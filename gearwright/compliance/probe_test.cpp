@@ -1,8 +1,8 @@
-// A tooth's compliance against converged finite elements of others, and its laws.
+// The compliance of a tooth is compared with converged finite elements, and its laws are tested.
 //
-// FE2D-25, FE3D-25, FE3D-25-HEL: own reference computations apart from this program (gmsh triangles
-// with up to 68 000 unknowns; CalculiX C3D20 with 105 840), E = 1, m = 1, ν = 0.3; 25 teeth, x = 0,
-// rack 1.25/0.38, bore radius 6 m. Those of the helix of 45° are made by tests/oracle/bricks.
+// FE2D-25, FE3D-25, FE3D-25-HEL: separate reference computations (gmsh triangles with up to 68 000
+// unknowns; CalculiX C3D20 with 105 840), E = 1, m = 1, ν = 0.3; 25 teeth, x = 0, rack 1.25/0.38,
+// bore radius 6 m. The values for the helix angle of 45° come from tests/oracle/bricks.
 #include "gearwright/compliance/probe.hpp"
 
 #include <gtest/gtest.h>
@@ -43,11 +43,12 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
   }
 }
 
-// The compliance includes the twist of the body: the closed form is compared against the printed part
-// of the reference.
+// The compliance includes the twist of the body, whose closed form is compared with the printed
+// part of the reference.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
-  // A ring held outside: its turn summed up from the root, dφ = M/(2πG) dr/r³.
+  // A ring is held at its outside. Its rotation is the integral from the root of dφ = M/(2πG)
+  // dr/r³.
   constexpr int kSteps = 1000;
   const double step = (33.75 - 31.25) / kSteps;
   double sum = 0.0;
@@ -56,9 +57,9 @@ TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(28.0, 33.75, 31.25, 0.3), want, 1e-6 * want);
 }
 
-// Stiffness of two teeth at the pitch point, 300 N/mm, m = 5, rims 4 modules deep, the twist of the
-// bodies taken off; against the same by finite elements of its own, and against c'_th of
-// ISO 6336-1, a fit to Weber and Banaschek's formulas.
+// Stiffness of two teeth at the pitch point, 300 N/mm, m = 5, rims 4 modules deep, without the
+// twist of the bodies. It is compared with separate finite elements and with c'_th of ISO 6336-1,
+// an approximation of the formulas of Weber and Banaschek.
 TEST(ToothCompliance, StiffnessOfAPairIsThatOfTheStandard) {
   struct Row {
     int z1, z2;
@@ -121,7 +122,8 @@ TEST(ToothCompliance, AlongTheFaceAgreesWithBricks) {
                  0.03);
 }
 
-// Obtuse and acute ends of a helical tooth. Of the greatest displacement, that under the load.
+// The obtuse and acute ends of a helical tooth. Errors are relative to the greatest displacement,
+// which is the displacement under the load.
 TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   const double twist = std::tan(20 * M_PI / 180) / 12.5;
   const std::vector<double> z{0, 2, 4, 6, 8, 10};
@@ -131,8 +133,9 @@ TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   expect_profile(twist, 12.5, 4.5, z, {0.114, 0.362, 1.097, 0.883, 0.309, 0.094}, 0.04);
 }
 
-// A gear of 45°, both ends and the middle of its face, the place under the load too: 0.9 % of the
-// greatest displacement of a row, at the face of the acute end 1.8 %.
+// A gear with a helix angle of 45°, at both ends and in the middle of its face, including the point
+// under the load. The error is 0.9 % of the greatest displacement of a row, and 1.8 % at the face
+// of the acute end.
 TEST(ToothCompliance, AlongASteepHelixAgreesWithBricks) {
   const auto data = nlohmann::json::parse(
       std::ifstream(testing::source_file("tests/oracle/bricks/tooth_bricks.json")));
@@ -195,14 +198,14 @@ TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
     EXPECT_EQ((c - c.transpose()).cwiseAbs().maxCoeff(), 0.0);
     EXPECT_GT(c.eigenvalues().real().minCoeff(), 0.0);
     EXPECT_GT(c.minCoeff(), 0.0);
-    // Neighbouring teeth have equal mutual influence.
+    // The influence of neighbouring teeth on each other is equal.
     const Eigen::MatrixXd to = table.other_tooth(1, line, line);
     const Eigen::MatrixXd from = table.other_tooth(-1, line, line);
     EXPECT_LT((to - from.transpose()).cwiseAbs().maxCoeff(), 1e-12 * c.maxCoeff());
   }
 }
 
-// Of teeth that touch at points nothing takes the end of the face out of the table.
+// For teeth that touch at points, the table contains the ends of the face.
 TEST(ToothCompliance, AtItsFreeEndsAToothYieldsMoreThanInItsMiddle) {
   auto section =
       make_tooth_section(gear_of(kModule), 0.0, body_of(kModule), ComplianceAccuracy::draft);

@@ -1,6 +1,6 @@
-// The deflection of a shaft against textbook beams and against finite elements that share no code
-// with it: Hermite elements for bending alone, and linear elements with reduced integration for
-// bending with shear, extrapolated from two meshes.
+// The deflection of a shaft is compared with textbook beams and with finite elements that share no
+// code with it: Hermite elements for bending alone, and linear elements with reduced integration
+// for bending with shear, extrapolated from two meshes.
 #include "gearwright/compliance/shaft.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace gearwright {
 namespace {
 
 using Eigen::Index;
-// Short elements between near ends cost the oracle digits, which `long double` has to spare.
+// Short elements between close ends reduce the accuracy of the oracle, so it uses `long double`.
 using BeamScalar = long double;
 using BeamMatrix4 = Eigen::Matrix<BeamScalar, 4, 4>;
 using BeamVector4 = Eigen::Matrix<BeamScalar, 4, 1>;
@@ -31,7 +31,7 @@ Shaft plain_shaft(double from, double to, double diameter) {
 }
 double second_moment(double d) { return std::numbers::pi * std::pow(d, 4) / 64; }
 
-constexpr double kBeamRounding = 1e-11;  // of polynomials of the fourth degree, relative
+constexpr double kBeamRounding = 1e-11;  // relative error of polynomials of the fourth degree
 
 TEST(Shaft, UniformLoadOverTheSpan) {
   Shaft s = plain_shaft(-50, 50, 30);
@@ -76,7 +76,7 @@ TEST(Shaft, BearingsYieldByTheirReactions) {
 struct RandomShaft {
   Shaft shaft;
   ShaftLoad load;
-  std::vector<double> ends;  ///< between which section and load are constant
+  std::vector<double> ends;  ///< section and load are constant between these ends
 };
 
 RandomShaft random_shaft(std::mt19937& random) {
@@ -168,7 +168,7 @@ double largest_deflection(const std::vector<double>& w) {
   return most;
 }
 
-// Hermite elements are exact at their nodes where section and load are constant in each.
+// Hermite elements are exact at their nodes if section and load are constant within each element.
 TEST(Shaft, BendingAgreesWithHermiteElements) {
   constexpr double kConditioned = 1e-8;  // rounding of the stiffness matrix in `long double`
   std::mt19937 random(7);
@@ -183,8 +183,7 @@ TEST(Shaft, BendingAgreesWithHermiteElements) {
   }
 }
 
-// The error of linear elements is a multiple of h² and of higher even powers; two meshes remove
-// the first.
+// The error of linear elements consists of even powers of h, and two meshes remove the term h².
 TEST(Shaft, ShearAgreesWithLinearElements) {
   constexpr int kParts = 12;
   std::mt19937 random(11);
@@ -221,7 +220,7 @@ TEST(Shaft, LawsOfScale) {
   }
 }
 
-// The twist against the sum over thin discs, from either side.
+// The twist is compared with the sum over thin discs, from both sides.
 TEST(Shaft, TwistOfThinDiscs) {
   Shaft s = plain_shaft(-60, 60, 40);
   constexpr double T = 2e5, b = 40, body = 55;

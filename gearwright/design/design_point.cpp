@@ -18,7 +18,7 @@ Vec2 balanced_point(int z1, int z2, double sum, double lambda) {
 }
 
 bool line_is_outside(const ShiftGraph& graph, double a, double b) {
-  constexpr double kBarely = 1e-9;  // modules: rounding has no influence at this distance
+  constexpr double kBarely = 1e-9;  // modules, a distance at which rounding has no influence
   const Trial& t = graph.trial();
   const Vec2 at_0 = balanced_point(t.z1, t.z2, 0.0, graph.problem().lambda);
   const Vec2 at_1 = balanced_point(t.z1, t.z2, 1.0, graph.problem().lambda);
@@ -43,8 +43,8 @@ constexpr double kFarOff = 1e9;  // modules, farther outside than any value
 // An end of a piece that is an end of the whole range, modules. Both were solved separately.
 constexpr double kSameEnd = 1e-9;
 
-// The greatest value of f over [a, b], by nodes and golden section around the highest one; any
-// value of f if it does not exceed 0.
+// The greatest value of f over [a, b], by nodes and golden section around the highest node; any
+// value of f if the greatest does not exceed 0.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -57,7 +57,8 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops at a positive value. The difference from a value above the top prevents that.
+  // climb() stops at a positive value, so it receives the difference from a value above the
+  // maximum.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -87,8 +88,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // The distance has one hump, except in rare regions in pieces. The search goes uphill from there
-  // in growing steps, and back to the first place that is far enough.
+  // The distance has one hump, except in rare regions in pieces. The search climbs from there in
+  // growing steps, and returns to the first point that is far enough from the borders.
   constexpr double kStep = 0.05;  // modules, a tenth of the usual value
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);

@@ -90,7 +90,8 @@ Gear gear(const TrialGear& g, Angle helix, double x) {
   return testing::taken(make_gear(s));
 }
 
-// Any shifts, at tight and at extended centres, spur and helical; near 0 either result is accepted.
+// Arbitrary shifts at tight and at extended centres, for spur and helical gears; if the gap is near
+// 0, both results are accepted.
 TEST(FilletGap, HasTheSignOfThePairsClearance) {  // (4)
   int cut = 0;
   int clear = 0;

@@ -34,7 +34,8 @@ double DesignRow::cut_shift(std::size_t i, const SearchProblem& problem) const {
 namespace {
 
 // Mean E_sn of the tolerance of each gear: from the series, or half of the allowance for the
-// required backlash. A tooth outside the table of the series has none; its drawing is rejected.
+// required backlash. A tooth outside the table of the series has no allowance, and its drawing is
+// rejected.
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
@@ -130,7 +131,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     if (g.teeth < 0) continue;
     const double start = m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, cut[i]);
-    // The weight along the line of action, which on crossed axes rises by the base helix.
+    // The weight of lengths along the line of action, which on crossed axes is inclined by the base
+    // helix angle.
     const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
     row.form_clearance[i] = weight * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
@@ -185,7 +187,8 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most trials have no region, and that test is faster than a search for a feasible point.
+  // Most trials have no region, and a test for the region is faster than a search for a feasible
+  // point.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;

@@ -158,7 +158,7 @@ struct Safeties {
 Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
-  // Far outside the standard's limits a factor may have no value.
+  // A factor may have no value far outside the limits of the standard.
   const auto number = [](const Factor& f) {
     return std::isfinite(f.value) ? std::optional(f.value) : std::nullopt;
   };
@@ -185,7 +185,8 @@ double share_of(const SearchProblem& problem, const Safeties& found) {
   return share;
 }
 
-// The least share of all states at the row's face width. The row gets the safeties of the first.
+// The least ratio of all states at the face width of the row. The row gets the safeties of the
+// first state.
 double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
                       DesignRow& row) {
   const SearchRating& asked = *problem.rating;
@@ -236,7 +237,7 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
     if (drawn.runs || drawn.at_ends.empty() || !wider) break;
-    // The safeties are too low at an end of the tolerances: the width is that of the worst end.
+    // If the safeties are too low at an end of the tolerances, the worst end determines the width.
     states.resize(1);
     std::move(drawn.at_ends.begin(), drawn.at_ends.end(), std::back_inserter(states));
     set_face_width(graph, row, *wider);
@@ -247,7 +248,7 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
 }
 
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row) {
-  // A missing number proves nothing, so the comparison is "not less".
+  // A missing number does not prove that a limit is met, so the comparison is "not less".
   const auto holds = [&](const auto& safeties, const std::optional<double>& least) {
     return !problem.rating || !least ||
            std::all_of(safeties.begin(), safeties.end(),

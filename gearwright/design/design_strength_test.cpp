@@ -1,8 +1,9 @@
-// What a design bears. Laws: (1) the pair in closed form is the pair that is cut and mounted, and its
-// safeties are the mounted pair's; (2) a search with safeties is the search without, less the designs
-// that fall short; (3) by mass and by safety the list is in order; (4) a greater load takes designs
-// away and adds none; (5) a face has the least width of its band that holds as drawn and at the ends
-// of the tolerances, and at most two drawings are judged for it.
+// Strength of designs. Laws: (1) the pair in closed form is the pair that is cut and mounted, and
+// its safeties are those of the mounted pair; (2) a search with safeties finds the designs of the
+// search without safeties, except those with insufficient safeties; (3) lists by mass and by safety
+// are in order; (4) a greater load removes designs and adds none; (5) a face has the least width of
+// its band that is sufficient as drawn and at the ends of the tolerances, and at most two drawings
+// are judged for it.
 #include "gearwright/design/design_strength.hpp"
 
 #include <gtest/gtest.h>
@@ -121,13 +122,13 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   shifted.limits.min_shift = 0.1;
   shifted.limits.max_shift = 0.9;
   expect_mounted(shifted, 20);
-  SearchProblem small = wish();  // wheels whose flanks no cutter leaves whole
+  SearchProblem small = wish();  // no cutter leaves the whole flanks of these wheels
   small.ratio = {-2.2, -2.0};
   small.helix = {Angle()};
   small.pinion_teeth = {17, 18};
   small.center_distance.reset();
   expect_mounted(small, 10);
-  // At 25° the fillet radius of the rack that nobody gave does not fit.
+  // At 25° the fillet radius of the default rack does not fit.
   rings.normal_pressure_angle = Angle::degrees(25);
   rings.ratio = {-3.5, -3.3};
   rings.helix = {Angle::degrees(8)};
@@ -139,7 +140,8 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   expect_mounted(steep, 50);
 }
 
-// Work counter: an internal gear is cut once for all modules and pinions; every design was.
+// Work counter: an internal gear is cut once for all modules and pinions. It was once cut for every
+// design.
 TEST(DesignStrength, RingsAreCutOnce) {
   SearchProblem p = wish();
   p.ratio = {-4.0, -2.5};
@@ -180,7 +182,7 @@ TEST(DesignStrength, SafetiesTakeAwayWhatFallsShort) {  // (2)
   EXPECT_EQ(counts.rejected[static_cast<std::size_t>(Limit::safety_flank)] +
                 counts.rejected[static_cast<std::size_t>(Limit::safety_root)],
             static_cast<std::int64_t>(count - kept.size()));
-  // A design that holds is there for whoever asks for one alone.
+  // A design with sufficient safeties is also found if only one design is requested.
   for (const DesignRow& row : kept) EXPECT_TRUE(search.feasible(row.trial));
   for (const DesignRow& row : rows) EXPECT_TRUE(row.whole);
 }
@@ -228,7 +230,7 @@ bool thin_teeth_hold(const SearchProblem& p, const RatedPair& pair) {
   return rating && holds(*rating, {*p.limits.safety_flank, *p.limits.safety_root});
 }
 
-// The search for the width did not end if only the verdict rejected a width.
+// The search for the width once did not end if only the verdict rejected a width.
 TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
   SearchProblem p = wish(100.0);
   p.helix = {Angle::degrees(12)};

@@ -23,7 +23,7 @@ using M = SetMember;
 constexpr std::size_t kCarrier = kSetMembers;  // a body beside the members
 constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
 
-// Speed of a body against the carrier per that of the planet, p/q.
+// Speed of a body relative to the carrier, divided by that of the planet, p/q.
 struct Share {
   long long p, q;
 };
@@ -136,9 +136,9 @@ class SetSearch {
     }
   }
 
-  // The least angle between neighbours, turns; none if they do not assemble.
+  // The least angle between neighbouring planets, in turns; none if they cannot be assembled.
   std::optional<double> spacing(int n, long long places) const {
-    const bool divides = places % n == 0;  // 0 places: any
+    const bool divides = places % n == 0;  // 0 places mean that every place is possible
     if (divides && (problem_.base.spacing != Spacing::opposite || n % 2 == 0)) return 1.0 / n;
     switch (problem_.base.spacing) {
       case Spacing::equal: return std::nullopt;

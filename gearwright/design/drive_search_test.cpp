@@ -1,5 +1,6 @@
-// Laws: (1) what a search finds is what the drives of all numbers of teeth say, one by one; (2) it finds
-// the sets of a ratio near 100 that were counted otherwise; (3) a train's ratio is that of its drive.
+// Laws: (1) a search finds the same sets as a separate computation of the drives of all numbers of
+// teeth; (2) it finds the sets with a ratio near 100 that another method counted; (3) a train's
+// ratio is that of its drive.
 #include "gearwright/design/drive_search.hpp"
 
 #include <gtest/gtest.h>
@@ -50,11 +51,12 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
           set.z(M::planet) = p;
           set.z(M::ring) = r;
           set.planets = n;
-          set.normal_module.reset();  // speeds and places first: teeth take their time
+          // Speeds and places are computed first, because teeth take longer.
+          set.normal_module.reset();
           const auto numbers = graph_of(set);
           ASSERT_TRUE(numbers);
           const auto motion = make_drive({*numbers, {}});
-          if (!motion) continue;  // equal pitch that does not assemble
+          if (!motion) continue;  // planets at equal pitch cannot be assembled
           const double i = motion->motion.ratio->value();
           const PhasingClass kind = motion->sets.front().phasing.kind;
           if (i < 4.0 || i > 4.8) continue;
@@ -78,7 +80,8 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
   EXPECT_EQ(counted, found->tested);
 }
 
-// Ratio, places and efficiency of every candidate against the drive of its numbers.
+// Ratio, places and efficiency of every candidate are compared with the drive of its numbers of
+// teeth.
 void expect_as_drives(const DriveSearchProblem& problem, const DriveSearchResult& result,
                       std::size_t every) {
   for (std::size_t k = 0; k < result.found.size(); k += every) {

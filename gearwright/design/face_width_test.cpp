@@ -1,6 +1,6 @@
-// The face widths of a band. Laws: (1) the next width is greater than the one before, at least the
-// wanted one, within the band and the least multiple of the step that is; (2) a band is walked to its
-// end in at most as many steps as it has widths.
+// The face widths of a band. Laws: (1) the next width is the least multiple of the step that is
+// greater than the previous width, at least the required width and within the band; (2) the end of
+// a band is reached in at most as many steps as it has widths.
 #include "gearwright/design/face_width.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Band band(double least, double most, double step = 1.0) {
   return b;
 }
 
-// The multiples of the step one after the other.
+// All multiples of the step, in order.
 std::optional<double> plain_next(const Band& b, double before, double width) {
   const auto [least, most] = *b.problem.face_width;
   for (int k = 1; k * b.problem.face_step <= most; ++k) {
@@ -52,7 +52,8 @@ TEST(FaceWidth, TheNextOneIsGreater) {  // (1)
   }
 }
 
-// A width wanted far below the one before gave a lesser one, 12 mm after 60 mm.
+// If the required width was far below the previous width, the next width was once smaller, 12 mm
+// after 60 mm.
 TEST(FaceWidth, ABandEnds) {  // (2)
   const Band b = band(10.0, 120.0, 0.1);
   for (const double share : {0.2, 0.9, 1.0, 1.01}) {

@@ -49,7 +49,8 @@ struct Rank {
 // The stage that a candidate reached, and the condition that rejected it.
 struct Verdict {
   int stage = 0;
-  double shortfall = 0.0;  // of candidates rejected at one stage, the nearest one is reported
+  double shortfall =
+      0.0;  // the nearest of the candidates that are rejected at one stage is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
 };
@@ -379,7 +380,7 @@ class Search {
     return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;
   }
 
-  // Across the finished tip: the land, or the fillet's circle where that ends the tooth.
+  // Thickness of the finished tip: the land, or the circle of the fillet if it ends the tooth.
   static double tip_width(const Gear& g) {
     if (g.tooth->rounded_tip && g.tooth->tip_fillet) return 2 * g.tooth->tip_fillet->radius;
     return g.tip_tooth_thickness_normal.value_or(0.0);

@@ -16,7 +16,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct Corner {
   double a;      // centre distance
   double u;      // tip radius
-  double angle;  // of the corner from the middle of its tooth, half the backlash included
+  double angle;  // angle of the corner from the middle of its tooth, including half of the backlash
   double ratio;  // z of the mating gear over z
 };
 
@@ -42,7 +42,7 @@ class Fillet {
     const double cosine = std::cos(tau);
     const double X = (across_ + radius_ * sine) / cos_beta_;
     const double Y = -down_ - radius_ * cosine;
-    // The point is cut when its normal passes through the pitch point.
+    // The rack cuts the point when its normal passes through the pitch point.
     const double roll = X + Y * sine / cosine * cos_beta_;
     const double to = r_ + Y;
     const double side = X - roll;

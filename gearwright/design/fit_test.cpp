@@ -56,7 +56,7 @@ TEST(Fit, none_has_a_reason_and_a_neighbour) {
   EXPECT_FALSE(fit(p)->branches.empty());
   p.shaft_angle = *f->nearest_shaft_angle + Angle::radians(1e-6);
   EXPECT_TRUE(fit(p)->branches.empty());
-  // Here even parallel gears do not fit.
+  // In this case even parallel gears do not fit.
   p.center_distance = 25.0;
   p.shaft_angle = 30_deg;
   const auto none = fit(p);

@@ -18,7 +18,7 @@ namespace {
 using testing::search::Random;
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-// A root's bracket closes to 2 ulp of its ends, TOMS 748 (math/root.hpp).
+// TOMS 748 (math/root.hpp) closes the bracket of a root to 2 ulp of its ends.
 double rounding(double x) { return 4.0 * kUlp * std::max(std::abs(x), 1e-300); }
 
 TEST(Intervals, EndsAreTheRoots) {
@@ -49,7 +49,8 @@ TEST(Intervals, WhereNothingEndsTheGivenEndsAreKept) {
   EXPECT_TRUE(where_not_negative([](double) { return 1.0; }, 1.0, 0.0).empty());
 }
 
-// Humps from a third of the nodes' distance down to a billionth of it, straight and round.
+// Straight and round humps, with widths from a third of the distance of the nodes down to a
+// billionth of it.
 TEST(Intervals, NarrowHumpsBetweenNodesAreFound) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {

@@ -78,7 +78,7 @@ struct Empty {
   std::vector<std::string> useless;  // not among them
 };
 
-// 20 … 24 teeth of module 2 and ratios about 2 at 66 mm, with one limit that rejects all designs.
+// 20 … 24 teeth, module 2 and ratios about 2 at 66 mm, with one limit that rejects all designs.
 SearchProblem small() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -172,7 +172,8 @@ std::vector<Empty> empty_searches() {
          p.limits.avoid_interference = true;
        }),
        {"limits.avoid_interference"},
-       {"limits.shift"}},  // no single end helps: Σ is given, and the other end rejects
+       // A change of a single end does not help, because Σ is given and the other end rejects all.
+       {"limits.shift"}},
 
       {"ring",
        with([](P& p) {

@@ -23,7 +23,8 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// A shift or a distance without limit, modules: greater than any value, but with a finite square.
+// A shift or a distance without limit, modules. It is greater than any value, but its square is
+// finite.
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {

@@ -77,7 +77,7 @@ TEST(SearchRank, EqualWorthsComeInOrder) {  // (2)
   EXPECT_GT(ties, 100);
 }
 
-// Brute force by the plain definition, over the costs as they are.
+// The plain definition, evaluated for all pairs of designs.
 TEST(SearchRank, TheFrontIsWhatNoneDominates) {  // (3)
   SearchProblem p = helical_search();
   p.objectives = {Objective::size, Objective::contact_ratio, Objective::sliding};
@@ -121,7 +121,7 @@ TEST(SearchRank, TheFrontIsWhatNoneDominates) {  // (3)
     EXPECT_EQ(ours, front);
     std::set<std::int64_t> all;
     for (const DesignRow& row : answer.designs) all.insert(row.trial.index);
-    EXPECT_EQ(all.size(), f.rows.size());  // each once
+    EXPECT_EQ(all.size(), f.rows.size());  // each design occurs once
   }
 }
 

@@ -34,10 +34,12 @@ using testing::search::problem_of_search;
 using testing::search::reference;
 using testing::search::whole;
 
-// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
+// The type is not an aggregate, because C++20 would accept a part of the members and set the others
+// to 0.
 static_assert(!std::is_constructible_v<SearchAnswer, SearchCounts>);
 
-constexpr double kPrintedDouble = 1e-11;  // doubles of the source: areas of about 1 modules²
+// Rounding of the doubles in the source; areas are about 1 modules².
+constexpr double kPrintedDouble = 1e-11;
 
 const json& bests() {
   static const json file =

@@ -148,7 +148,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
 
 ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
-  if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax) return s;  // out of reach
+  if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax)
+    return s;  // the limit cannot be reached
   // The graph also ends at the corners of the rectangle, which are points and give no edge its
   // name.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);

@@ -31,7 +31,8 @@ Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchPr
 void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   GW_EXPECTS(p.rating.has_value());
   constexpr auto kLimit = Knob::Kind::limit;
-  constexpr double kLightest = 1e-3;  // of the load: less would be a different machine
+  constexpr double kLightest =
+      1e-3;  // of the load, because a smaller load would be a different machine
   const auto plain = [](double v) { return shown(v); };
   for (const auto member : {&SearchLimits::safety_flank, &SearchLimits::safety_root}) {
     const auto& wanted = p.limits.*member;

@@ -30,7 +30,7 @@ namespace {
 // tooth ends.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // Rounding to the safe side, because the thickness is evaluated at both ends.
+  // Rounds to the safe side, because the thickness is evaluated at both ends.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
 }
@@ -54,7 +54,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // For about a hundred teeth and more, tips on the base circle are thin too.
+    // From about a hundred teeth on, tips on the base circle are also too thin.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);

@@ -1,4 +1,4 @@
-// Oracles: (1) places of planets by trial: a copy is turned about the carrier's axis in small
+// Oracles: (1) places of planets by trial: a copy is moved around the axis of the carrier in small
 // steps, and its gears are turned until all teeth mesh; (2) phases from tooth events in time.
 #include "gearwright/drive/assembly.hpp"
 

@@ -1,6 +1,7 @@
-// Laws: (1) one mesh has the curve of its pair, whichever gear drives; (2) conjugate flanks have none;
-// (3) three planets in sequence leave every third harmonic; (4) with one planet, the error is the
-// sum of both curves at the actual positions of the planet, which the test computes itself.
+// Laws: (1) one mesh has the curve of its pair, whichever gear drives; (2) conjugate flanks have no
+// transmission error; (3) three planets in sequence leave every third harmonic; (4) with one
+// planet, the error is the sum of both curves at the actual positions of the planet, which the test
+// computes itself.
 #include "gearwright/drive/drive_error.hpp"
 
 #include <gtest/gtest.h>

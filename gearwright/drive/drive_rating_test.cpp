@@ -33,7 +33,7 @@ DriveLoad load() {
   load.speed = 1500.0;
   load.common.application_factor = 1.25;
   load.common.mesh_load_factor = 1.1;
-  load.common.life_h = 20.0;  // limited life, so the cycles have an effect
+  load.common.life_h = 20.0;  // the life is limited, so the number of cycles has an effect
   load.common.viscosity = 220.0;
   load.common.quality = {6, 6};
   load.common.face_load_factor = 1.2;

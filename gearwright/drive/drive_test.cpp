@@ -1,6 +1,6 @@
-// Laws: (1) closed forms of a simple set's ratios and efficiencies, [T13.10]; (2) those of sets with
-// two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) the computed
-// flow has the only consistent pattern of signs with η > 0, by enumeration.
+// Laws: (1) closed forms of a simple set's ratios and efficiencies, [T13.10]; (2) closed forms of
+// sets with two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) the
+// computed flow has the only consistent pattern of signs with η > 0, by enumeration.
 #include "gearwright/drive/drive.hpp"
 
 #include <gtest/gtest.h>

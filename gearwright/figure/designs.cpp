@@ -43,8 +43,8 @@ Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& 
   fit(y, box.lo.y(), box.hi.y());
   Figure f{"designs-plot",
            fmt::format("Designs by {} and {}", x.words, y.words),
-           fmt::format("{} designs as dots; horizontally the {}, vertically the {}.", dots.size(),
-                       x.words, y.words),
+           fmt::format("{} designs as dots: the {} horizontally and the {} vertically.",
+                       dots.size(), x.words, y.words),
            "",
            std::move(x),
            std::move(y)};

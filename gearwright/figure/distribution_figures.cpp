@@ -102,9 +102,10 @@ Figure index_figure(const IndexScene& scene) {
       .id = scene.id,
       .title = "Share of the variance: " + scene.words,
       .description =
-          "For each tolerance the share of the variance that it explains alone, and the share in "
-          "which it takes part.",
-      .caption = ", by Sobol’s indices: what a tolerance explains alone, and in all.",
+          "For each tolerance, the share of the variance that it explains alone, and its total "
+          "share with interactions.",
+      .caption =
+          ", by Sobol’s indices: the share that a tolerance explains alone, and its total share.",
       .x = {"tolerance", "", 0.3, n + 0.7, true},
       .y = {"share of the variance", "", 0.0, 1.0}};
   f.keys = {{"alpha", "alone"}, {"beta", "in all"}};

@@ -44,16 +44,16 @@ std::vector<double> map_levels(const ErrorMap& map) {
 Figure error_map_figure(const ContactMap& both) {
   const ErrorMap& map = both.map;
   const auto& [across, up] = both.axes;
-  Figure f{"error-map",
-           "Peak to peak over two errors",
-           fmt::format("Shades and contour lines of the transmission error's peak to peak over {} "
-                       "and {}.",
-                       across.name, up.name),
-           ", all others as specified; brighter shades are greater values.",
-           {across.name, across.unit, map.x.front(), map.x.back()},
-           {up.name, up.unit, map.y.front(), map.y.back()},
-           "",
-           0.85};
+  Figure f{
+      "error-map",
+      "Peak to peak over two errors",
+      fmt::format("Shades and contour lines of the peak-to-peak transmission error over {} and {}.",
+                  across.name, up.name),
+      ", with all other errors as specified; brighter shades are greater values.",
+      {across.name, across.unit, map.x.front(), map.x.back()},
+      {up.name, up.unit, map.y.front(), map.y.back()},
+      "",
+      0.85};
   const FlankRaster raster = raster_of(map);
   const ContourField field = field_of(raster);
   const std::vector<double> levels = map_levels(map);
@@ -80,7 +80,7 @@ Figure error_map_figure(const ContactMap& both) {
   if (!inside) return f;
   f.dot({across.value, up.value}, 7.5, "here-ring");
   f.dot({across.value, up.value}, 3.0, "here-dot", "as specified");
-  f.caption += " The ringed dot: as specified.";
+  f.caption += " The ringed dot is the pair as specified.";
   return f;
 }
 

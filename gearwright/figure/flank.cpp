@@ -83,7 +83,7 @@ void add_way(Figure& f, const std::vector<PathPiece>& pieces, std::size_t which)
   if (ellipse) f.keys.push_back({"instant", "contact ellipse"});
   if (line) f.keys.push_back({"instant-line", "contact line"});
   if (pieces.empty()) return;
-  f.dot(touch_of(*pieces.front().points.front(), which), 5.0, "way-begin", "begin of the mesh");
+  f.dot(touch_of(*pieces.front().points.front(), which), 5.0, "way-begin", "start of the mesh");
   f.dot(touch_of(*pieces.back().points.back(), which), 4.5, "mark", "end of the mesh");
 }
 
@@ -253,8 +253,8 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   if (layers.now) {
     if (layers.gap)
       f.caption += fmt::format(
-          "{} of tooth pair {} at rotation {}°: lines where it is 1, 2, 5, 10, 20 "
-          "and 50 µm, as far as the mating gear reaches",
+          "{} of tooth pair {} at rotation {}°: contour lines at 1, 2, 5, 10, 20 and 50 µm, as far "
+          "as the mating gear reaches",
           gap_alone ? "," : "; darker: the gap", pair_words(layers.now->pair),
           fixed(layers.now->rotation1.deg(), 3));
     if (layers.now->line)
@@ -265,7 +265,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
       f.keys.push_back({"action", layers.now->line ? "contact line" : "contact point"});
   }
   f.caption +=
-      (layers.way ? ". It runs from the hollow dot to the filled one. " : ". ") + proportions;
+      (layers.way ? ". It runs from the hollow dot to the filled dot. " : ". ") + proportions;
   return f;
 }
 

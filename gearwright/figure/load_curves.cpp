@@ -64,7 +64,7 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
       {.id = "loaded-te",
        .title = "Loaded transmission error",
        .description =
-           "Over the rotation of gear 1: transmission error relative to its mean, for each torque.",
+           "Transmission error relative to its mean over the rotation of gear 1, for each torque.",
        .caption = ", each curve relative to its mean.",
        .x = {},
        .y = {"transmission error", "arc seconds"}},
@@ -85,7 +85,7 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
   const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
   Figure f{.id = "load-share",
            .title = "Load share",
-           .description = "Over the mesh of one tooth pair: its share of the load.",
+           .description = "Share of the load of one tooth pair over its mesh.",
            .caption = " of one tooth pair while it carries load.",
            .x = {"turn of the tooth pair from the centre line", "pitches"},
            .y = {"share of the load", ""}};
@@ -111,19 +111,19 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
 std::optional<Figure> stiffness_figure(const LoadScene& scene) {
   const bool points = scene.contact.regime == LoadRegime::point;
   return fitted(
-      over_the_rotation(scene,
-                        {.id = "mesh-stiffness",
-                         .title = "Mesh stiffness",
-                         .description = fmt::format(
-                             "Over the rotation of gear 1: {} over approach, for each torque.",
-                             points ? "force" : "line load"),
-                         .caption = ", secant, bodies’ twist included.",
-                         .x = {},
-                         .y = {"stiffness", points ? "N/µm" : "N/(mm µm)"}},
-                        [&](const LoadedTorque& t) {
-                          return over_the_pitch(
-                              scene, t, [](const LoadedPosition& p) { return p.stiffness; });
-                        }),
+      over_the_rotation(
+          scene,
+          {.id = "mesh-stiffness",
+           .title = "Mesh stiffness",
+           .description =
+               fmt::format("Over the rotation of gear 1: {} divided by approach, for each torque.",
+                           points ? "force" : "line load"),
+           .caption = ", secant, including the twist of the bodies.",
+           .x = {},
+           .y = {"stiffness", points ? "N/µm" : "N/(mm µm)"}},
+          [&](const LoadedTorque& t) {
+            return over_the_pitch(scene, t, [](const LoadedPosition& p) { return p.stiffness; });
+          }),
       true);
 }
 
@@ -132,8 +132,7 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
   Figure f{.id = "root-stress-turn",
            .title = "Greatest root stress",
            .description =
-               "Over the rotation of gear 1: the greatest principal stress at the roots of "
-               "both gears.",
+               "Greatest principal stress at the roots of both gears over the rotation of gear 1.",
            .caption = fmt::format(" at {}.", torque_words(t)),
            .x = {"rotation of gear 1", "°"},
            .y = {"root stress", "N/mm²"}};
@@ -148,7 +147,7 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
 std::optional<Figure> root_face_figure(const LoadScene& scene) {
   Figure f{.id = "root-stress-face",
            .title = "Over the face",
-           .description = "Over the face: the greatest stress along the fillet, of both gears.",
+           .description = "Greatest stress along the fillet of both gears over the face.",
            .caption = ": the greatest along the fillet.",
            .x = {"along the face from its middle", "mm"},
            .y = {"root stress", "N/mm²"}};
@@ -176,8 +175,8 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
   Figure f{.id = "harris",
            .title = "Harris map",
            .description =
-               "Over the torque: the loaded transmission error's peak to peak and the "
-               "amplitudes of its first harmonics.",
+               "Peak to peak of the loaded transmission error and amplitudes of its first "
+               "harmonics over the torque.",
            .caption = fmt::format(". Of the given torques, {} has the least, {}″ peak to peak.",
                                   torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
            .x = {"torque on gear 1", "N m"},

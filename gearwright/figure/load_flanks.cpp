@@ -146,7 +146,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
                          raster, scene.gears[which]->internal(), which);
   f.caption = fmt::format(" at {}: the greatest pressure over a mesh, N/mm². ", torque_words(t)) +
               f.caption;
-  f.keys.push_back({"bears", "where teeth bear now"});
+  f.keys.push_back({"bears", "teeth in contact now"});
   // The regions above a level are computed from the negated pressures.
   ContourField field = field_of(raster);
   for (double& v : field.value) v = -v;
@@ -170,14 +170,13 @@ Figure pressure_along_figure(const LoadScene& scene) {
   GW_EXPECTS(scene.contact.regime == LoadRegime::line);
   const LoadedTorque& t = shown_torque(scene);
   const FaceSlices& s = scene.contact.slices[0];
-  Figure f{
-      "pressure-along",
-      "Pressure along the face",
-      "Over the face: the greatest pressure of a mesh, and that of the tooth pairs that bear at "
-      "one position.",
-      " of each loaded tooth pair, in its own colour.",
-      {"along the face from its middle", "mm", s.lo, s.hi},
-      {"pressure", "N/mm²", 0.0, 1.06 * t.max_pressure}};
+  Figure f{"pressure-along",
+           "Pressure along the face",
+           "Greatest pressure over the face during a mesh, and pressure of the tooth pairs that "
+           "carry load at one position.",
+           " of each loaded tooth pair, in its own colour.",
+           {"along the face from its middle", "mm", s.lo, s.hi},
+           {"pressure", "N/mm²", 0.0, 1.06 * t.max_pressure}};
   f.keys.push_back({"before", "the greatest over a mesh"});
   const auto heights = heights_of(scene, 0);
   std::vector<Vec2> greatest;
@@ -240,14 +239,12 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
 }
 
 std::optional<Figure> point_pressure_figure(const LoadScene& scene) {
-  Figure f{
-      "point-pressure",
-      "Pressure",
-      "Over the mesh of one tooth pair: the greatest pressure.",
-      " in the middle of the ellipse, of one tooth pair from where it begins to bear to where it "
-      "ceases.",
-      {"turn of the tooth pair from the centre line", "pitches"},
-      {"pressure", "N/mm²"}};
+  Figure f{"point-pressure",
+           "Pressure",
+           "Greatest pressure over the mesh of one tooth pair.",
+           " in the middle of the ellipse, for one tooth pair while it carries load.",
+           {"turn of the tooth pair from the centre line", "pitches"},
+           {"pressure", "N/mm²"}};
   f.keys = torque_keys(scene);
   std::size_t shown = 0;
   for (const std::size_t i : shown_torques(scene)) {

@@ -169,18 +169,19 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   const double middle = 0.5 * (te.lo + te.hi);
   const double peak = (te.hi - te.lo) * kArcsecPerRad;
   const double half = 0.62 * std::max(peak, kFlat);
-  Figure f{other ? "te-other" : "te",
-           other ? "Transmission error of the non-working flanks" : "Transmission error",
-           "Over the rotation of gear 1: transmission error in arc seconds, below it the tooth "
-           "pair in contact and its place on the flanks.",
-           fmt::format(", from its middle at {}″. {} positions in the shaded pitch, which is "
-                       "repeated. A colour for each tooth pair, numbered from the one nearest the "
-                       "centre line; dashed: an edge touches; dotted vertical lines: one pair "
-                       "hands over to the next.",
-                       shown_arcsec(middle * kArcsecPerRad), result.positions.size()),
-           {"rotation of gear 1", "°", -pitch, pitch},
-           {"transmission error", "arc seconds", -half, half},
-           "peak to peak " + shown_arcsec(peak) + "″"};
+  Figure f{
+      other ? "te-other" : "te",
+      other ? "Transmission error of the non-working flanks" : "Transmission error",
+      "Transmission error in arc seconds over the rotation of gear 1, and below it the tooth pair "
+      "in contact and its position on the flanks.",
+      fmt::format(
+          ", from its middle at {}″. The shaded pitch has {} positions and is repeated. Each tooth "
+          "pair has a colour and a number, counted from the pair nearest to the centre line. "
+          "Dashed: an edge touches. Dotted vertical lines: one pair hands over to the next.",
+          shown_arcsec(middle * kArcsecPerRad), result.positions.size()),
+      {"rotation of gear 1", "°", -pitch, pitch},
+      {"transmission error", "arc seconds", -half, half},
+      "peak to peak " + shown_arcsec(peak) + "″"};
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   for (const double level : {te.hi, te.lo}) {

@@ -30,17 +30,19 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a gear has no usable flank"},
     // The gears do not run.
     {C::no_contact, "no_contact", kProblem,
-     "the teeth do not reach each other, or only outside the usable flanks (crossed: or faces)",
+     "the teeth do not touch, or touch only outside the usable flanks or, on crossed axes, outside "
+     "the faces",
      "the teeth do not touch"},
     {C::jam, "jam", kProblem,
      "verb contact: both flanks of a tooth space, or root fillets and flanks, are in contact at "
-     "once; the message has the angle by which gear 2 would have to yield",
+     "once; the message gives the angle by which gear 2 would have to yield",
      "the gears jam"},
     {C::negative_backlash, "negative_backlash", kProblem,
      "the teeth are too thick for the centre distance",
      "the teeth are too thick for this centre distance"},
     {C::contact_ratio, "contact_ratio", kProblem,
-     "the clipped ε_γ, crossed the clipped AE/p_bn, is below 1", "contact is not continuous"},
+     "the clipped ε_γ, or for crossed axes the clipped AE/p_bn, is below 1",
+     "contact is not continuous"},
     {C::load_unfinished, "load_unfinished", kProblem,
      "verbs load and compensate: at some positions the forces do not converge; these positions "
      "have no numbers",
@@ -76,7 +78,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the safety against pitting is too small"},
     // The gears run, but not as intended.
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
-     "with the number of a gear: the tip of the mating gear passes a part of the flank that "
+     "if the warning names a gear: the tip of the mating gear passes a part of the flank that "
      "undercut has removed; nothing collides, but contact ends earlier",
      "contact is lost where undercut has removed the flank"},
     {C::beyond_flank, "beyond_flank", kCaution,
@@ -88,14 +90,14 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a tip enters a root fillet"},
     {C::fillet_contact, "fillet_contact", kCaution,
      "verb contact under errors: a tip meets the root fillet of the mating gear before the flanks "
-     "meet; the message has the amount, the position and the side of the backlash",
+     "meet; the message gives the amount, the position and the side of the backlash",
      "a tip meets a root fillet"},
     {C::edge_carries, "edge_carries", kCaution,
      "verbs load and compensate: an edge of a tooth carries load, and the pressure there is a "
      "lower bound",
-     "an edge carries"},
+     "an edge carries load"},
     {C::edge_contact, "edge_contact", kCaution,
-     "an edge is in contact under the errors; the message has the share of the rotation",
+     "an edge is in contact under the errors; the message gives the share of the rotation",
      "an edge touches"},
     {C::no_tip_clearance, "no_tip_clearance", kCaution,
      "a tip has no clearance to the mating gear's root, because one gear has cut the other",
@@ -104,19 +106,20 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb load: the contact is wider than a tenth of its radius of curvature",
      "the contact is outside the range of Hertz’ formulas"},
     {C::nearly_parallel, "nearly_parallel", kCaution,
-     "the axes cross at less than 1°; the message has the helix angle that parallel axes need",
+     "the axes cross at less than 1°; the message gives the helix angle that parallel axes need",
      "the axes cross at a small angle"},
     {C::face_width, "face_width", kCaution,
-     "crossed: the lines of action run beyond the face; the message has f′",
+     "crossed axes: the lines of action run beyond the face; the message gives f′",
      "a face is too narrow for the line of action"},
     {C::undercut, "undercut", kCaution,
-     "the profile shift is less than the least one without undercut, x_E", "undercut", "",
+     "the profile shift x_E is less than the minimum without undercut", "undercut", "",
      kGearUnnamed},
     {C::pointed, "pointed", kCaution, "the flanks meet before the tip diameter", "pointed teeth",
      "", kGearUnnamed},
-    {C::thin_tip, "thin_tip", kCaution, "s_an < 0.2 m_n", "a thin tip", "", kGearUnnamed},
+    {C::thin_tip, "thin_tip", kCaution, "the tip thickness s_an is less than 0.2 m_n", "a thin tip",
+     "", kGearUnnamed},
     {C::tip_below_base, "tip_below_base", kCaution,
-     "internal gear: d_a < d_b, there is no involute down to the tip",
+     "internal gear: d_a is less than d_b, so the involute does not reach the tip",
      "a tip inside its base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
      "internal pairs: the pinion can be mounted axially only [T2.28]; when mounted, nothing "
@@ -137,8 +140,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "their profile shifts make them",
      "teeth thickened for the backlash"},
     {C::hob_run_out, "hob_run_out", kCaution,
-     "of a double-helical gear: the gap between the halves is less than the hob's run-out needs "
-     "[T2.43]",
+     "the gap between the halves of a double-helical gear is less than the run-out of the hob "
+     "needs [T2.43]",
      "a gap too narrow for the hob"},
     // The user should check numbers of the result or of the spec.
     {C::no_outline, "no_outline", kCaution,
@@ -146,33 +149,32 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "gear that no default cutter can generate)",
      "a gear without an outline", "", kGearUnnamed},
     {C::no_corrections, "no_corrections", kCaution,
-     "verb run: there are no corrections for this spec; the message has the reason",
+     "verb run: there are no corrections for this spec; the message gives the reason",
      "no corrections"},
     {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
      "verb load: the contact ellipse extends beyond an end of the flank, and the pressure there is "
      "a lower bound",
      "a contact ellipse beyond the flank"},
     {C::rating_root_fillet, "rating_root_fillet", kCaution,
-     "the root is a circular arc, which the standard does not have: Y_F and Y_S are those of the "
-     "root as the rack would cut it",
+     "the standard does not cover a circular root fillet, so Y_F and Y_S are computed for the root "
+     "that the rack would cut",
      "a root that the standard does not describe", "", kGearUnnamed},
     {C::contact_search_unfinished, "contact_search_unfinished", kCaution,
-     "verb contact: searches for a contact point that did not converge",
+     "verb contact: some searches for a contact point did not converge",
      "positions without an exact contact point", "Choose other positions."},
     {C::correction_at_bound, "correction_at_bound", kCaution,
      "verb compensate: a correction is at the end of the searched range",
      "a correction at its bound", "Align the housing better."},
     {C::rack_not_used, "rack_not_used", kCaution,
-     "internal gear: numbers of its rack that have no effect",
+     "internal gear: some numbers of its rack have no effect",
      "numbers of a rack that have no effect", "Leave out these numbers of the rack.", kGearUnnamed},
     {C::default_shaft_angle, "default_shaft_angle", kCaution,
      "the axes cross at the angle of the minimum centre distance, because no shaft angle is given",
-     "a shaft angle that was not given",
-     "Give the shaft angle, or give both gears one helix angle, of opposite hand."},
+     "a default shaft angle", "Give the shaft angle, or equal helix angles of opposite hand."},
     {C::pressure_angle, "pressure_angle", kCaution,
      "circular arcs: the pair touches at a pressure angle different from that of its rack",
      "a pressure angle that does not fit",
-     "Leave it out, or write the angle at which the flanks touch.", kGearUnnamed},
+     "Leave out the pressure angle, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
      "circular arcs: the gears do not have matching leads; contacts are omitted", "unequal leads",
      "The verb contact computes where the teeth touch."},
@@ -192,8 +194,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15",
      "a speed in the main resonance"},
     {C::rating_mounting, "rating_mounting", kCaution,
-     "the offset s of the pinion is greater than the mounting's figure allows",
-     "an offset that the mounting’s figure does not cover"},
+     "the offset s of the pinion is greater than the standard allows for this arrangement of the "
+     "bearings",
+     "an offset that the standard does not cover"},
     {C::rating_notch, "rating_notch", kCaution,
      "the notch parameter q_s is outside 1 to 8, the range of Y_S",
      "a fillet that the stress correction does not cover", "", kGearUnnamed},
@@ -204,16 +207,16 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "wear and deformation that are not rated"},
     // Information only.
     {C::not_read, "not_read", kNote,
-     "a part of the spec that has no effect in this version, or none in this verb", "",
-     "Leave it out."},
+     "a part of the spec has no effect in this version or with this verb", "", "Leave it out."},
     {C::tip_bulge, "tip_bulge", kNote,
-     "the tip projects beyond its involute, where the flank of the cutter ended; another mating "
-     "gear may collide with it; the message has the tip diameter that removes it"},
+     "the tip projects beyond the involute, because the flank of the cutter was too short; another "
+     "mating gear can collide with the projection; the message gives the tip diameter that removes "
+     "it"},
     {C::fillets_not_asked, "fillets_not_asked", kNote,
-     "verb contact with a changed lead of the cutter: contact of tips with root fillets is not "
-     "checked if the root was made by a pinion cutter or is a circular fillet"},
+     "verb contact: if the lead of the cutter is changed, contact of tips with root fillets is not "
+     "checked for circular fillets and for roots that a pinion cutter made"},
     {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
-     "the clipped ε_α is below 1, and the overlap compensates for it; the message has the least "
+     "the clipped ε_α is below 1, and the overlap compensates for it; the message gives the least "
      "face width"},
     {C::self_locking, "self_locking", kNote,
      "the named gear, or the end of a drive, cannot drive with this friction"},
@@ -224,17 +227,16 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_cutter, "default_cutter", kNote,
-     "internal gear without `cut_by`: its fillets are those of a default cutter; the message has "
-     "its number of teeth"},
+     "an internal gear has no `cut_by`, so a default cutter generates its fillets; the message "
+     "gives the number of teeth of the cutter"},
     {C::inherited, "inherited", kNote,
-     "gear 2 takes the material or quality of gear 1, because its own is not given"},
+     "gear 2 has no material or quality in the spec and takes that of gear 1"},
     {C::profile_shifts_chosen, "profile_shifts_chosen", kNote,
-     "absent profile shifts follow from the centre distance; the message has them"},
+     "absent profile shifts are computed from the centre distance; the message gives them"},
     {C::tip_fillet_cut_off, "tip_fillet_cut_off", kNote,
      "the blank ends the tooth before its circular tip fillet begins"},
     {C::no_chord, "no_chord", kNote,
-     "verb measure: there is no usable flank, or none that a calliper spans, and no diameter is "
-     "given"},
+     "verb measure: there is no usable flank that a calliper can span, and no diameter is given"},
     {C::no_span, "no_span", kNote,
      "verb measure: no span touches the usable flank, and no number of teeth is given"},
     {C::no_balls, "no_balls", kNote,
@@ -255,19 +257,21 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb load: an internal gear has no rim diameter and is held at the rim diameter of its CAD "
      "files"},
     {C::no_load, "no_load", kNote,
-     "verb run: there is no analysis under load for these gears; the message has the reason"},
+     "verb run: there is no analysis under load for these gears; the message gives the reason"},
     {C::stiffness_differs, "stiffness_differs", kNote,
-     "verb load: the mesh stiffness differs from c_γα of ISO 6336-1; the message has the reasons"},
-    {C::designs_cut, "designs_cut", kNote, "verb search: there are more designs than are listed"},
+     "verb load: the mesh stiffness differs from c_γα of ISO 6336-1; the message gives the "
+     "reasons"},
+    {C::designs_cut, "designs_cut", kNote,
+     "verb search: there are more designs than the list contains"},
     {C::edges_left_out, "edges_left_out", kNote,
      "verb search: the borders of the regions are omitted for more than 10 000 designs"},
     {C::changes_left_out, "changes_left_out", kNote,
-     "verb search: changes of the limits were not searched, or not all of them; the message has "
-     "the reason"},
+     "verb search: changes of the limits were searched only in part or not at all; the message "
+     "gives the reason"},
     // Warnings about whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
-     "verb drive: no profile shift brings the meshes of a planet to one centre distance, or an "
-     "idler has no possible place",
+     "verb drive: no profile shift brings all meshes of a planet to the same centre distance, or "
+     "there is no possible place for an idler",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
      "verb drive: the tip circles of neighbouring planets overlap, or there are fewer places than "
@@ -276,9 +280,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::unequal_spacing, "unequal_spacing", kCaution,
      "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,
-     "verb drive: a closed loop of meshes shares its torque by compliance, so no torques are "
+     "verb drive: the torques in a closed loop of meshes depend on compliance, so they are not "
      "computed",
-     "a closed loop of meshes has no torques without compliance"},
+     "the torques in a closed loop of meshes depend on compliance"},
 }};
 
 constexpr bool each_has_its_row() {

@@ -1,4 +1,4 @@
-// The part of a flank that the mating gear touches, by the handbook's formula.
+// The part of a flank that the mating gear touches is compared with the formula of the handbook.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,8 +18,8 @@ Gear gear_of(int teeth, double beta_deg, double x, double tip = 0.0) {
   return testing::taken(make_gear(s));
 }
 
-// d_Nf from the tip of the mating gear: √((2 a sin α_wt − √(d_Fa2² − d_b2²))² + d_b1²); of a pinion
-// in a ring 2 a sin α_wt + √(d_b1…), with the sign of the ring's teeth.
+// d_Nf from the tip of the mating gear: √((2 a sin α_wt − √(d_Fa2² − d_b2²))² + d_b1²); for a ring,
+// the difference becomes the sum 2 a sin α_wt + √(d_Fa1² − d_b1²).
 double by_hand(double base, double mate_base, double mate_tip, double twice_a_sin, double sigma) {
   const double mate = std::sqrt(mate_tip * mate_tip - mate_base * mate_base);
   return std::hypot(base, sigma * (twice_a_sin - mate));
@@ -39,7 +39,7 @@ TEST(ActiveFlank, of_external_gears_by_hand) {
     EXPECT_NEAR(two->root.diameter, by_hand(d_b2, d_b1, g[0].tip_diameter, twice, 1), 1e-9);
     EXPECT_NEAR(one->tip.diameter, g[0].tip_diameter, 1e-9);
     EXPECT_NEAR(two->tip.diameter, g[1].tip_diameter, 1e-9);
-    // [T10.22] holds for them as for any place.
+    // [T10.22] holds for the active diameters as for any diameter.
     for (const RollPlace& p : {one->root, one->tip}) {
       const RollPlace same = roll_place(g[0], p.diameter);
       EXPECT_NEAR(p.length, same.length, 1e-9);

@@ -1,4 +1,4 @@
-// The chord by hand: golden values, and the order of every error.
+// The series of the chord: golden values, and the order of every error.
 #include "gearwright/inspection/chord_series.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ struct GoldenSeries {
   Spur spur;
   double base_chord, base_height;
 };
-// Computed with 40 digits.
+// These values were computed with 40 digits.
 const GoldenSeries kGoldenSeries[] = {
     {"crossed 9, 51.6°",
      51.576509202864735,
@@ -115,8 +115,8 @@ TEST(ChordSeries, golden_values) {
   }
 }
 
-// The shortest chord by halving, in 50 digits and from the condition itself: at θ the derivative of
-// sin² θ + (θ_t − θ)²/tan² ψ is nothing.
+// The shortest chord by bisection, with 50 digits and from its condition: at θ the derivative of
+// sin² θ + (θ_t − θ)²/tan² ψ is 0.
 ApproximateChord<Exact> by_halving(const Exact& theta_t, const Exact& psi, const Exact& r) {
   const Exact t2 = tan(psi) * tan(psi);
   Exact lo = 0, hi = theta_t;
@@ -156,7 +156,8 @@ TEST(ChordSeries, errors_fall_with_the_right_power) {
   }
 }
 
-// What the virtual spur gear's chord lacks: the stated error is the whole of it to leading order.
+// The error of the chord of the virtual spur gear: to leading order, the stated error is the
+// complete error.
 TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
   const Exact r = 20;
   for (const double psi : {5.0, 35.0, 51.6, -70.0}) {
@@ -172,7 +173,8 @@ TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
         static_cast<double>((exact.height - spur.height) / virtual_spur_height_error(theta, p, r)),
         1.0, 2e-5)
         << psi;
-    // z/(cos ψ cos² β_b) is wrong at the first correction already: only second order falls away.
+    // z/(cos ψ cos² β_b) is wrong from the first correction on, so only the terms of second order
+    // agree.
     const Exact base = asin(sin(p) * cos(Exact(20) * Exact(kDegree)));
     const auto other = virtual_spur_on_base_helix(theta, p, base, r).chord();
     EXPECT_GT(abs(exact.chord - other.chord), 1000 * abs(exact.chord - spur.chord)) << psi;
@@ -180,7 +182,7 @@ TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
 }
 
 // Greatest relative errors over all ψ from 0 to 88°: the table of docs/theory/05-approximations.md.
-// The first term left out peaks at sin² ψ = 1/3 [T5.11] while it leads.
+// While the first omitted term dominates, it is greatest at sin² ψ = 1/3 [T5.11].
 TEST(ChordSeries, greatest_errors_over_all_helix_angles) {
   struct Row {
     double theta_t, chord[3], height[3];
@@ -199,7 +201,7 @@ TEST(ChordSeries, greatest_errors_over_all_helix_angles) {
         if (error > chord) chord = error, worst_psi = psi / kDegree;
         height = std::max(height, std::abs(by_hand.height / exact.height - 1.0));
       }
-      // The theory page gives two digits.
+      // The theory page prints two digits.
       EXPECT_NEAR(chord / row.chord[n - 1], 1.0, 0.05) << row.theta_t << " " << n;
       EXPECT_NEAR(height / row.height[n - 1], 1.0, 0.05) << row.theta_t << " " << n;
       if (n > 1) {
@@ -214,7 +216,7 @@ TEST(ChordSeries, of_a_spur_gear) {
   const double theta = 0.1;
   const auto c = chord_by_series(theta, 0.0, 10.0, 3);
   EXPECT_EQ(c.half_angle, theta);
-  // The terms left out: θ⁹/9! of the chord, θ¹⁰/10! of the height.
+  // The first omitted terms are θ⁹/9! for the chord and θ¹⁰/10! for the height.
   EXPECT_NEAR(c.chord, 20 * std::sin(theta), 20 * std::pow(theta, 9) / 362880 * 1.1 + 4e-16);
   EXPECT_NEAR(c.height, 10 * (1 - std::cos(theta)), 1e-15);
   EXPECT_EQ(virtual_spur(theta, 0.0, 10.0).chord().chord, 20 * std::sin(theta));

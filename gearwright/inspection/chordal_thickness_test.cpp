@@ -1,4 +1,4 @@
-// The shortest chord: golden values, a search that knows nothing of the equation, laws, gears.
+// The shortest chord: golden values, a search that does not use the equation, laws, and gears.
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
@@ -21,8 +21,8 @@ namespace {
 using testing::kDegree;
 using testing::made;
 
-// Computed with 40 digits from the equations of the theory page and confirmed there by a direct
-// search; worm threads, left hands, a spur gear, an internal gear.
+// These values were computed with 40 digits from the equations of the theory page and confirmed by
+// a direct search. They cover worm threads, left hands, a spur gear and an internal gear.
 struct Golden {
   const char* tooth;
   double psi_deg, diameter, theta_t, theta, chord, height, caliper_deg;
@@ -59,7 +59,8 @@ const Golden kGolden[] = {
 };
 
 // ψ and θ_t are given to ½ ulp, about 1e-16 relative; k and Δh magnify that by at most
-// dln Δh/dln ψ = 2 · 2 ψ/sin 2ψ = 17 at 81.5°. With the rounding of the functions 2e-14 is ample.
+// dln Δh/dln ψ = 2 · 2 ψ/sin 2ψ = 17 at 81.5°. With the rounding errors of the functions, 2e-14 is
+// sufficient.
 TEST(ShortestChord, golden_values) {
   for (const Golden& g : kGolden) {
     const auto c = shortest_chord(
@@ -72,8 +73,8 @@ TEST(ShortestChord, golden_values) {
   }
 }
 
-// Two helices of the same hand and lead, 2θ_t apart; one point rests, the other moves along its
-// helix by z. Points in space and their distance: nothing else.
+// Two helices of the same hand and lead, 2θ_t apart. One point is fixed, and the other point moves
+// along its helix by z. Only points in space and their distance are used.
 struct TwoHelices {
   long double theta_t, tan_psi, r;
   struct Seen {
@@ -94,7 +95,7 @@ struct Found {
   long double z, distance;
 };
 
-// All minima of the distance in lo < z < hi: a dense grid, each dip refined by golden section.
+// All minima of the distance in lo < z < hi, found on a dense grid and refined by golden section.
 std::vector<Found> dips(const TwoHelices& h, long double lo, long double hi) {
   constexpr int kGrid = 4000;
   std::vector<long double> d(kGrid + 1);
@@ -115,8 +116,9 @@ std::vector<Found> dips(const TwoHelices& h, long double lo, long double hi) {
   return found;
 }
 
-// The chord is flat at its minimum: golden section finds k to 1e-17 and the place to √1e-19 times
-// the width of the valley, hence 1e-8 for the height and 1e-7 for the angle.
+// Near its minimum the chord is nearly constant. Golden section finds k to 1e-17, but the position
+// only to √1e-19 times the width of the valley. The tolerances are therefore 1e-8 for the height
+// and 1e-7 for the angle.
 void expect_same(const ChordalThickness<double>& c, const TwoHelices& h, const Found& best,
                  const std::string& what) {
   const auto r = static_cast<double>(h.r);
@@ -138,7 +140,7 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
     steep += std::abs(std::tan(psi)) > 1;
     thick += theta_t > 1;
     const TwoHelices h{theta_t, std::tan(static_cast<long double>(psi)), r};
-    // From the axial chord, beyond the transverse one, to the same on the other side.
+    // From the axial chord, beyond the transverse chord, to the axial chord on the other side.
     const long double reach = std::min(2 * h.theta_t * h.r / std::abs(h.tan_psi), 2.5L * h.r);
     const auto found = dips(h, -reach * 1.001L, reach * 1.001L);
     ASSERT_FALSE(found.empty());
@@ -151,8 +153,9 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
   EXPECT_GE(thick, 20);
 }
 
-// More than half the circumference: a worm with a thread thicker than its space. The first dip
-// coming from the axial direction; and when none is left on the tooth's side, the answer says so.
+// A tooth over more than half of the circumference is a worm with a thread thicker than its space.
+// The chord is the first minimum from the axial direction. If there is no minimum on the side of
+// the tooth, the result shows this.
 TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
   testing::Draw random(20250201);
   int on_the_tooth = 0, behind = 0;
@@ -160,7 +163,7 @@ TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
     const double psi = random.uniform(1, 85) * kDegree;
     const double theta_t = random.uniform(1.58, 3.1);
     const TwoHelices h{theta_t, std::tan(static_cast<long double>(psi)), 1.0L};
-    // z < 0 from the axial chord (equal angles) to where the points are half a turn apart.
+    // z < 0 reaches from the axial chord (equal angles) to points that are half a turn apart.
     const long double axial = -2 * h.theta_t / h.tan_psi;
     const long double half_turn = (kPi - 2 * h.theta_t) / h.tan_psi;
     const auto found = dips(h, axial, half_turn);
@@ -180,7 +183,7 @@ TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
   EXPECT_GE(behind, 50);
 }
 
-// Up to half the circumference T sin 2θ + 2θ = 2θ_t has one root in (0, θ_t), however steep.
+// Up to half of the circumference, T sin 2θ + 2θ = 2θ_t has one root in (0, θ_t) for every T.
 TEST(ShortestChord, equation_has_one_root_on_the_tooth) {
   testing::Draw random(20250201);
   for (int i = 0; i < 200; ++i) {
@@ -196,9 +199,9 @@ TEST(ShortestChord, equation_has_one_root_on_the_tooth) {
   }
 }
 
-// (1) the hand of the helix turns the calliper over and changes nothing else
+// (1) the hand of the helix changes the sign of the calliper angle and nothing else
 // (2) doubling all lengths doubles the results, exactly
-// (3) shorter than the transverse chord and than the arc along the normal helix
+// (3) the chord is shorter than the transverse chord and than the arc along the normal helix
 TEST(ShortestChord, laws) {
   testing::Draw random(20250201);
   for (int i = 0; i < 500; ++i) {
@@ -238,13 +241,13 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
   // A gear that is nearly a spur gear has nearly the same chord, because no formula divides by tan ψ.
   const auto a = shortest_chord(ToothArc<double>{0.2, 1e-160, 17.3, 20.0});
   EXPECT_DOUBLE_EQ(a.chord, 2 * 17.3 * std::sin(0.2));
-  // The other end: a helix all but along the circumference leaves the axial thickness
-  // 2 r θ_t/tan ψ, whose shortest chord differs from it by less than cos² ψ.
+  // At the other end, a helix runs nearly along the circumference. The shortest chord then differs
+  // from the axial thickness 2 r θ_t/tan ψ by less than cos² ψ.
   const auto b = shortest_chord(ToothArc<double>{1.5, 89.999 * kDegree, 17.3, 20.0});
   EXPECT_NEAR(b.chord, 2 * 17.3 * 1.5 * std::cos(89.999 * kDegree), 1e-9);
 }
 
-// Where pieces of the equation meet, and far beyond every gear: θ* stays on its side.
+// θ* stays on its side where the branches of the equation meet, and far beyond real gears.
 TEST(ShortestChord, half_angle_at_the_edges_of_its_domain) {
   const double half = kPi / 2;
   for (const double theta_t : {kMinHalfAngle, 1e-20, 0.5, std::nextafter(half, 0.0), half,
@@ -259,7 +262,7 @@ TEST(ShortestChord, half_angle_at_the_edges_of_its_domain) {
   }
 }
 
-// Small teeth: 1 − cos θ* would have lost all digits.
+// For small teeth, 1 − cos θ* would lose all digits.
 TEST(ShortestChord, height_does_not_cancel) {
   const auto c = shortest_chord(ToothArc<double>{1e-7, 0.0, 100.0, 101.0});
   EXPECT_NEAR(c.height, 100.0 * (0.5e-14 - 1e-28 / 24), 2e-28);  // θ²/2 − θ⁴/24, to 2 ulp
@@ -272,8 +275,9 @@ CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
       {.teeth = z, .module = m, .beta_deg = beta_deg, .x = x, .face_width = 10 * m});
 }
 
-// KHK, Elements of metric gear technology: m 10, z 12, x 0.3, chord 17.8256, from the tip 13.9431
-// (h_a + s² cos β/(4 d) to first order there, so the chord only). And z 18, x 0.4, both exact.
+// KHK, Elements of metric gear technology: m 10, z 12, x 0.3, chord 17.8256, distance from the tip
+// 13.9431. The distance is h_a + s² cos β/(4 d), to first order, so only the chord is compared. For
+// z 18, x 0.4, both values are exact.
 TEST(ChordalThickness, of_spur_gears) {
   const auto khk = chordal_thickness(made(spec_of(12, 10, 0, 0.3)), 120);
   ASSERT_TRUE(khk) << khk.error().message();
@@ -292,7 +296,8 @@ TEST(ChordalThickness, of_helical_gears_and_rings) {
   for (const Golden& g : {kGolden[0], kGolden[1], kGolden[2]}) {
     const auto c = chordal_thickness(pinion, g.diameter);
     ASSERT_TRUE(c) << c.error().message();
-    // The shift is printed to 1e-16, the base helix comes by way of the reference one.
+    // The profile shift is printed to 1e-16, and the base helix angle is computed from the helix
+    // angle.
     EXPECT_NEAR(c->chord, g.chord, 1e-12) << g.tooth;
     EXPECT_NEAR(c->height, g.height, 1e-13) << g.tooth;
     EXPECT_NEAR(c->tip_to_chord, (46.65 - g.diameter) / 2 + g.height, 1e-13) << g.tooth;
@@ -304,11 +309,11 @@ TEST(ChordalThickness, of_helical_gears_and_rings) {
   ASSERT_TRUE(c) << c.error().message();
   EXPECT_NEAR(c->chord, 2.4134894423511044, 1e-12);
   EXPECT_NEAR(c->height, 0.012136500972841042, 1e-13);
-  // The chord's middle lies 60 cos θ* from the axis, the tip at 59.
+  // The middle of the chord lies 60 cos θ* from the axis, and the tip lies at 59.
   EXPECT_NEAR(c->tip_to_chord, 60 * std::cos(0.02011376820881157) - 59, 1e-13);
 }
 
-// A thinner tooth is narrower by the allowance, times cos θ at the chord's end.
+// A thinner tooth is narrower by the allowance times cos θ at the end of the chord.
 TEST(ChordalThickness, sees_the_allowance) {
   auto s = spec_of(40, 2, 0, 0);
   const auto full = chordal_thickness(made(s), 80);
@@ -349,7 +354,7 @@ TEST(ChordalThickness, says_what_is_allowed) {
     expect_refused(gear, d, "d_Fa");
   }
   expect_refused(made(spec_of(-60, 2, 0, 0)), 130, "root diameter");
-  // Pointed: the flank ends where the flanks meet, and there the chord is 0.
+  // On a pointed tooth, the flank ends where the flanks meet, and the chord is 0 there.
   auto pointed = spec_of(12, 2, 0, 0.9);
   pointed.tip_diameter = 40;
   const Gear sharp = made(pointed);

@@ -1,4 +1,5 @@
-// Points of the root fillet against the cutter's tip: its rounding, rolled in more digits.
+// Points of the root fillet are compared with the tip rounding of the cutter, which is rolled with
+// more digits.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -22,17 +23,19 @@ struct Place {
   Real nx, ny;  // unit, out of the material
 };
 
-// The rack's tip rounding is a circle in the normal section, an ellipse in the transverse one. At
-// the angle θ of the circle it touches the gear when the normal there passes the pitch point: the
-// rack has then moved by t from where its tooth stands in the space at π/z. [law of gearing]
+// The rack's tip rounding is a circle in the normal section, an ellipse in the transverse one. The
+// point at the angle θ of the circle touches the gear if its normal passes through the pitch point
+// [law of gearing]. The rack has then moved by t from the position in which its tooth is in the
+// space at π/z.
 Place rolled(const CylindricalSpec& s, Real theta) {
   const StraightRack& rack = s.straight_rack();
   const Real m = s.normal_module, beta = s.helix_angle.rad(), alpha = s.normal_pressure_angle.rad();
   const Real c = std::cos(beta), r = s.teeth * m / c / 2;
   const Real rho = rack.root_fillet_radius * m;
-  const Real depth = rack.dedendum * m - rho;  // of the centre below the datum line
+  const Real depth = rack.dedendum * m - rho;  // depth of the centre below the datum line
   const Real off = kLongPi * m / 4 - depth * std::tan(alpha) - rho / std::cos(alpha);
-  // Below the pitch line, and beside the middle of the cutter's tooth: the side of this flank.
+  // Position below the pitch line, and distance from the middle of the cutter tooth on the side of
+  // this flank.
   const Real x_E = s.profile_shift + Real(s.thickness_allowance) / (2 * m * std::tan(alpha));
   const Real d = depth - x_E * m + rho * std::sin(theta);
   const Real y = -(off + rho * std::cos(theta)) / c;
@@ -45,11 +48,11 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   const Real turn = kLongPi / s.teeth - t / r;
   const Real px = r - d, py = y + t;
   const Real co = std::cos(turn), si = std::sin(turn);
-  // Out of the cutter is into the gear.
+  // The direction out of the cutter is the direction into the gear.
   return {co * px - si * py, si * px + co * py, -(co * nx - si * ny), -(si * nx + co * ny)};
 }
 
-// The θ whose place lies nearest to a point, between the flank's tangent and the land's.
+// The θ of the position nearest to a point, between the tangents of the flank and of the land.
 Real nearest(const CylindricalSpec& s, Real x, Real y) {
   const auto far = [&](Real theta) {
     const Place p = rolled(s, theta);
@@ -90,7 +93,8 @@ TEST(FilletPoints, lie_where_the_cutters_rounding_leaves_them) {
       for (std::size_t i = 0; i < points.size(); ++i) {
         const NominalPoint& p = points[i];
         EXPECT_NEAR(p.diameter, 2 * p.point.head<2>().norm(), 1e-12);
-        // Back to the section in the middle of the face, and to the upper side of the tooth.
+        // Rotates the point back into the section in the middle of the face and to the upper side
+        // of the tooth.
         const Real turn = -Real(gear.twist()) * p.height;
         const Real x = std::cos(turn) * p.point.x() - std::sin(turn) * p.point.y();
         const Real y = hand * (std::sin(turn) * p.point.x() + std::cos(turn) * p.point.y());
@@ -101,18 +105,18 @@ TEST(FilletPoints, lie_where_the_cutters_rounding_leaves_them) {
         const Real flat = std::hypot(nx, ny);
         EXPECT_NEAR(p.normal.norm(), 1.0, 1e-14);
         EXPECT_LT(std::hypot(nx / flat - oracle.nx, ny / flat - oracle.ny), 1e-8) << i;
-        // Normal to the way up the flank: the screw.
+        // The normal is perpendicular to the direction of the screw along the flank.
         const Vec3 screw = gear.twist() * Vec3::UnitZ().cross(p.point) + Vec3::UnitZ();
         EXPECT_NEAR(p.normal.dot(screw), 0.0, 1e-13);
       }
-      // From the land to d_Ff.
+      // The points reach from the land to d_Ff.
       EXPECT_NEAR(points.front().diameter, std::abs(gear.root_diameter), 1e-9);
       EXPECT_NEAR(points[8].diameter, 2 * *gear.root_form_radius(), 1e-9);
     }
   }
 }
 
-// No undercut: flank and fillet have one tangent plane where they meet.
+// Without undercut, flank and fillet have a common tangent plane where they meet.
 TEST(FilletPoints, go_on_where_the_flank_ends_of_a_ring_too) {
   const auto ring = cut_by_default(testing::taken(make_gear(module_3_spec(-60, 12, 0.1))));
   ASSERT_TRUE(ring);
@@ -132,7 +136,8 @@ TEST(FilletPoints, go_on_where_the_flank_ends_of_a_ring_too) {
             nominal_point(gear, none, side, ranges->root_form.angle, last.height);
         EXPECT_LT((last.point - flank.point).norm(), 1e-9);
         EXPECT_LT((last.normal - flank.normal).norm(), 1e-6);
-        // On the root circle it points to the axis of a ring, and from that of a gear.
+        // On the root circle, the normal points towards the axis of a ring and away from the axis
+        // of a gear.
         const NominalPoint& first = points[7 * row];
         const double outward = first.normal.dot(first.point) / first.point.head<2>().norm();
         EXPECT_GT(gear.internal() ? -outward : outward, 0.9);

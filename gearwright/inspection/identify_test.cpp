@@ -1,4 +1,5 @@
-// Unknown gears: the worked example, and synthetic gears whose readings scatter as in a workshop.
+// Unknown gears: the example of the documents, and synthetic gears with the scatter of readings in
+// a workshop.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -58,8 +59,8 @@ TEST(Identify, names_the_reading_that_disagrees) {
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);
 }
 
-// A centre distance and a tip determine no helix angle. A free helix angle then leaves its whole prior range, which
-// counts as no more than that: its evidence must not exceed that of a spur gear.
+// A centre distance and a tip determine no helix angle. A free helix angle then keeps its whole
+// prior range, so its evidence must not exceed the evidence of a spur gear.
 TEST(Identify, undetermined_helix_angle_does_not_win) {
   for (const int z : {17, 21, 34}) {
     IdentifyProblem p;
@@ -101,7 +102,7 @@ TEST(Identify, refuses_what_says_nothing) {
 
 struct Workshop : testing::Draw {
   using Draw::Draw;
-  double normal() {  // Box-Muller: the same on every machine
+  double normal() {  // by Box and Muller, to get the same numbers on every machine
     return std::sqrt(-2 * std::log(uniform(1e-300, 1))) *
            std::cos(2 * 3.141592653589793 * uniform(0, 1));
   }
@@ -228,7 +229,7 @@ TEST(Identify, synthetic_gears) {
   EXPECT_NEAR(n.covered, 0.95 * n.known, 0.035 * n.known);  // 2.8 standard deviations of 300
 }
 
-// make test-long; the rate is printed.
+// The test belongs to make test-long and prints the rate.
 TEST(LongIdentify, ten_thousand_synthetic_gears) {
   const Counted n = identified(10000, 2);
   EXPECT_GE(n.first, 0.99 * n.decidable);

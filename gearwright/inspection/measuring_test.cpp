@@ -1,9 +1,10 @@
-// Spans, balls and pins against distances in space that know none of their formulas, and laws.
+// Spans, balls and pins are compared with distances in space that do not use their formulas, and
+// with laws.
 //
-// The oracle has the flank as points (u, z) of the unwound involute, screwed along the axis: the ball
-// is pushed into the space until the nearest point of the flank is its radius away, the span is the
-// stationary distance of two flanks, whose line is normal to both, and free pins are the least
-// distance of two helices.
+// The oracle describes the flank by points (u, z) of the unwound involute, which is screwed along
+// the axis. The ball is pushed into the tooth space until the nearest point of the flank is at the
+// distance of the ball radius. The span is the stationary distance of two flanks, where the line is
+// normal to both. Free pins have the least distance of two helices.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +36,7 @@ LongPoint cross(const LongPoint& a, const LongPoint& b) {
 }
 Real norm(const LongPoint& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
-// The numbers of the drawing, independent of the library.
+// The data of the drawing, computed independently of the library.
 struct Drawing {
   int z;
   Real m, alpha, beta, x, allowance;
@@ -45,7 +46,7 @@ struct Drawing {
   Real r_b() const { return r() * std::cos(alpha_t()); }
   Real twist() const { return std::tan(beta) / r(); }
   Real side() const { return z > 0 ? 1 : -1; }
-  // Half angle of the tooth where the flank meets the base circle.
+  // Half angle of the tooth at the base circle.
   Real half() const {
     const Real s_n = m * (kLongPi / 2 + 2 * x * std::tan(alpha)) + allowance;
     return s_n / std::cos(beta) / (2 * r()) + side() * (std::tan(alpha_t()) - alpha_t());
@@ -105,7 +106,7 @@ BallByPushing pushed(const Drawing& d, Real ball, Real near) {
   // The tooth beside the space about the x axis turned by half a pitch.
   const Flank flank{d, 1, -kLongPi / std::abs(d.z)};
   const auto touch = [&](Real rho) { return nearest(flank, {rho, 0, 0}, ball); };
-  // Secants from two places off the seat.
+  // Secant method from two points near the seat.
   Real before = near * 1.002L, now = near * 0.998L;
   Real f_before = touch(before).distance - ball / 2, f = touch(now).distance - ball / 2;
   for (int i = 0; i < 12 && std::abs(now - before) > 1e-17L * near; ++i) {
@@ -118,7 +119,7 @@ BallByPushing pushed(const Drawing& d, Real ball, Real near) {
   return {now, d.r_b() * std::sqrt(1 + t.u * t.u), std::abs(t.z)};
 }
 
-// Two flanks k − 1 pitches apart, laid symmetrically about the x axis: the stationary distance.
+// The stationary distance of two flanks that are k − 1 pitches apart and symmetric to the x axis.
 struct SpanByDistance {
   Real length, contact_radius, off_normal;
 };
@@ -193,7 +194,7 @@ TEST(Balls, rest_where_a_ball_pushed_into_the_space_does) {
     worst =
         std::max(worst, std::abs(seat->center_diameter / 2 - double(found.center_radius)) / scale);
     EXPECT_NEAR(seat->center_diameter / 2, double(found.center_radius), 1e-13 * scale) << i;
-    // The nearest point of a smooth surface is found to the root of the rounding.
+    // The nearest point of a smooth surface is found to the square root of the rounding error.
     EXPECT_NEAR(seat->contact_diameter / 2, double(found.contact_radius), 1e-7 * scale) << i;
     EXPECT_NEAR(seat->contact_offset, double(found.contact_offset), 1e-7 * scale) << i;
     ++seated;
@@ -213,7 +214,7 @@ TEST(Span, is_the_stationary_distance_of_two_flanks) {
     const Gear gear = made(d);
     const auto span = usual_span(gear);
     if (!span) continue;
-    // From a place off the contact, by a hundredth.
+    // The search starts at a point that is one hundredth away from the contact.
     const Real ratio = span->contact_diameter / 2 / d.r_b();
     const Real u = std::sqrt(ratio * ratio - 1) * 1.01L;
     const Real z = -span->min_face_width / 2 * (d.beta > 0 ? 1 : -1) * 1.01L;
@@ -245,7 +246,7 @@ TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
     const PinReading pins = over_pins(gear, *seat);
     const Real r_K = seat->center_diameter / 2;
     const Real offset = d.z % 2 ? kLongPi / d.z : 0;
-    // A dense search, then golden section about the best.
+    // A dense search, followed by golden section around the best point.
     const auto distance = [&](Real h) {
       const Real half = (kLongPi - offset + d.twist() * h) / 2;
       return std::hypot(2 * r_K * std::sin(half), h);
@@ -266,7 +267,7 @@ TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
   EXPECT_GE(steep, 10);
 }
 
-// The theory's example of three valid readings.
+// The example of the theory page for three valid readings.
 TEST(Pins, have_three_readings_on_a_helical_gear_of_odd_teeth) {
   const Gear gear = made({17, 3, 20 * kLongPi / 180, 20 * kLongPi / 180, 0.3L, 0});
   const auto seat = ball_in_space(gear, 5);
@@ -277,8 +278,10 @@ TEST(Pins, have_three_readings_on_a_helical_gear_of_odd_teeth) {
   EXPECT_NEAR(*pins.three, 62.27046, 5e-6);
 }
 
-// (1) the ball that touches at a diameter does so   (2) the thickness comes back from the reading
-// (3) the hand of the helix changes nothing         (4) doubled lengths double the readings
+// (1) the ball for a given contact diameter touches at this diameter
+// (2) the reading gives the tooth thickness again
+// (3) the hand of the helix changes nothing
+// (4) doubled lengths double the readings
 TEST(Balls, laws) {
   testing::Draw random(20260118);
   int seated = 0;
@@ -311,7 +314,7 @@ TEST(Balls, laws) {
     EXPECT_DOUBLE_EQ(over_two_balls(doubled, *twice), 2 * M);  // (4)
     ++seated;
   }
-  EXPECT_GE(seated, 150);  // others do not stand out beyond the tip
+  EXPECT_GE(seated, 150);  // other balls do not project beyond the tip
 }
 
 TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
@@ -357,8 +360,8 @@ TEST(Span, that_no_anvils_reach_is_refused_with_those_that_they_do) {
   EXPECT_FALSE(testing::taken(span_over(thin, 6)).usable());
 }
 
-// The chords of helical gears in the case file (inspection.json) are those of the spur gear of
-// z/cos³ β teeth, which is a function of the library; measure prints the exact minimum.
+// The chords of helical gears in the case file (inspection.json) are chords of the spur gear with
+// z/cos³ β teeth, for which the library has a function. The verb measure prints the exact minimum.
 TEST(Chord, of_the_virtual_gear_is_that_of_the_case_file) {
   struct Case {
     int z;
@@ -377,7 +380,8 @@ TEST(Chord, of_the_virtual_gear_is_that_of_the_case_file) {
   }
 }
 
-// The constant chord touches the flank: the tooth is as thick there as the chord is long.
+// The constant chord touches the flank, so the thickness of the tooth there equals the length of
+// the chord.
 TEST(ConstantChord, ends_on_both_flanks) {
   testing::Draw random(20260118);
   for (int i = 0; i < 100; ++i) {
@@ -386,8 +390,8 @@ TEST(ConstantChord, ends_on_both_flanks) {
     const auto c = constant_chord(gear);
     if (!c || c->contact_diameter < gear.reference().base_diameter) continue;
     const ToothArc<double> arc = tooth_arc(gear, c->contact_diameter);
-    // Its end lies across cos β from the middle plane of the tooth at its own height, and z = across
-    // sin β above it: the flank there is turned by the lead.
+    // At its own height, the end of the chord lies across cos β from the middle plane of the tooth,
+    // and it is z = across sin β above it, where the flank is rotated according to the lead.
     const double across = c->chord / 2 * std::cos(double(d.beta));
     const double z = c->chord / 2 * std::sin(double(d.beta));
     const double turned = std::asin(across / (c->contact_diameter / 2)) + z * gear.twist();
@@ -405,7 +409,8 @@ TEST(EvaluationRanges, of_a_spur_gear_by_hand) {
   EXPECT_EQ(ranges->profile[0], ranges->root_form.length);
   EXPECT_NEAR(ranges->profile[1] - ranges->profile[0],
               0.95 * (ranges->tip_form.length - ranges->root_form.length), 1e-14);
-  EXPECT_EQ(ranges->helix[1], 38.0);  // a face of 80: two modules less at each end, not 4 mm
+  // For a face width of 80, the evaluation ends one module before each end, not 4 mm.
+  EXPECT_EQ(ranges->helix[1], 38.0);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Points for a measuring machine against the unwound string, and normals against differences.
+// Points for a measuring machine are compared with the unwound string, and normals with difference
+// quotients.
 #include "gearwright/inspection/nominal_points.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ RemovalField field_of(const Gear& gear, const FlankModifications& m) {
       m, {gear.base_radius(), flank->root_end / 2, flank->tip_end / 2, gear.spec.face_width}));
 }
 
-// The tooth's half angle and the involute from the numbers of the drawing, in more digits.
+// The half angle of the tooth and the involute, computed from the data of the drawing with more
+// digits.
 Vec3 unwound(const Gear& gear, FlankSide side, double roll, double z) {
   const CylindricalSpec& s = gear.spec;
   const long double beta = s.helix_angle.rad(), alpha = s.normal_pressure_angle.rad();
@@ -57,11 +59,11 @@ TEST(NominalPoints, lie_on_the_unwound_flank) {
           const double roll =
               std::sqrt(rho * rho - gear.base_radius() * gear.base_radius()) / gear.base_radius();
           EXPECT_NEAR((p.point - unwound(gear, side, roll, p.height)).norm(), 0.0, 1e-11);
-          // Out of the material: to the left of a left flank.
+          // The normal points out of the material, which is to the left on a left flank.
           EXPECT_NEAR(p.normal.norm(), 1.0, 1e-15);
           const Vec3 around = Vec3(0, 0, 1).cross(p.point);
           EXPECT_GT(p.normal.dot(around) * (side == FlankSide::left ? 1 : -1), 0.0);
-          // Normal to both directions of the surface, by differences.
+          // The normal is perpendicular to both directions of the surface, by difference quotients.
           const double h = 1e-6;
           const Vec3 du =
               unwound(gear, side, roll + h, p.height) - unwound(gear, side, roll - h, p.height);
@@ -96,7 +98,7 @@ TEST(NominalPoints, of_a_modified_flank_have_its_normals) {
         const Vec3 du = at(roll + h, z) - at(roll - h, z), dz = at(roll, z + h) - at(roll, z - h);
         EXPECT_NEAR(p.normal.dot(du.normalized()), 0.0, 1e-7);
         EXPECT_NEAR(p.normal.dot(dz.normalized()), 0.0, 1e-7);
-        EXPECT_GT((p.normal - plain.normal).norm(), 1e-4);  // it has turned
+        EXPECT_GT((p.normal - plain.normal).norm(), 1e-4);  // the section is rotated
       }
     }
   }

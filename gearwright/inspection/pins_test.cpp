@@ -1,4 +1,4 @@
-// Pins under anvils: two pins and three of them, against lines and planes laid over circles.
+// Dimensions over two and three pins under anvils are compared with lines and planes over circles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ Gear helical(int teeth, double module, double beta_deg, double x) {
 }
 Gear spur(int teeth, double module, double x) { return helical(teeth, module, 0.0, x); }
 
-// Width between two parallel lines whose normal has the angle θ, over circles about these centres.
+// Width between two parallel lines over circles with these centres; the normal of the lines has the
+// angle θ.
 double width_over(const std::vector<Vec2>& centers, double radius, double theta) {
   double far = -1e300, near = 1e300;
   for (const Vec2& c : centers) {
@@ -32,8 +33,8 @@ double width_over(const std::vector<Vec2>& centers, double radius, double theta)
   return far - near;
 }
 
-// Pins as circles in the spaces of a spur gear, anvils as lines that turn about them: over two pins a
-// micrometer reads the greatest width, on three it rests where the width is least.
+// Pins are circles in the spaces of a spur gear, and anvils are lines that turn around them. Over
+// two pins a micrometer reads the greatest width; over three pins it rests at the least width.
 TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) {
   int odd = 0;
   for (const int z : {5, 7, 8, 17, 20, 33, 61, 100}) {
@@ -50,7 +51,7 @@ TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) 
     if (z % 2 == 1) three.push_back(in_space(z / 2 + 1));
     double greatest = 0, least = 1e300;
     for (int i = -20000; i <= 20000;
-         ++i) {  // about the line of centres, a quarter pitch either way
+         ++i) {  // up to a quarter of a pitch to both sides of the line of centres
       const double theta = 1e-4 * i * pitch / 4;
       greatest = std::max(greatest, width_over(two, seat->ball_diameter / 2, theta));
       least = std::min(least, width_over(three, seat->ball_diameter / 2, theta));
@@ -68,8 +69,9 @@ TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) 
   EXPECT_GE(odd, 4);
 }
 
-// Helical: a straight pin is tangent to its space where it stands. A plane over it touches its end, unless
-// it stands at the outermost place: there the plane lies lowest, and there the pins go.
+// On a helical gear, a straight pin is tangent to its space where it lies. A plane over the pin
+// touches its end, unless the pin lies at the outermost position. The plane is lowest at that
+// position, so the pins move there.
 TEST(Pins, three_of_them_read_the_outermost_places_of_a_helical_gear) {
   for (const int z : {17, 20, 95}) {
     const Gear gear = helical(z, 3, 12, 0.3);
@@ -82,13 +84,14 @@ TEST(Pins, three_of_them_read_the_outermost_places_of_a_helical_gear) {
     for (int i = -2000; i <= 2000; ++i) {
       const double phi = 1e-5 * i;
       const double lean =
-          std::abs(std::sin(phi) * std::sin(beta_K));  // of the pin against the plane
+          std::abs(std::sin(phi) * std::sin(beta_K));  // inclination of the pin to the plane
       lowest = std::min(lowest, r_K * std::cos(phi) + half * lean + r * std::sqrt(1 - lean * lean));
     }
     EXPECT_NEAR(*pins.three_pins, 2 * lowest, 1e-12 * r_K);
     EXPECT_EQ(*pins.three_pins, *pins.three);
   }
-  // Rings: spur spaces as above with the anvils inside, and no straight pin in a helical one.
+  // In rings, the spaces of spur gears are measured with the anvils inside, and a straight pin does
+  // not fit into a helical space.
   const Gear ring = spur(-61, 2, 0);
   const auto seat = testing::taken(ball_in_space(ring, ball_sizes(ring)->ideal));
   const double c = std::cos(kPi / 61);

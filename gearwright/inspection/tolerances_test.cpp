@@ -1,4 +1,4 @@
-// Tolerances of flanks, thicknesses and distances against the tables of their standards.
+// Tolerances of flanks, thicknesses and distances are compared with the tables of their standards.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ TEST(FlankTolerances, are_rounded_as_the_standard_says) {
   EXPECT_DOUBLE_EQ(rounded_tolerance(3.14), 3.1);
 }
 
-// d 100, m 6, b 36: all roots are whole, and the sums are done by hand.
+// d 100, m 6, b 36: all square roots are whole numbers, so the sums can be computed by hand.
 TEST(FlankTolerances, of_the_formulas_by_hand) {
   const ToleranceSubject gear{100, 6, 36, 17, 0.0};
   const auto t = flank_tolerances(FlankTolerances::iso_2013, 5, gear);
@@ -35,7 +35,7 @@ TEST(FlankTolerances, of_the_formulas_by_hand) {
   EXPECT_EQ(t.helix_form, 7.5);         // 0.7 + 2.7 + 4 = 7.4
   EXPECT_EQ(t.helix_total, 10.0);       // √(6.6² + 7.4²) = 9.92
   EXPECT_EQ(t.runout, 20.0);            // 0.9 · 21.9 = 19.71
-  // Two classes are a factor of two, one is a factor of √2.
+  // Two classes differ by a factor of 2, neighbouring classes by a factor of √2.
   const auto coarse = flank_tolerances(FlankTolerances::iso_2013, 7, gear);
   EXPECT_EQ(coarse.single_pitch, 15.0);
   EXPECT_EQ(coarse.cumulative_pitch, 44.0);
@@ -53,7 +53,7 @@ TEST(FlankTolerances, of_1995_are_those_of_its_tables) {
   EXPECT_EQ(t.runout, 15.0);
   EXPECT_EQ(*t.radial_composite, 25.0);
   EXPECT_EQ(*t.tooth_radial_composite, 10.0);
-  const ToleranceSubject small{20, 2, 10, 10, 0.0};  // borders belong to the lower range
+  const ToleranceSubject small{20, 2, 10, 10, 0.0};  // limits belong to the lower range
   EXPECT_DOUBLE_EQ(flank_tolerances(FlankTolerances::iso_1995, 5, small).single_pitch, 4.7);
   EXPECT_FALSE(
       flank_tolerances(FlankTolerances::iso_1995, 5, {1200, 3, 30, 400, 0.0}).radial_composite);
@@ -87,7 +87,8 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   EXPECT_EQ(*planet.single_flank, 105.0);
   EXPECT_EQ(*planet.tooth_single_flank, 38.0);
   EXPECT_FALSE(planet.base_pitch);
-  // K is continuous at ε_γ = 4 and needs a pair; sectors of one pitch are pitches.
+  // K is continuous at ε_γ = 4 and exists only for a pair. The tolerance of a sector of one pitch
+  // is that of the pitch.
   const auto at = [](std::optional<double> overlap, int z) {
     return flank_tolerances(FlankTolerances::iso_1995, 9,
                             {300, 5, 50, z, 0.0, std::nullopt, overlap});
@@ -102,8 +103,9 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   EXPECT_TRUE(later.base_pitch);
 }
 
-// The same reports print f_Σβ and f_Σδ without their span: 27 and 54 µm beside F_β = 27 µm, which are those
-// of L = 2 b, and 19.5 and 39 µm beside 30 µm, those of L = 1.3 b.
+// The same reports print f_Σβ and f_Σδ without the bearing span. For F_β = 27 µm they print 27 and
+// 54 µm, which corresponds to L = 2 b. For F_β = 30 µm they print 19.5 and 39 µm, which corresponds
+// to L = 1.3 b.
 TEST(FlankTolerances, of_the_axes_grow_with_the_span_of_the_bearings) {
   FlankToleranceValues t{};
   set_axis_tolerances(t, 27.0, 360.0, 720.0);

@@ -117,7 +117,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
 }
 
 constexpr int kPositions = 24;
-// Under load a curve takes a hundred times as long, and a pitch has fewer corners.
+// Under load, a curve takes a hundred times as long, so fewer corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -148,7 +148,7 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// The warning about such corrections; none if there are none.
+// The warning about corrections at the end of the range; none if there are no such corrections.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (const FoundCorrection& c : answer.corrections) {
@@ -156,12 +156,12 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
     list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, c.value, c.shown_unit);
   }
   if (list.empty()) return std::nullopt;
-  return Warning{WarningCode::correction_at_bound,
-                 fmt::format("These corrections are at the end of the searched range: {}. Larger "
-                             "ones might be better, but the errors are large for a flank "
-                             "modification.",
-                             list),
-                 0};
+  return Warning{
+      WarningCode::correction_at_bound,
+      fmt::format("These corrections are at the end of the searched range: {}. Larger corrections "
+                  "might be better, but the errors are large for flank modifications.",
+                  list),
+      0};
 }
 
 // The worst over the scenarios, at the reported positions.
@@ -225,7 +225,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // Checked before a search, because no correction of a workshop makes teeth longer.
+  // The length of the teeth is checked before a search, because no correction of a workshop makes
+  // teeth longer.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);

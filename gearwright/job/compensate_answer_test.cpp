@@ -6,8 +6,8 @@
 namespace gearwright {
 namespace {
 
-// Where little is looked at, what was found lay a little beyond the limit: its pattern was better by
-// more than the louder running cost.
+// With few positions, the result once lay slightly beyond the limit, because the improvement of the
+// pattern outweighed the greater transmission error.
 TEST(CompensateAnswer, the_limit_holds_however_little_is_looked_at) {
   constexpr const char* kSpec = R"(
 [gear1]

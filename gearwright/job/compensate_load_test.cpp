@@ -1,4 +1,5 @@
-// Corrections under load against a dense scan of what they may be, and their laws.
+// Corrections under load are compared with a dense scan of all permitted values, and their laws are
+// tested.
 #include "gearwright/job/compensate_load.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 namespace gearwright {
 namespace {
 
-// A helical pair out of line, coarse tables.
+// A misaligned helical pair with coarse tables.
 std::string spec_of(const std::string& compensate, const std::string& torque = "250") {
   return R"(
 [gear1]
@@ -49,7 +50,7 @@ double aimed(const LoadedScore& s, const std::string& aim) {
   return aim == "pressure" ? s.max_pressure : s.peak_to_peak.arcsec();
 }
 
-// What a grid over helix slope and crowning of gear 1 does.
+// The results of a grid over helix slope and crowning of gear 1.
 std::vector<LoadedScore> scanned(const std::string& text) {
   SolvedJob job = job_of(text);
   const auto load = LoadedAim::of(job, nullptr);
@@ -83,7 +84,7 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
     for (const LoadedScore& s : scan) least = std::min(least, aimed(s, aim));
     EXPECT_LT(after, 1.02 * least) << aim << " from " << before;
     EXPECT_LT(after, 0.9 * before) << aim;
-    // What is told is what the corrected spec does.
+    // The reported numbers are those of the corrected spec.
     const auto again = read_spec_tree(answer->corrected->tables);
     ASSERT_TRUE(again) << again.error().message();
     auto solved = solve(*again, Scope::pair);
@@ -96,7 +97,7 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
   }
 }
 
-// However little is looked at, and at the worst of several torques.
+// The result holds for few positions and for the worst of several torques.
 TEST(CompensateLoad, IsNeverWorseThanNothing) {
   for (const int curves : {1, 20}) {
     for (const std::string aim : {"loaded_transmission_error", "pressure"}) {
@@ -115,7 +116,7 @@ TEST(CompensateLoad, IsNeverWorseThanNothing) {
   }
 }
 
-// It printed "an edge carries: yes" of the corrected pair, and ended green.
+// The verb once printed "an edge carries: yes" for the corrected pair and returned a green verdict.
 TEST(CompensateLoad, AnEdgeThatStillCarriesIsAFinding) {
   SolvedJob job = job_of(spec_of("aim = \"pressure\"\n", "[60, 250]"));
   const auto answer = answer_compensate(job, nullptr, 20);

@@ -82,7 +82,7 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
                    3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
                    touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
                    other ? "this reduces the backlash by that amount"
-                         : "the transmission error is not that of the flanks there"),
+                         : "the transmission error there does not come from the flanks"),
        touch.gear});
 }
 
@@ -107,7 +107,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "pinion cutter or circular fillets."});
     return;
   }
-  // All pitches are equal. The examined positions of several pitches might have one phase.
+  // All pitches are equal, and the examined positions of several pitches might have the same phase.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;
@@ -127,7 +127,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
     }
     driving.asked[i] < other.asked[j] ? ++i : ++j;
   }
-  // If the flanks alone jam, there is a warning already.
+  // If the flanks alone jam, a warning exists already.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
   if (least && !flanks_jam) warn_of_jam(*least, "root fillets and flanks are", warnings);
 }

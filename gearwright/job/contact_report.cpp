@@ -17,16 +17,16 @@ namespace gearwright {
 
 namespace {
 
-// Line contact is narrow across the tooth and long along it, and so are the raster's cells. From
-// node to node and from position to position the gap then changes by some hundredths of a µm at
-// modules of a few mm, and the border of a pattern is almost smooth.
+// Line contact is narrow across the tooth and long along it, so the cells of the raster have the
+// same proportions. From node to node and from position to position the gap then changes by some
+// hundredths of a µm at modules of a few mm, and the border of a pattern is almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
 constexpr RasterSize kGap{65, 129};
 constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
-constexpr int kMaxPositions = 1024;  // of the peak to peak in a small picture
+constexpr int kMaxPositions = 1024;  // decimals of the peak to peak in a small picture
 
 // "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty if there are none.
 std::string words_of(const FlankModifications& m) {
@@ -95,7 +95,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (value[i] == 0.0) continue;
     for (const double v : {value[i], -value[i]}) {
-      if (v == value[i] && count == 1) continue;  // that is all of them
+      if (v == value[i] && count == 1) continue;  // that is, all errors together
       if (!can_be(setup, i, v)) continue;
       const NamedAmount n = named_error(i, v);
       list.push_back({n.name + " " + words_of(n), with_error(setup, {}, i, v), false});

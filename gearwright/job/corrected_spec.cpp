@@ -15,7 +15,7 @@ namespace {
 const char* needs(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting:
-      return "is the setting of a rack F (one of circular arcs), which cuts neither gear";
+      return "is the setting of a circular-arc rack F, which cuts neither gear";
     case CorrectionOf::cutter_lead: return "needs a helical gear cut by a rack";
     case CorrectionOf::end_relief:
       return "needs end_relief_length_mm in the modifications of the gear, for the position of "
@@ -88,19 +88,20 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       Json& rack = tree[gear_field(gear)]["rack"];
       const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
-      rack.erase("pressure_angle_deg");  // it was a check of the old setting
+      rack.erase("pressure_angle_deg");  // the key checks the old setting
     } else if (c.what == CorrectionOf::cutter_lead) {
-      add(tree["errors"], std::string(entry_of(c).key), v[k]);  // an error of the same name
+      add(tree["errors"], std::string(entry_of(c).key),
+          v[k]);  // [errors] has a key of the same name
     } else {
       const std::string name(entry_of(c).own_key());
       const bool slope = c.slope();
       Json& table = tree[gear_field(c.gear)]["modifications"];
       const std::string path = spec_key(setup, c, gear2_drives);
       const std::string own = path.substr(path.rfind('.') + 1);
-      // A slope of both flanks so far is the amount to which the correction is added.
+      // If both flanks have a common slope, the correction is added to it.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
-      // An amount for both flanks is also added to the own amount of a flank.
+      // The correction of both flanks is also added to the separate amount of a flank.
       for (const char* side : {"left_", "right_"})
         if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
       // If each flank has its own amount, the amount for both has no effect.

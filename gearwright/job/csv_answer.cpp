@@ -78,7 +78,7 @@ void add_rows(const QuantityInfo& info, const std::string& path, const Cells& ce
   add_row(info, path, csv_cell(*cells[0]), cells.size() > 1 ? csv_cell(*cells[1]) : "", out);
 }
 
-// Records side by side: those of the gears, or the one of the pair.
+// Records side by side, of the two gears or of the pair.
 void add_records(const std::string& path, const QuantityTable& table, const Rows& records,
                  std::string& out) {
   each_column(table, records, [&](const RecordColumn& column, const Cells& cells) {
@@ -95,7 +95,7 @@ struct CsvColumn {
 // Lists and records of a quantity have a column for each of their plain values.
 void add_columns(const std::string& name, const QuantityInfo& info, const Cells& cells,
                  std::vector<CsvColumn>& all) {
-  if (info.of && info.list.empty()) return;  // its own columns follow separately
+  if (info.of && info.list.empty()) return;  // the columns of the record follow separately
   std::size_t longest = 0;
   Rows records;
   for (const Value* v : cells) {

@@ -1,6 +1,6 @@
-// What the doors of drives say: (1) a spec and the graph to which it expands have the same numbers;
-// (2) the drives of a search have those of the verb drive for their specs; (3) gears of stages and of
-// the graph take the keys of a gear, and what they cannot be is refused; (4) rate rates every mesh.
+// Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) the
+// drives of a search have those of the verb drive for their specs; (3) gears of stages and of the
+// graph take the keys of a gear, and impossible values are rejected; (4) rate rates every mesh.
 #include "gearwright/job/drive_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
   const Json drive = drive_record(drive_job(kTrain));
   EXPECT_EQ(drive["assembly"]["angles_deg"][2], 180.0);
   EXPECT_EQ(drive["bodies"]["s1_sun"]["speed_rpm"], 1500.0);
-  // The second gear has module and the opposite helix from the first.
+  // The second gear takes the module and the opposite helix angle of the first gear.
   EXPECT_EQ(drive["meshes"]["s2_gear1_gear2"]["pair"]["kind"], "parallel_external");
   EXPECT_GT(drive["transmission_error"]["output_arcsec_peak_to_peak"], 0.1);
 }
@@ -146,7 +146,8 @@ constexpr const char* kSizedLoad =
     "face_load_factor = 1.2\nmesh_load_factor = 1.1\napplication_factor = 1.25\n"
     "material = { name = \"16MnCr5\" }\n";
 
-// Law: a sized design is green as the verb rate judges it, and one millimetre less is too little.
+// Law: a sized design is green in the verb rate, and a face width that is one millimetre less is
+// insufficient.
 TEST(DriveAnswerTest, SizedDesignsHaveTheirSafetiesAndNoMillimetreTooMuch) {
   const JobSpec spec = drive_job(std::string(kSizedSearch) + kSizedLoad);
   const auto answer = answer_drive_search(spec, 4, 2);
@@ -207,7 +208,7 @@ TEST(DriveAnswerTest, RateRatesEveryMesh) {
   }
   EXPECT_EQ(meshes["sun_planet"]["rating"]["Y_M"][1], 0.7);
   EXPECT_EQ(meshes["planet_ring"]["rating"]["Y_M"][0], 0.7);
-  // A safety of 30 is wanted and not there.
+  // The required safety of 30 is not reached.
   EXPECT_NE(answer->verdict->level, Level::green);
   const auto without = answer_drive(spec);
   ASSERT_TRUE(without);

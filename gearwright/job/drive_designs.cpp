@@ -129,7 +129,7 @@ class Candidates {
     return std::nullopt;
   }
 
-  // The best that are not yet computed, by the first objective.
+  // The best candidates by the first objective that are not yet computed.
   std::vector<std::size_t> next(std::size_t count) {
     std::vector<std::size_t> which;
     for (; first_ < all_.size() && which.size() < count; ++first_)

@@ -39,7 +39,7 @@ std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange&
   if (tree.contains("planetary")) return fmt::format("planetary.{}.{}", key, name);
   if (tree.contains("drive"))
     return fmt::format("drive.{}[{}].{}", mesh ? "mesh" : "gear", change.index + 1, key);
-  return "";  // stages use other names
+  return "";  // stages use other names of keys
 }
 
 // The first body with this shape among the bodies of the drive's gears.

@@ -43,8 +43,8 @@ std::string advice(const FoundDrives& f) {
            "coaxial_teeth, or use spacing = \"nearest\".";
   switch (static_cast<DriveFault>(most - left_out.begin())) {
     case DriveFault::safety:
-      return "No drive has the safeties. Try greater modules, a greater face_width_mm, more "
-             "planets or a stronger material.";
+      return "No drive has the required safeties. Try greater modules, a greater face_width_mm, "
+             "more planets or a stronger material.";
     case DriveFault::neighbours:
       return "The planets of every set are too close. Try fewer planets or a smaller "
              "neighbour_clearance_min.";

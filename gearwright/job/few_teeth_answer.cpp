@@ -16,7 +16,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMaxContact = 20.0;  // more than any real pair
-constexpr const char* kChosen = "is chosen by `fit.few_teeth` itself; leave it out";
+constexpr const char* kChosen = "is determined by `fit.few_teeth`; leave it out";
 
 std::optional<Error> out_of_place(const JobSpec& spec) {
   const auto fail = [](const std::string& field, const std::string& why) {
@@ -41,12 +41,13 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     }
   }
   if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
-    return fail("gear2.normal_module", "must be that of gear 1, which cuts it");
+    return fail("gear2.normal_module", "must equal the value of gear 1, which cuts gear 2");
   if (differs(pinion.cylindrical.normal_pressure_angle.deg(),
               wheel.cylindrical.normal_pressure_angle.deg()))
-    return fail("gear2.normal_pressure_angle", "must be that of gear 1, which cuts it");
+    return fail("gear2.normal_pressure_angle", "must equal the value of gear 1, which cuts gear 2");
   if (wheel.helix_given) return fail("gear2.helix_angle", "follows from gear 1; leave it out");
-  if (wheel.face_width_given) return fail("gear2.face_width", "is that of gear 1; leave it out");
+  if (wheel.face_width_given)
+    return fail("gear2.face_width", "equals the value of gear 1; leave it out");
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
     return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
                 "`fit.few_teeth` = true computes tips and centre distance; leave this out");
@@ -55,7 +56,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
     return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
   if (wheel.cylindrical.root_fillet)
-    return fail("gear2.root_fillet", "the wheel's root is cut by the pinion; leave it out");
+    return fail("gear2.root_fillet", "the pinion cuts the root of the wheel; leave it out");
   if (wheel.profile_shift) return fail("gear2.profile_shift", kChosen);
   if (spec.gears[0]->cylindrical.teeth < 0)
     return fail("gear1.teeth", "the internal gear of a pair is gear 2; exchange the two gears");
@@ -72,7 +73,7 @@ double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 // digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
-// Rounded so that the tooth is never longer than computed.
+// Rounds so that the tooth is never longer than computed.
 double tip_as_drawn(double d, bool ring) {
   return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
 }

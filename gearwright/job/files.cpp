@@ -42,7 +42,7 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
-// What a file of solids or meshes says about modifications that its teeth do not have.
+// The note of a file of solids or meshes about modifications that its teeth do not have.
 std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   std::string note;
   for (const ToothedBody& body : bodies)
@@ -52,7 +52,7 @@ std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   return note;
 }
 
-// The same of a drawing, which shows the section as cut.
+// The same note for a drawing, which shows the section as cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
     if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
@@ -140,7 +140,7 @@ std::optional<Error> beyond(const SolvedJob& job) {
     if (halves)
       return Error{
           table, "",
-          "is for gears of one helix, and these are double-helical; without this table, run "
+          "is for single-helical gears, and these are double-helical; without this table, run "
           "writes their report and files"};
     return Error{table, "",
                  "needs two gears, and gear 2 is a rack; without this table, run writes the report "
@@ -291,7 +291,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   auto made = make(bodies);
   const auto modified = [](const ToothedBody& body) { return body.modified != nullptr; };
   if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
-  // Modified teeth have more faces, and may be too many for a file that has room for them as cut.
+  // Modified teeth have more faces, which may be too many for a file that has room for the teeth as
+  // cut.
   std::vector<ToothedBody> as_cut = bodies;
   for (ToothedBody& body : as_cut) {
     if (!body.modified) continue;

@@ -127,7 +127,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   } else if (!same(c1.normal_module, c2.normal_module) ||
              !same(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad())) {
     return refused("gear2.normal_module", c2.normal_module, {c1.normal_module},
-                   fmt::format("to find helix angles or profile shifts both gears need the same "
+                   fmt::format("to find helix angles or profile shifts, both gears need the same "
                                "module ({{}} mm) and pressure angle ({}°)",
                                format_number(c1.normal_pressure_angle.deg())));
   }
@@ -193,7 +193,7 @@ std::string fit_listing(const FitAnswer& answer) {
   }
   if (answer.transverse_contact_ratio)
     text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);
-  return text + "\nThe spec of a branch: --take NUMBER > pair.toml\n";
+  return text + "\nTo write the spec of a branch: --take NUMBER > pair.toml\n";
 }
 
 }  // namespace gearwright

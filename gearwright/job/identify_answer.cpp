@@ -81,7 +81,7 @@ std::string identify_listing(const IdentifyAnswer& answer) {
     const std::string unit = unit_of(c->reading);
     text += fmt::format(
         "\nThe {} disagrees with the other readings: it is {}{} instead of {}{}. The gears below "
-        "agree with the others.\n",
+        "agree with all other readings.\n",
         tool_text(c->reading, c->tool), format_number(c->value), unit,
         format_number(c->expected, c->value), unit);
   }
@@ -102,7 +102,7 @@ std::string identify_listing(const IdentifyAnswer& answer) {
                         n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit,
                         n->expect[1], unit);
   }
-  return text + "\nThe spec of a candidate: --take NUMBER > gear.toml\n";
+  return text + "\nTo write the spec of a candidate: --take NUMBER > gear.toml\n";
 }
 
 }  // namespace gearwright

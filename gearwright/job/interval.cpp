@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// True if two solutions differ. Solutions of one spec differ by rounding if nothing depends on the
-// tolerance.
+// True if two solutions differ by more than rounding. Numbers that do not depend on the tolerance
+// may differ by rounding.
 bool differ(double a, double b) {
   constexpr double kRounding = 1e-13;
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));

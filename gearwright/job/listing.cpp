@@ -34,7 +34,7 @@ std::string pad_left(const std::string& s, std::size_t n) {
   return std::string(width(s) < n ? n - width(s) : 0, ' ') + s;
 }
 
-constexpr std::size_t kWordsWidth = 38;  // minimum width, also if all words are shorter
+constexpr std::size_t kWordsWidth = 38;  // minimum width, if all labels are shorter
 constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
 constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; two gears make a line of 80
 constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks, before a note

@@ -1,5 +1,5 @@
-// Teeth under load at the edge of what teeth are: pointed ones, corners that bear, positions that have
-// no answer, slices that are too fine.
+// Teeth under load in extreme cases: pointed teeth, corners that carry load, positions without a
+// result, slices that are too fine.
 #include "gearwright/job/load_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ LoadAnalysis loaded_answer(SolvedJob& job) {
   return std::move(answer).take();
 }
 
-// Every position has an answer, and none is 0.
+// Every position has a result, and no result is 0.
 void expect_numbers(const LoadAnalysis& answer) {
   for (const LoadedTorque& t : answer.contact->torques) {
     EXPECT_TRUE(std::isfinite(t.peak_to_peak.rad()));
@@ -57,7 +57,8 @@ accuracy = "draft"
 )";
 }
 
-// Its teeth end in a line at 17.667 mm; those of the other gear end 0.027 mm below with 0.04 mm of land.
+// Its teeth end in a line at 17.667 mm. The teeth of the other gear end 0.027 mm below their
+// points, with a land of 0.04 mm.
 TEST(LoadAnswer, APointedToothBearsAsOneThatEndsALittleLower) {
   SolvedJob pointed = loaded_job(pointed_spur(""));
   ASSERT_TRUE(pointed.gears[0].pointed());
@@ -96,8 +97,8 @@ TEST(LoadAnswer, PointedTeethOfCrossedGearsBear) {
   }
 }
 
-// Where its faces end, gear 2 touches with corners. 16″ from peak to peak of finer tables; positions
-// that found no end once made 103″ of it.
+// At the ends of its faces, gear 2 touches with corners. Finer tables give 16″ peak to peak. The
+// result was once 103″, because some positions did not converge.
 TEST(LoadAnswer, CornersThatBearComeToAnEnd) {
   SolvedJob job = loaded_job(crossed_draft(
       "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12.47, "
@@ -142,7 +143,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   for (const char* key : {"transmission_error_arcsec", "approach_um", "max_pressure_MPa", "kind"})
     EXPECT_TRUE(position[key].is_null() || !std::isfinite(position[key].get<double>())) << key;
   EXPECT_NE(load_listing(job, answer).find("unfinished"), std::string::npos);
-  // With no position left there is nothing to tell.
+  // If no position is left, there is no result.
   for (LoadedPosition& p : t.positions)
     p = LoadedPosition{.rotation1 = p.rotation1, .unfinished = true};
   const auto error = judge_load(task, *answer.contact, job.warnings);
@@ -150,7 +151,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_EQ(error->field, "load.torques");
 }
 
-// A spur pair out of line, and a light load: what is named makes the difference.
+// A misaligned spur pair under a light load: the reasons in the message explain the difference.
 TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
   const auto note_of = [](const std::string& more) {
     SolvedJob job = loaded_job(

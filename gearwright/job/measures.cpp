@@ -32,7 +32,7 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   auto measures = measure(arranged, request, warnings);
   if (measures) return measures;
   Error error = measures.error();
-  // A grade can be given by two keys.
+  // Either of two keys gives the grade.
   if (error.field == gear_field(which, "tolerance.quality") &&
       job.spec.given.contains(gear_field(which, "quality")))
     error.field = gear_field(which, "quality");
@@ -59,7 +59,7 @@ Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job) {
 
 std::vector<ValueRecord> measure_records(const SolvedJob& job) {
   std::vector<ValueRecord> records;
-  std::vector<Warning> ignored;  // the verb reports its own warnings
+  std::vector<Warning> ignored;  // the verb adds its own warnings
   for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
     const auto measures = measured(job, which, job.pair, ignored);
     records.push_back(measures ? measure_quantities().of(*measures) : ValueRecord());

@@ -13,7 +13,7 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     if (!job.gear(which).spec.root_fillet) continue;
     job.warnings.push_back({WarningCode::rating_root_fillet,
                             "The standard does not cover a circular root fillet; Y_F and Y_S are "
-                            "those of the root that the rack would cut.",
+                            "computed for the root that the rack would cut.",
                             which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);
@@ -36,8 +36,8 @@ std::optional<Error> two_halves(const SolvedJob& job, RatingAnswer& answer) {
   if (!in.face_load_factor && (in.mounting || in.shafts)) {
     return Error{in.mounting ? "rating.mounting" : gear_field(in.shafts->of[0] ? 1 : 2, "shaft"),
                  "",
-                 "gives the face load factor of gears of one helix; for double-helical gears give "
-                 "rating.face_load_factor"};
+                 "gives the face load factor of single-helical gears; for double-helical gears "
+                 "give rating.face_load_factor"};
   }
   answer.pair.halves = 2;
   return std::nullopt;

@@ -179,7 +179,7 @@ Json result_schema() {
   const Json interval{
       {"type", "object"},
       {"description",
-       "with tolerances: the numbers that differ, at the lower and at the upper end"}};
+       "numbers that differ within the tolerances, at the lower and at the upper end"}};
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;

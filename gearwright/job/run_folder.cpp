@@ -34,7 +34,7 @@ std::vector<Listed> read_list(const fs::path& folder) {
     Listed l;
     words >> std::hex >> l.checksum >> std::dec >> l.bytes;
     if (!words || !std::getline(words >> std::ws, l.name)) continue;
-    // Never touches a file outside the folder, even if the list names one.
+    // Never removes a file outside the folder, even if the list contains such a file.
     if (fs::path(l.name).filename() == l.name && l.name != "." && l.name != "..") list.push_back(l);
   }
   return list;

@@ -49,9 +49,9 @@ class Grades {
         return Error{field, std::to_string(*quality), kClassesOfEditions};
       const auto flank = graded_flank(job_.pair->gear(which), own.edition, *quality);
       if (!flank)
-        return Error{
-            field, std::to_string(*quality),
-            "is for involute teeth with a usable flank; give the ranges in [scatter.errors]"};
+        return Error{field, std::to_string(*quality),
+                     "is allowed only for involute teeth with a usable flank; give the ranges in "
+                     "[scatter.errors]"};
       add_flank(which, *flank);
       helix_total_ = std::max(helix_total_, flank->helix_total);
     }
@@ -69,7 +69,7 @@ class Grades {
                                                  : nullptr;
     if (!key) return std::nullopt;
     return Error{"scatter." + gear_field(which) + "." + key, "",
-                 "needs a grade, quality = 6 in [scatter] for example"};
+                 "needs a grade, for example quality = 6 in [scatter]"};
   }
 
   bool given(const std::string& name) const {
@@ -154,8 +154,8 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
   if (gear.thickness) {
     if (job.pair->arcs())
       return Error{"scatter." + table + "thickness_allowance_mm", "",
-                   "is a range for involute teeth; the thickness of circular-arc teeth changes the "
-                   "place of their contact, too"};
+                   "is allowed only for involute teeth, because the thickness of circular-arc "
+                   "teeth also changes the position of their contact"};
     all.push_back({table + "thickness_allowance_mm", 1.0, distribution_of(*gear.thickness),
                    VaryingThickness{which}});
   }
@@ -166,8 +166,8 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
     const auto& flanks = job.completed.gear(which).modifications;
     if (!m.placed(flanks[0]) || !m.placed(flanks[1])) {
       return Error{"scatter." + name, "",
-                   fmt::format("needs {}modifications.{}{} with it, which determines the place of "
-                               "the relief; its amount may be 0",
+                   fmt::format("needs {}modifications.{}{}, which determines the position of the "
+                               "relief; its amount may be 0",
                                table, m.name, m.reach)};
     }
     all.push_back({name, kMmPerUm, distribution_of(*gear.modifications[i]),
@@ -187,10 +187,9 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   }
   if (input.bearings) {
     if (job.pair->crossed())
-      return Error{
-          "scatter.bearings", "",
-          "is for parallel axes; on crossed axes give center_distance_mm, crossing_deg and "
-          "intersecting_deg in [scatter.errors]"};
+      return Error{"scatter.bearings", "",
+                   "is allowed only on parallel axes; on crossed axes give center_distance_mm, "
+                   "crossing_deg and intersecting_deg in [scatter.errors]"};
     add_bearings(*input.bearings, all);
   }
   for (const int which : {1, 2}) {
@@ -219,7 +218,7 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
             fmt::format("is not an input of this spec; its inputs are {}", fmt::join(names, ", "))};
       const auto index = static_cast<std::size_t>(at - names.begin());
       if (taken[index])
-        return Error{field, name, "belongs to one group only; leave it out of the others"};
+        return Error{field, name, "can be in one group only; leave it out of the other groups"};
       taken[index] = true;
       group.tolerances.push_back(index);
     }

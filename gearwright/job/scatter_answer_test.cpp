@@ -1,5 +1,5 @@
-// The verb scatter: what it refuses and in which words, and an answer that tolerances of 0 make that of
-// the verb contact.
+// The verb scatter: rejected inputs with their messages, and tolerances of 0, for which the result
+// equals that of the verb contact.
 #include "gearwright/job/scatter_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Json spec_with(const std::string& scatter) {
   return spec;
 }
 
-// The answer, or its error as a file has it.
+// The answer, or its error with the keys of a file.
 Json scatter_answered(const Json& tree, std::string_view verb = "scatter") {
   const auto spec = read_spec_tree(tree, {}, find_verb(verb)->use);
   const auto answer = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
@@ -71,7 +71,7 @@ Json loaded_spec(double torque) {
   return spec;
 }
 
-// The spec of the only sample, without its scatter.
+// The spec of the only sample, without [scatter].
 Json of_sample(Json spec, const Json& spread) {
   spec["errors"] = spread["samples"][0]["errors"];
   spec.erase("scatter");
@@ -95,7 +95,8 @@ TEST(ScatterAnswer, UnderLoadASampleHasTheNumbersOfLoad) {
   EXPECT_EQ(loaded["edge_carries"]["count"], torque["edge_carries"].get<bool>() ? 1 : 0);
 }
 
-// Under a light load the teeth are rigid: the numbers are those of contact, which solves no forces.
+// Under a light load the teeth are nearly rigid, so the numbers equal those of the verb contact,
+// which computes no forces.
 TEST(ScatterAnswer, UnderALightLoadTeethAreRigid) {
   const Json spec = loaded_spec(1e-4);
   const Json answer = scatter_answered(spec);
@@ -162,7 +163,7 @@ TEST(ScatterAnswer, TheCorrectedSpecHasTheCorrections) {
   const double before = robust["before"]["percentile_arcsec"];
   const double after = robust["after"]["percentile_arcsec"];
   EXPECT_LT(after, 0.9 * before) << robust.dump();
-  // The spec that was printed, with the seed that judged.
+  // The printed spec, with the seed of the samples for comparison.
   Json corrected = answer["spec"];
   EXPECT_FALSE(corrected["scatter"].contains("robust"));
   EXPECT_NEAR(corrected["gear1"]["modifications"]["lead_crowning_um"].get<double>(),
@@ -171,7 +172,7 @@ TEST(ScatterAnswer, TheCorrectedSpecHasTheCorrections) {
   corrected["scatter"]["percentiles"] = {90};
   const Json again = scatter_answered(corrected)["scatter"]["peak_to_peak_arcsec"];
   EXPECT_NEAR(again["percentiles"][0].get<double>(), after, 1e-9);
-  // The only tolerance is the one to tighten.
+  // If there is only one tolerance, the result names it as the tolerance to tighten.
   const Json& loosening = answer["loosening"];
   EXPECT_EQ(loosening["tolerances"][0]["input"], "errors.crossing_deg");
   EXPECT_EQ(answer["inputs"].size(), loosening["tolerances"].size());
@@ -202,7 +203,7 @@ TEST(ScatterAnswer, NoWidthIsTheAnswerOfContact) {
     EXPECT_GE(scatter["peak_to_peak_arcsec"]["mean"], contact["peak_to_peak_arcsec"]);
     EXPECT_EQ(scatter["worst"]["peak_to_peak_arcsec"]["value"],
               scatter["peak_to_peak_arcsec"]["mean"]);
-    // The sample as a spec: its errors are those of the pair.
+    // The sample as a spec has the errors of the pair.
     EXPECT_EQ(scatter["mean_arcsec"]["samples"][0]["errors"]["crossing_deg"], 0.05);
   }
 }

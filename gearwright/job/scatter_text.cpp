@@ -175,7 +175,9 @@ std::string index_listing(const ScatterAnswer& a) {
     const auto& indices = a.scatter.indices[static_cast<std::size_t>(q)];
     out += head(fmt::format("Share of the variance: {}", entry.words));
     if (!indices) {
-      out += "  it varies by rounding only, or contact is lost in some samples\n";
+      out +=
+          "  no indices, because the quantity varies only by rounding or contact is lost in some "
+          "samples\n";
       continue;
     }
     out += fmt::format("  {:<44}{:>12}{:>12}{:>12}{:>12}\n", "", "alone", "± s.e.", "in all",
@@ -233,8 +235,8 @@ std::string loosening_listing(const ScatterAnswer& a) {
   }
   if (l.tighten_first) {
     const std::size_t i = *l.tighten_first;
-    out += fmt::format("  Tighten {} first: half of it gives {} ″.\n", a.task.tolerances[i].name,
-                       arcsec(l.by_tolerance[i].halved));
+    out += fmt::format("  Tighten {} first: half of this tolerance gives {} ″.\n",
+                       a.task.tolerances[i].name, arcsec(l.by_tolerance[i].halved));
   } else {
     out += "  No tolerance lowers the percentile if it is halved.\n";
   }

@@ -135,12 +135,11 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   head.erase("designs");  // they are written one by one
 
   std::string text = "{\n  \"search\": " + json_text(head);
-  text.pop_back();  // the closing brace of the head: the designs are inserted before it
+  text.pop_back();  // the closing brace of the head, before which the designs are inserted
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMaxBoundaries;
   if (!edges)
-    text.reserve(a.designs.size() * 1000);  // avoids two copies of the whole while it
-                                            // grows
+    text.reserve(a.designs.size() * 1000);  // avoids a second copy of the whole text while it grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
     text += json_text(design_row_json(search, a.designs[i], edges));
@@ -231,7 +230,7 @@ std::string drawing_line(const SearchProblem& problem) {
   if (!problem.draw) return {};
   const SearchAllowances& a = problem.allowances;
   std::string text = fmt::format(
-      "drawn and judged as by run: mounting {}, {}",
+      "drawn and checked as by the verb run: mounting {}, {}",
       problem.mounting == Mounting::tight ? "tight" : "extended",
       a.backlash ? fmt::format("backlash {:g} … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
       : a.series.empty() ? std::string("nominal teeth")

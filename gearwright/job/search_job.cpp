@@ -23,7 +23,8 @@ namespace gearwright {
 namespace {
 
 constexpr std::int64_t kMinChunk = 1 << 18;
-constexpr std::int64_t kShare = 1 << 16;     // trials of a thread at a time, if no file is made
+constexpr std::int64_t kShare =
+    1 << 16;  // number of trials that a thread takes at a time, if no file is made
 constexpr std::int64_t kMaxChunk = 1 << 22;  // a thread holds the designs of one chunk
 
 void flatten(const Json& node, const std::string& path, std::string& lines) {
@@ -78,7 +79,8 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
-  // A region has about one square module, so this number of grid points fits into memory.
+  // A region has an area of about one square module, so this number of grid points fits into
+  // memory.
   constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);

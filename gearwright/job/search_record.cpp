@@ -174,7 +174,7 @@ std::string pack(const ChunkFinds& finds) {
     each_number(row, write);
   }
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
-  return packer.take();  // which would not end if `size` had been different
+  return packer.take();  // the decoder would not be finished if `size` were wrong
 }
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {

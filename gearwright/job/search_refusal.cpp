@@ -30,8 +30,8 @@ RegionDetail detail_of(const SearchProblem& problem, bool files) {
 namespace {
 
 // Trials per second of one thread, measured for half a second at places spread over the search.
-// Tables of a helix are made before the measurement, because the search makes them once. The watch
-// ends the measurement even if trials are slow.
+// Tables of a helix are made before the measurement, because the search makes them only once. The
+// measurement ends after its time even if trials are slow.
 double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kSeconds = 0.5;

@@ -51,7 +51,7 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
                         "whose --take 1 writes a spec for this verb");
   }
   if (spec.drive) {
-    return Error{"", "", "the spec describes a drive, which the verbs drive, run and export take"};
+    return Error{"", "", "the spec describes a drive; use the verb drive, run or export"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
@@ -84,8 +84,9 @@ std::optional<Error> one_helix_error(const SolvedJob& job) {
   if (!job.halves[0]) return std::nullopt;
   return Error{
       "gear1.double_helical", "",
-      "makes double-helical gears, and contact, load and tolerances are computed for gears of one "
-      "helix. For one half give its face width, without `double_helical`, and half of the torque"};
+      "makes double-helical gears, and contact, load and tolerances are computed for single-helical "
+      "gears. To compute one half, give its face width and half of the torque, without "
+      "`double_helical`"};
 }
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {

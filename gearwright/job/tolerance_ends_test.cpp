@@ -1,4 +1,4 @@
-// Tolerances through the door: a spec, solved at both ends.
+// Tolerances of a spec, which is solved at both ends.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ Json gear(int teeth, const Json& allowance) {
   return g;
 }
 
-// (1) each end is what the spec with that number says   (2) the gear is made at the mean
+// (1) each end equals the result of the spec with that number   (2) the gear is made at the mean
 TEST(ToleranceEnds, are_the_answers_at_both_numbers) {
   const Json two{{"gear1", gear(17, {-0.10, -0.06})},
                  {"gear2", gear(40, {-0.12, -0.08})},
@@ -62,9 +62,10 @@ TEST(ToleranceEnds, of_the_centre_distance_go_with_the_backlash) {
             {"gear2", gear(40, -0.1)},
             {"pair", {{"center_distance_mm", 72}, {"center_distance_tolerance", "JS7"}}}};
   const Json a = answer("pair", spec)["pair"]["interval"]["center_distance_mm"];
-  EXPECT_DOUBLE_EQ(a[0].get<double>(), 72.015);  // thin teeth, far apart: the most backlash
+  // Thin teeth and a great centre distance have the most backlash.
+  EXPECT_DOUBLE_EQ(a[0].get<double>(), 72.015);
   EXPECT_DOUBLE_EQ(a[1].get<double>(), 71.985);
-  // Shifts that followed from the distance stay those of the drawing.
+  // Profile shifts that were computed from the centre distance remain those of the drawing.
   spec["gear2"].erase("profile_shift");
   const Json free = answer("pair", spec);
   EXPECT_FALSE(free["gears"][1]["interval"].contains("profile_shift"));
@@ -72,7 +73,8 @@ TEST(ToleranceEnds, of_the_centre_distance_go_with_the_backlash) {
   EXPECT_EQ(refused_spec("pair", spec).field, "pair.distance_tolerance");
 }
 
-// Short teeth far apart, long teeth close together: the contact ratio and the tip clearances of both.
+// Contact ratio and tip clearances are compared for short teeth far apart and for long teeth close
+// together.
 TEST(ToleranceEnds, of_the_tip_diameters_move_contact_ratio_and_clearance) {
   for (const int mate : {40, -60}) {
     Json spec{{"gear1", gear(17, -0.08)}, {"gear2", gear(mate, -0.1)}};

@@ -152,7 +152,8 @@ Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
   if (!answer) return answer.error();
   Answer found = std::move(answer).take();
   if (found.specs.empty())
-    found.why_none = "[scatter.robust] is missing, which lists the corrections to search";
+    found.why_none =
+        "the table [scatter.robust], which lists the corrections to search, is missing";
   return found;
 }
 
@@ -262,7 +263,7 @@ constexpr Verb kVerbs[] = {
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
      Take::none, "", run_measure},
-    {"identify", "The gears that agree with readings of an unknown gear, likeliest first",
+    {"identify", "The gears that agree with the readings of an unknown gear, likeliest first",
      "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, false,
      Take::number, "Print the spec of this candidate and nothing else", run_identify},
     {"fit", "Absent numbers of a spec: gears for given shafts, or shaft positions for given gears",

@@ -1,4 +1,4 @@
-// A batch whose work violates contracts: its door's runner gets work that does so.
+// A batch whose jobs violate contracts.
 #include "gearwright/job/verbs.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace gearwright {
 namespace {
 
-// Odd numbers of teeth are a mistake of ours, deep in the work and on whichever thread.
+// Odd numbers of teeth simulate a defect of the program in any thread.
 Result<Json> answered(const JobSpec& spec) {
   const int teeth = spec.gears[0]->cylindrical.teeth;
   parallel_for(8, [&](std::size_t) { GW_EXPECTS(teeth % 2 == 0); });
@@ -60,7 +60,7 @@ TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
 }
 
-// The doors find a verb by its name, and each row says what its answer has.
+// The interfaces find a verb by its name, and each row describes the contents of its answer.
 TEST(Verbs, are_found_by_their_names) {
   for (const Verb& verb : verbs()) {
     EXPECT_EQ(find_verb(verb.name), &verb);

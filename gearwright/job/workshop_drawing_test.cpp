@@ -1,4 +1,5 @@
-// Workshop drawings: words keep off lines and each other, on either sheet, whatever the gear.
+// In workshop drawings, texts overlap neither lines nor other texts, on both sheets and for all
+// gears.
 #include "gearwright/job/workshop_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -25,12 +26,13 @@ std::vector<int> all_gears(const SolvedJob& job) {
 }
 
 bool meet(const SheetBox& a, const SheetBox& b) {
-  constexpr double kTouch = 0.01;  // mm: an index stands against its letter
+  constexpr double kTouch = 0.01;  // mm, because an index touches its letter
   return a.lo.x() < b.hi.x() - kTouch && b.lo.x() < a.hi.x() - kTouch &&
          a.lo.y() < b.hi.y() - kTouch && b.lo.y() < a.hi.y() - kTouch;
 }
 
-// Whether a piece of a line lies in the box: halved until it is inside, or its own box is apart.
+// True if a piece of a line lies in the box. The piece is halved until it lies inside or its own
+// box is separate.
 bool crosses(const Vec2& a, const Vec2& b, const SheetBox& box) {
   const Vec2 lo = a.cwiseMin(b), hi = a.cwiseMax(b);
   if ((lo.array() >= box.hi.array()).any() || (hi.array() <= box.lo.array()).any()) return false;
@@ -39,7 +41,7 @@ bool crosses(const Vec2& a, const Vec2& b, const SheetBox& box) {
   return crosses(a, middle, box) || crosses(middle, b, box);
 }
 
-// Arcs by chords of 0.05 rad.
+// Arcs are replaced by chords of 0.05 rad.
 std::vector<Vec2> chords(const SheetPath& path) {
   std::vector<Vec2> points{path.points.front()};
   for (std::size_t i = 0; i < path.bulges.size(); ++i) {
@@ -194,7 +196,8 @@ TEST(WorkshopDrawing, has_the_mass_of_a_gear_with_a_material) {
       contains(gear(disc + "material = \"16MnCr5\""), "1.7"));  // π/4 120² 20 7.83e-6 = 1.77
 }
 
-// The material that a gear is rated by is that of its drawing, unless the title block names another.
+// The drawing shows the material with which the gear is rated, unless the title block names another
+// material.
 TEST(WorkshopDrawing, has_the_material_of_the_gear) {
   const auto named = [](const std::string& toml) { return contains(toml, "16MnCr5"); };
   const std::string pinion = gear(

@@ -94,7 +94,7 @@ TEST(Complementarity, HoldsItsConditions) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     ContactProblem q = random_problem(1000 + seed, 2 + static_cast<int>(seed % 40));
     q.local = 2e-7;
-    q.half_width = 3.0;  // far above every width: the local term grows with the load
+    q.half_width = 3.0;  // far above every width, so the local term increases with the load
     q.reduced_modulus = 1.1e5;
     const ContactSolution x = solve_contact(q);
     ASSERT_TRUE(x.found()) << seed;

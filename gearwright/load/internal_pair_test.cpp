@@ -22,7 +22,7 @@ using testing::run;
 constexpr int kPositions = 8;
 constexpr int kSlices = 12;
 
-// 25 teeth in 65, the tip of the ring does not reach the root of the pinion.
+// A pinion of 25 teeth in a ring of 65 teeth, whose tip does not reach the root of the pinion.
 Drive internal_drive(double helix_deg, double face = 30.0, double module = 3.0) {
   const auto spec = [&](int teeth) {
     CylindricalSpec s = testing::plain_spec(

@@ -19,7 +19,8 @@ using testing::Drive;
 using testing::kE;
 using testing::run;
 
-// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
+// The type is not an aggregate, because C++20 would accept a part of the members and set the others
+// to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
 Drive external_drive(double helix_deg, double face, double module = 3.0) {
@@ -228,8 +229,9 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
   EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
 }
 
-// FE2D-ROOT: converged triangles, the load at the outer point of single contact: σ_F b m_n/F_t of
-// 25 equal teeth 2.797. The ends of a real face are free, but its middle is in plane strain.
+// FE2D-ROOT: converged triangles with the load at the outer point of single contact give σ_F b
+// m_n/F_t = 2.797 for two gears of 25 teeth. The ends of a real face are free, but its middle is in
+// plane strain.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Drive m = external_drive(0, face);
@@ -304,7 +306,7 @@ TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
 }
 
 // Too many slices make the matrix indefinite, and the result contains that error. The default
-// number never does. The greatest tooth load, added up place by place over the separate results of
+// number never does. The greatest tooth load, as the sum over all points of the separate results of
 // both pairs.
 double greatest_share(const LoadedTorque& t) {
   double greatest = 0.0;

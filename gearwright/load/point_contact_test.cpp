@@ -260,7 +260,7 @@ TEST(PointContact, CarriesTheTorqueAndSharesIt) {
       EXPECT_NEAR(share, 1.0, 1e-12);
       EXPECT_NEAR(force, q.force, 1e-12 * force);
       EXPECT_NEAR(q.stiffness, q.force / (q.approach * kUmPerMm), 1e-9 * q.stiffness);
-      if (q.edge_carries) continue;  // an edge has a normal of its own
+      if (q.edge_carries) continue;  // the normal of an edge is different
       EXPECT_NEAR(force * arm, t.torque * 23 / 17, 1e-9 * t.torque);
       ++inside;
     }

@@ -1,4 +1,4 @@
-// Branches of single factors, tested on both sides of each change, and their printed values.
+// Branches of single factors are tested on both sides of each limit and against printed values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ TEST(DynamicFactor, RangesMeet) {
     EXPECT_NEAR(below, above, 1e-6) << N;
   }
   EXPECT_NEAR(dynamic_factor(sample_speed(1e-9)).K_v.value, 1.0, 1e-8);
-  // At 0.85 the standard's factor jumps to its value at resonance.
+  // At 0.85 the factor of the standard jumps to its value at resonance.
   EXPECT_GT(dynamic_factor(sample_speed(0.85 + 1e-6)).K_v.value,
             dynamic_factor(sample_speed(0.85 - 1e-6)).K_v.value);
 }
@@ -75,7 +75,7 @@ TEST(DynamicFactor, NamesItsRange) {
   EXPECT_STREQ(dynamic_factor(sample_speed(2.0)).K_v.branch, "supercritical, N ≥ 1.5");
 }
 
-// With a light load, resonance begins at a lower speed, N_S = 0.5 + 0.35 √(F_t K_A/(100 b)).
+// Under a light load, resonance begins at a lower speed, N_S = 0.5 + 0.35 √(F_t K_A/(100 b)).
 TEST(DynamicFactor, LightLoadsResonateEarlier) {
   DynamicInput d = sample_speed(0.8);
   EXPECT_STREQ(dynamic_factor(d).K_v.branch, "subcritical, N ≤ 0.85");
@@ -224,7 +224,7 @@ TEST(DeepToothFactor, Branches) {
   };
   EXPECT_EQ(at(2.4, 5), 1.0);
   EXPECT_EQ(at(2.0, 4), 1.0);
-  EXPECT_NEAR(at(2.05 + kStep, 4), 1.0, 1e-3);  // 1.0007: the standard's digits
+  EXPECT_NEAR(at(2.05 + kStep, 4), 1.0, 1e-3);  // 1.0007, with the digits of the standard
   EXPECT_NEAR(at(2.5 - kStep, 4), 0.7, 2e-3);   // 0.701
   EXPECT_EQ(at(2.6, 4), 0.7);
 }

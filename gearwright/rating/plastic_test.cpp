@@ -1,6 +1,6 @@
-// Plastics by VDI 2736, by hand: a spur pair of module 1 whose numbers follow from a few lines.
-// Laws: (1) doubled torque doubles σ_F and the warmth; (2) exchanging the gears does not change the
-// numbers; (3) warm teeth have less strength.
+// Plastics by VDI 2736, compared with a calculation by hand for a spur pair of module 1. Laws: (1)
+// a doubled torque doubles σ_F and the temperature rise; (2) exchanging the gears does not change
+// the numbers; (3) strength decreases with temperature.
 #include "gearwright/rating/plastic.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(Plastic, ValuesBetweenTemperatures) {
 
 TEST(Plastic, TemperaturesByHand) {
   const RatedPair pair = pair_17_39();
-  // Partial contact ratios from the tips, and Ohlendorf's tooth loss of both.
+  // Partial contact ratios from the tip circles, and the tooth loss factor by Ohlendorf.
   std::array<double, 2> part{};
   for (const std::size_t i : {0, 1}) {
     const RatedGear& g = pair.gears[i];
@@ -87,7 +87,7 @@ TEST(Plastic, TemperaturesByHand) {
     };
     EXPECT_NEAR(both.temperature->flank[i].value, warm(9000), 1e-10);
     EXPECT_NEAR(both.temperature->root[i].value, warm(2148), 1e-10);
-    if (i == 0) continue;  // of steel
+    if (i == 0) continue;  // Young's modulus of steel
     EXPECT_NEAR(r.temperature->flank[i].value, warm(6300), 1e-10);
     EXPECT_NEAR(r.temperature->root[i].value, warm(895), 1e-10);
   }
@@ -103,7 +103,7 @@ TEST(Plastic, StressesByHand) {
   const double F_t = 2000 * 0.2 / 17;
   EXPECT_NEAR(r.F_t.value, F_t, 1e-12);
   EXPECT_NEAR(r.Y_epsilon->value, 0.25 + 0.75 / pair.epsilon_alpha, 1e-15);
-  // The load at the tip: its direction and arm from the tip circle, as DIN 3990-3, method C.
+  // The direction and the arm of the load at the tip circle, by DIN 3990-3, method C.
   for (const std::size_t i : {0, 1}) {
     const RatedGear& g = pair.gears[i];
     const CriticalSection& s = r.section[i];
@@ -112,7 +112,8 @@ TEST(Plastic, StressesByHand) {
     const double gamma = (kPi / 2 + 2 * g.profile_shift * std::tan(pair.alpha_n)) / g.teeth +
                          std::tan(pair.alpha_n) - pair.alpha_n - (std::tan(alpha_a) - alpha_a);
     EXPECT_NEAR(s.alpha_Fen, alpha_a - gamma, 1e-12);
-    // Where the flank's normal there crosses the centre line, and the section's chord below it.
+    // The point at which the normal of the flank crosses the centre line, and the chord of the
+    // section below it.
     const double crossing = g.base_diameter / 2 / std::cos(s.alpha_Fen);
     const auto single = critical_section(pair, g);
     const double single_crossing = g.base_diameter / 2 / std::cos(single->alpha_Fen);

@@ -1,4 +1,5 @@
-// Ratings against reports that other programs printed, value by value, and the laws of the whole.
+// Ratings are compared value by value with printed reports of other programs, and the laws of the
+// whole rating are tested.
 #include "gearwright/rating/rating.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,8 @@ namespace {
 using testing::case_hardened;
 using testing::printed_pair;
 
-// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
+// The type is not an aggregate, because C++20 would accept a part of the members and set the others
+// to 0.
 static_assert(!std::is_constructible_v<Rating, RatingEdition>);
 static_assert(!std::is_constructible_v<RatedPair, std::array<RatedGear, 2>>);
 
@@ -25,8 +27,9 @@ void expect_both(const FactorPair& got, double first, double second, double tole
   EXPECT_NEAR(got[1].value, second, tolerance);
 }
 
-// KISSsoft 03/2017, case KS-HEL-24-95 of the case file; every value to its printed digits but those
-// of the load's direction: the report's are 0.1 % greater (theory 11.6).
+// KISSsoft 03/2017, case KS-HEL-24-95 of the case file; every value agrees to its printed digits,
+// except the values for the direction of the load, which are 0.1 % greater in the report (theory
+// 11.6).
 TEST(Rating, HelicalReport) {
   const RatedPair pair = testing::helical_24_95();
   EXPECT_NEAR(pair.epsilon_alpha, 1.463, 5e-4);
@@ -83,7 +86,8 @@ TEST(Rating, HelicalReport) {
   }
 }
 
-// The second stage of the same gearbox, sun and planet: spur, and exact to all printed digits.
+// The second stage of the same gearbox, a spur pair of sun and planet, agrees to all printed
+// digits.
 TEST(Rating, SpurReport) {
   const RatedPair pair = printed_pair({18, 0.389, 432.838}, {36, 0.5039, 815.663}, 21, 0, 550, 584,
                                       *iso53_rack("ISO53-A"));
@@ -126,7 +130,8 @@ TEST(Rating, SpurReport) {
   }
 }
 
-// Planet and ring of that stage: an internal pair, its ring cut by a pinion cutter of 30 teeth.
+// Planet and ring of that stage are an internal pair, and a pinion cutter with 30 teeth cuts the
+// ring.
 TEST(Rating, InternalReport) {
   RatedPair pair = printed_pair({36, 0.5039, 815.663}, {-93, 0.1171, 1906.081}, 21, 0, 550, 584,
                                 *iso53_rack("ISO53-A"));
@@ -183,8 +188,8 @@ TEST(Rating, ExampleOfTheTechnicalReport) {
   StraightRack rack;
   rack.dedendum = 1.4;
   rack.root_fillet_radius = 0.39;
-  // Tip diameters to 0.01 mm, as on a drawing: with them the printed digits follow, with the rack's
-  // own 159.6601 and 872.3548 σ_H0 is 1206.48.
+  // The example has tip diameters with two decimals, as on a drawing, which give the printed
+  // digits. With the tip diameters of the rack, 159.6601 and 872.3548, σ_H0 is 1206.48.
   const RatedPair pair =
       printed_pair({17, 0.145, 159.66}, {103, 0.0, 872.35}, 8, 15.8, 100, 500, rack);
   EXPECT_NEAR(pair.gears[0].virtual_teeth, 18.905, 5e-4);
@@ -219,7 +224,7 @@ TEST(Rating, ExampleOfTheTechnicalReport) {
   expect_both(r.Z_NT, 0.91, 0.962, 5e-4);
 }
 
-// DIN 3990-11, z 19/104: the closed forms agree with the printed ones to their last digits.
+// DIN 3990-11, z 19/104: the closed forms agree with the printed values to their last digits.
 TEST(Rating, SpurSectionsOfDin3990) {
   StraightRack rack;
   rack.root_fillet_radius = 0.25;
@@ -249,7 +254,8 @@ TEST(RatingLaws, StressesFollowTheTorque) {
   EXPECT_DOUBLE_EQ(twice.sigma_H0.value, std::sqrt(2.0) * once.sigma_H0.value);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_DOUBLE_EQ(twice.sigma_F0[i].value, 2 * once.sigma_F0[i].value);
-    // Load factors sink with the load, so the stresses grow by less; they do grow.
+    // Load factors decrease as the load increases, so the stresses increase by less, but they do
+    // increase.
     EXPECT_GT(twice.sigma_F[i].value, once.sigma_F[i].value);
     EXPECT_LT(twice.sigma_F[i].value, 2 * once.sigma_F[i].value);
     EXPECT_LT(twice.S_H[i].value, once.S_H[i].value);

@@ -1,5 +1,5 @@
-// The root of gears cut by pinion cutters: what the cutter's tip corners make of ρ_F, against a printed
-// report and against the outline itself.
+// The root of gears cut by pinion cutters: ρ_F, which the tip corners of the cutter determine, is
+// compared with a printed report and with the outline.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Ring {
   int z_1 = 36, z = -93, z_0 = 30;
   double m = 21, x_1 = 0.5039, x = 0.1171;
   double d_a1 = 815.663, d_a = 1906.081, root = 2000.581, a = 584.0;
-  double rho = 0.30;  // of the cutter's tip corners, modules
+  double rho = 0.30;  // radius of the tip corners of the cutter, modules
   double cutter_root = 0.38;
   Corner corner = Corner::circle;
 };
@@ -65,7 +65,7 @@ Rated rated(const Ring& k) {
 }
 
 // KISSsoft 03/2017, second stage of the 5 MW wind turbine of NREL: the ring −93 of the rack 1.25/0.30
-// and its pinion cutter of 30 teeth; ρ_F with the cutter's own root rounding would be 10.94 mm.
+// and its pinion cutter of 30 teeth; With the root rounding of the cutter, ρ_F would be 10.94 mm.
 TEST(RingRoot, takes_the_rounding_of_the_cutters_tip) {
   for (const Corner corner : {Corner::of_the_rack, Corner::circle}) {
     Ring k;
@@ -84,7 +84,8 @@ TEST(RingRoot, takes_the_rounding_of_the_cutters_tip) {
   }
 }
 
-// (1) the rounding of the cutter's tip changes the root   (2) the one of its root changes nothing
+// (1) the tip rounding of the cutter changes the root
+// (2) the root rounding of the cutter has no effect
 TEST(RingRoot, does_not_know_the_cutters_root) {
   double before = 0.0;
   for (const double rho : {0.0, 0.1, 0.2, 0.3}) {
@@ -108,7 +109,7 @@ TEST(RingRoot, does_not_know_the_cutters_root) {
   }
 }
 
-// Where the tangent of the ring's fillet leans by 60° against the tooth's centre line.
+// The point at which the tangent of the fillet of the ring has 60° to the centre line of the tooth.
 struct Exact {
   double rho, half_chord;  // mm
 };
@@ -135,9 +136,9 @@ std::optional<Exact> at_60_degrees(const Gear& ring) {
   return found;
 }
 
-// ρ_fPv is a fit of the standard: measured on outlines cut by circular corners, ρ_F is 11 to 21 % more
-// than the radius at the 60° tangent, less so the rounder the corners are, and s_Fn 1.2 to 1.9 % less
-// than the chord there.
+// ρ_fPv of the standard is an approximation. On outlines cut by circular corners, ρ_F is 11 to 21 %
+// greater than the radius at the 60° tangent, with the smaller differences for the rounder corners,
+// and s_Fn is 1.2 to 1.9 % less than the chord there.
 TEST(RingRoot, of_the_standard_is_near_that_of_the_outline) {
   double worst_rho = 0.0, worst_chord = 0.0;
   int compared = 0;

@@ -1,5 +1,5 @@
-// The deviation of the flanks against forces and moments as vectors in the housing frame, bent in
-// the planes of x and of y; and K_Hβ of a rating with shafts.
+// The deviation of the flanks is compared with forces and moments as vectors in the housing frame
+// and with bending in the planes of x and y. K_Hβ of a rating with shafts is tested too.
 #include "gearwright/rating/shaft_misalignment.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(ShaftMisalignment, ForcesAsVectors) {
     }
 }
 
-// The other hand and the shaft mirrored at the middle of the face.
+// The hand is exchanged, and the shaft is mirrored at the middle of the face.
 TEST(ShaftMisalignment, MirroredPair) {
   const RatedPair pair = testing::helical_24_95();
   MeshShafts m = sample_shafts();
@@ -122,7 +122,7 @@ TEST(ShaftMisalignment, GivesTheFaceLoadFactor) {
   EXPECT_FALSE(missing_input(in));
   const auto rigid = rate(pair, in);
   ASSERT_TRUE(rigid);
-  const double twist = rigid->face.f_sh->value;  // of the pinion's body
+  const double twist = rigid->face.f_sh->value;  // twist of the pinion body
   EXPECT_NEAR(rigid->face.F_betax->value, 1.33 * twist + 20.0, 1e-9);
   in.shafts = sample_shafts();
   const auto soft = rate(pair, in);

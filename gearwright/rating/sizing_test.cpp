@@ -1,4 +1,4 @@
-// The least face width that holds, against widths below it.
+// The least sufficient face width is compared with smaller widths.
 #include "gearwright/rating/sizing.hpp"
 
 #include <gtest/gtest.h>
@@ -12,9 +12,11 @@
 namespace gearwright {
 namespace {
 
-// (1) it holds   (2) no width below it does, as far as many of them tell   (3) it is sharp: a little
-// less does not hold, so that a safety is exactly the wanted one unless it jumps there. Some width has a
-// little more than the wanted safeties, so that the answer is no wider.
+// (1) the width is sufficient
+// (2) no smaller width is sufficient, as tested for many widths
+// (3) a slightly smaller width is insufficient, so one safety is exactly the required safety, unless
+//     it jumps there. A known width slightly exceeds the required safeties, so the result is not
+//     wider than this width.
 TEST(Sizing, FaceWidthOfSafetyIsTheLeast) {
   testing::Draw random(20261123);
   int answers = 0, gaps = 0;
@@ -63,7 +65,7 @@ TEST(Sizing, FaceWidthOfSafetyIsTheLeast) {
     ++answers;
   }
   EXPECT_GE(answers, 250);
-  EXPECT_GE(gaps, 5);  // widths that hold below a gap
+  EXPECT_GE(gaps, 5);  // sufficient widths below a gap of insufficient ones
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Load spectra: the plain rating in one step, and the permitted effect of splitting and adding steps.
+// Load spectra: a spectrum of one step equals the rating for one load, and splitting and adding
+// steps have only the permitted effect.
 #include "gearwright/rating/spectrum.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ RatingInput steady_load() {
   return in;
 }
 
-// (1) flanks and roots, in the limited life and beyond
+// (1) for flanks and roots, in the range of limited life and beyond
 TEST(Spectrum, OneStepIsThePlainRating) {
   const RatedPair pair = testing::helical_24_95();
   for (const double hours : {0.1, 10.0, 500.0, 20000.0}) {
@@ -30,7 +31,7 @@ TEST(Spectrum, OneStepIsThePlainRating) {
   }
 }
 
-// (2), and more load is more damage
+// (2), and a greater load causes more damage
 TEST(Spectrum, StepsAddUp) {
   const RatedPair pair = testing::helical_24_95();
   const RatingInput in = steady_load();

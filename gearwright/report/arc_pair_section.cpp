@@ -30,7 +30,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
       fmt::format("contact{}", which + 1),
       fmt::format("Contact on the convex flank of gear {}", contact.convex_gear),
       fmt::format("Both gears in the transverse section {:.4g} mm from the middle of the face, "
-                  "where the convex flank of gear {} touches the concave one of its mating gear.",
+                  "where the convex flank of gear {} touches the concave flank of its mating gear.",
                   at.z(), contact.convex_gear),
       {p - half, p + half});
   MeshScene scene{{&pair.gears[0], &pair.gears[1]}, &pair, nullptr, shapes};

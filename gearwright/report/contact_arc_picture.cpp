@@ -155,9 +155,9 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   return captioned(
       svg.str(),
       fmt::format(
-          "<strong>The racks in the normal section</strong>, pitch lines dash-dot one on the "
-          "other. They touch at M, with the normal at {} = {}° to the pitch line. The centres O "
-          "lie {} beyond the middle of the tooth and {} below the pitch line.<br>{}<br>{}",
+          "<strong>The racks in the normal section</strong>, with coincident pitch lines "
+          "(dash-dot). They touch at M, with the normal at {} = {}° to the pitch line. The centres "
+          "O lie {} beyond the middle of the tooth and {} below the pitch line.<br>{}<br>{}",
           symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
           arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c)));
 }

@@ -33,7 +33,7 @@ std::string assumed(const ContactReport& report) {
     text += fmt::format("<li>{} {}</li>\n", escaped(e.name), escaped(words_of(e)));
   for (const std::string& m : report.modifications)
     text += fmt::format("<li>{}</li>\n", escaped(m));
-  return text.empty() ? "<p>No error and no modification is given: the gears are as drawn.</p>\n"
+  return text.empty() ? "<p>No error and no modification is given, so the gears are as drawn.</p>\n"
                       : "<ul class=\"assumed\">\n" + text + "</ul>\n";
 }
 
@@ -160,11 +160,11 @@ std::string arc_part(const ContactReport& report) {
   if (!report.arc_pair) return {};
   const std::string figures = arc_contact_figures(*report.arc_pair);
   if (figures.empty()) return {};
-  return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave one and touches it "
-         "in a point. Both centres lie on the common normal through it. Across the tooth the fit "
-         "is close, so such teeth carry high loads. The point moves along the tooth while the "
-         "gears turn. However, a wrong centre distance changes the angle at which the arcs touch, "
-         "and the point moves up or down the flank.</p>\n" +
+  return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave arc and touches it "
+         "in a point. Both centres lie on the common normal through this point. Across the tooth "
+         "the fit is close, so such teeth carry high loads. The point moves along the tooth while "
+         "the gears turn. However, a wrong centre distance changes the angle at which the arcs "
+         "touch, and the point moves up or down the flank.</p>\n" +
          figures;
 }
 

@@ -176,11 +176,11 @@ std::string gears_part(const Drive& drive) {
 
 std::string drive_foot(const DriveReportInput& input) {
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions; teeth are those that the "
-      "given racks and pinion cutters leave. Lengths in mm, angles in degrees, “{}”: there is no "
-      "such value. Speeds, torques and powers are positive counter-clockwise, and where power "
-      "flows "
-      "in. Losses are those of the teeth.</p>\n</footer>\n",
+      "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions. The teeth are as cut by "
+      "the given racks and pinion cutters. Lengths are in mm and angles in degrees; “{}” means "
+      "that there is no such value. Speeds and torques are positive counter-clockwise, and powers "
+      "are positive where power enters the drive. Only losses of the teeth are "
+      "considered.</p>\n</footer>\n",
       input.version.empty() ? std::string() : " " + escaped(input.version), kNoValue);
 }
 

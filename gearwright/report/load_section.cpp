@@ -54,7 +54,7 @@ std::string facts(const LoadScene& report) {
       table.row(*row.info, texts);
     }
   }
-  return table.str() + "<p>Of two values the first is gear 1’s.</p>\n";
+  return table.str() + "<p>Of two values, the first is for gear 1.</p>\n";
 }
 
 std::string te_part(const LoadScene& report) {
@@ -84,12 +84,11 @@ std::string share_part(const LoadScene& report) {
 }
 
 std::string ellipse_part(const LoadScene& report) {
-  return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load a point "
-         "grows "
-         "into the ellipse of Hertz, longest where the flanks hug each other most closely; the "
-         "teeth that bend under it make it longer still. On the flank the pressure is highest in "
-         "the middle of the ellipse; one that extends beyond an end of the flank, or an edge that "
-         "touches itself, presses harder than drawn.</p>\n" +
+  return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load, a point "
+         "grows into a contact ellipse, which is longest where the flanks fit most closely. The "
+         "bending of the teeth makes it longer still. On the flank, the pressure is highest in the "
+         "middle of the ellipse. If an ellipse extends beyond an end of the flank, or if an edge "
+         "touches, the pressure is higher than drawn.</p>\n" +
          side_by_side(figure_html(ellipse_figure(report, 0)) +
                       figure_html(ellipse_figure(report, 1)) +
                       html_of(point_pressure_figure(report)));
@@ -97,10 +96,10 @@ std::string ellipse_part(const LoadScene& report) {
 
 std::string pressure_part(const LoadScene& report) {
   return fmt::format(
-             "<h3>Pressure on the flanks</h3>\n<p>The pressure of Hertz where the teeth bear. It "
-             "should be greatest in the middle of the face and fade towards tips and ends; a "
-             "bright "
-             "border is an edge that carries or a face that bears at one end{}.</p>\n",
+             "<h3>Pressure on the flanks</h3>\n<p>The picture shows the Hertz pressure of the "
+             "teeth that carry load. It should be greatest in the middle of the face and decrease "
+             "towards tips and ends. A bright border is an edge that carries load, or a face that "
+             "carries load at one end{}.</p>\n",
              shown_torque(report).edge_carries
                  ? "; an edge carries load here, and the true pressure is higher than drawn"
                  : "") +
@@ -112,10 +111,10 @@ std::string pressure_part(const LoadScene& report) {
 std::string root_part(const LoadScene& report, const std::array<std::string, 2>& shapes) {
   const std::string figures = root_stress_figures(report, shapes);
   if (figures.empty()) return {};
-  return "<h3>Stress at the roots</h3>\n<p>Each tooth bends over its root; the fillet on the "
-         "loaded "
-         "side is pulled, and there a crack would begin. The stress is that of the exact fillet, "
-         "with the neighbouring teeth and the body to where it is held.</p>\n" +
+  return "<h3>Stress at the roots</h3>\n<p>Each tooth bends at its root. The fillet on the loaded "
+         "side is in tension, and a crack would begin there. The stress is computed for the exact "
+         "fillet, with the neighbouring teeth and the body up to the place where it is "
+         "held.</p>\n" +
          figures;
 }
 

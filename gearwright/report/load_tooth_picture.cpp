@@ -63,7 +63,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const Viewport view{kWidth, kHeight, mirrored({0.5 * (lo + hi), middle.y()}), scale, true};
   Svg svg(fmt::format("root-stress{}", which + 1), kWidth, kHeight,
           name + ": stress along the fillet",
-          "The tooth in the transverse section; bars on the fillet in tension: the greatest "
+          "The tooth in the transverse section; bars on the fillet in tension show the greatest "
           "principal stress over a mesh.");
   const Vec2 axis = view.px(Vec2::Zero());
   svg.begin_clip(0, 0, kWidth, kHeight);

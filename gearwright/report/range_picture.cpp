@@ -208,8 +208,8 @@ std::string min_distance_table(const CrossedPair& pair) {
     return abs(a.normal_pressure_angle - exact).rad() < kSameAngle;
   });
   if (one) {
-    return "<p>The profile shifts of the teeth as cut add up to zero: the least centre distance is "
-           "that of the reference cylinders, and every approximation agrees.</p>\n";
+    return "<p>The profile shifts of the teeth as cut add up to zero, so the least centre distance "
+           "is the distance of the reference cylinders, and every approximation agrees.</p>\n";
   }
   std::vector<std::vector<std::string>> rows{table_row(pair, "Exact", exact)};
   for (const Approximation& a : all)

@@ -258,7 +258,7 @@ std::string path_table(const InvolutePair& p) {
                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
   return value_table(crossed ? "Points of the line of action; ζ: mm of sliding per mm that the "
-                               "contact runs over the flank"
+                               "contact travels on the flank"
                              : "Points of the path of contact",
                      {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
                       symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},

@@ -137,7 +137,8 @@ std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const st
   const Viewport view = window(gear, rack);
   const Vec2 axis = view.px(Vec2::Zero());
   Svg svg(
-      "root-" + shape, kWidth, kHeight, name + ": the root as it is and as the rack cuts it",
+      "root-" + shape, kWidth, kHeight,
+      name + ": the actual root and the root that the rack would cut",
       "The tooth in the transverse section with its arcs in colours; dashed behind it the root "
       "that the rack alone would leave, the base circle, and the points F, C and J on the flank.");
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
@@ -210,10 +211,11 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   if (!root_is_worth_a_picture(gear)) return {};
   const std::optional<Gear> rack = by_rack_alone(gear);
   std::string words = behind_words(gear, rack);
-  words += fmt::format("<b>F</b>: {}.", gear.involute()->undercut_l < 0.0
-                                            ? "the flank would begin here at the earliest; the "
-                                              "rack does not reach it, so there is no undercut"
-                                            : "undercut begins where the rack reaches it");
+  words +=
+      fmt::format("<b>F</b>: {}.", gear.involute()->undercut_l < 0.0
+                                       ? "the flank could begin here at the earliest, but the rack "
+                                         "does not reach this point, so there is no undercut"
+                                       : "the rack reaches this point and undercuts the flank");
   if (gear.tooth->root_fillet) {
     words += fmt::format(" <b>C</b>: the root fillet, {} = {} mm, touches the flank.",
                          symbol_html("r_r"), fixed(gear.tooth->root_fillet->radius, kLengthDigits));

@@ -95,8 +95,7 @@ std::string robust_part(const ScatterView& view) {
   };
   return fmt::format(
       "<p>Corrections that lower the {} % point of the transmission error: {}. It is then {}″ "
-      "instead of "
-      "{}″, by samples that the search has not seen.</p>\n",
+      "instead of {}″, computed with samples that the search did not use.</p>\n",
       format_number(r.percent), escaped(list), percentile(r.after), percentile(r.before));
 }
 
@@ -130,9 +129,8 @@ std::string scatter_section(const ScatterView& view) {
   if (const auto play = scene_of(view, ScatterQuantity::least_play, "scatter-play"))
     figures += figure_html(histogram_figure(*play));
   return fmt::format(
-             "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>What the tolerances make of this "
-             "pair: {} "
-             "pairs drawn from them. {}; {}; {}.</p>\n",
+             "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>Effect of the tolerances on {} "
+             "random pairs. {}; {}; {}.</p>\n",
              counted(static_cast<std::int64_t>(s.samples.size())),
              event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
              event("contact is lost", s.contact_lost)) +

@@ -33,7 +33,7 @@ constexpr Entry kEntries[] = {
     {"profile_shift", "in modules"},
     {"point",
      "balanced: on the line where the teeth of both gears are about equally strong; middle: in the "
-     "middle of the region, which that line misses"},
+     "middle of the region, if the line misses the region"},
     {"contact_ratio", "from tip to tip, by the formula"},
     {"contact_ratio_true", "over that part of the path where both flanks are usable"},
     {"overlap_ratio", ""},

@@ -1,6 +1,6 @@
-// Laws: (1) F⁻¹ grows and stays in the range   (2) its mean and variance over u are the closed ones
-// (3) a range of width 0 gives one number. Golden: the standard deviation of a cut normal
-// distribution.
+// Laws: (1) F⁻¹ grows and stays in the range; (2) its mean and variance over u agree with the closed
+// forms; (3) a range of width 0 gives one number. Golden: the standard deviation of a truncated
+// normal distribution.
 #include "gearwright/scatter/distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(Distribution, NoWidthIsOneNumber) {
 }
 
 TEST(Distribution, DiscIsFilledEvenly) {
-  // var x = R²/4 of the even disc, and half of its points lie within R/√2.
+  // A uniform disc has var x = R²/4, and half of its points lie within R/√2.
   const SobolPoints sobol(2);
   double sum = 0.0;
   int inner = 0;

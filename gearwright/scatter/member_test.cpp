@@ -1,5 +1,5 @@
-// Laws: (1) without deviations the numbers are those of analyse_contact()   (2) a member is the pair with
-// its errors, modifications and thickness. Golden: closed forms of spur gears, page 14.
+// Laws: (1) without deviations the numbers are those of analyse_contact(); (2) a member is the pair
+// with its errors, modifications and thickness. Golden: closed forms of spur gears, page 14.
 #include "gearwright/scatter/member.hpp"
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ TEST(Member, SpurGearsHaveClosedForms) {
     const double x = gamma * kRadPerDeg * std::cos(alpha);
     const double y = delta * kRadPerDeg * std::sin(alpha);
     const FamilyMember m = member_at(plain, d, {8, false, {}});
-    // To the second order in the angles, 0.03² of them.
+    // The error is of second order in the angles, 0.03².
     const double second = 4 * 0.03 * 0.03 * kRadPerDeg * kRadPerDeg;
     const double one = b / (2 * r_b2) * std::abs(x + y);
     const double other = b / (2 * r_b2) * std::abs(x - y);
@@ -175,7 +175,7 @@ TEST(Tolerance, BoresMoveAndTiltTheAxis) {
   EXPECT_DOUBLE_EQ(at({-0.01, 0.0, 0.01, 0.0}).intersecting.rad(), 2e-4);
   EXPECT_DOUBLE_EQ(at({-0.01, 0.0, 0.01, 0.0}).center_distance, -15 * 2e-4);
   EXPECT_DOUBLE_EQ(at({0.0, -0.01, 0.0, 0.01}).crossing.rad(), 2e-4);
-  // var ΔC = R²/8 of a gear in the middle.
+  // var ΔC is R²/8 for a gear in the middle.
   const SobolPoints points(4);
   double sum = 0.0;
   constexpr std::uint32_t n = 4096;

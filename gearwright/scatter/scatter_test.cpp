@@ -1,5 +1,5 @@
-// Laws: (1) the same bytes on any number of threads   (2) tolerances of width 0 give the pair as drawn
-// (3) no sample is worse than the worst case. Golden: closed forms of page 14.
+// Laws: (1) the result has the same bytes on any number of threads; (2) tolerances of width 0 give
+// the pair as drawn; (3) no sample is worse than the worst case. Golden: closed forms of page 14.
 #include "gearwright/scatter/scatter.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(Scatter, ThreadsDoNotMatterUnderLoad) {
     EXPECT_GT(s.loaded[0].peak_to_peak->standard_deviation.value, 0.0);
     EXPECT_EQ(s.loaded[0].peak_to_peak->mean.value, all[0].loaded[0].peak_to_peak->mean.value);
     EXPECT_EQ(s.loaded[0].max_pressure->greatest, all[0].loaded[0].max_pressure->greatest);
-    // The sample next to a percentile is one of those under load, the first 4 of 8.
+    // The sample next to a percentile is one of the samples under load, which are the first 4 of 8.
     for (const Percentile& p : s.loaded[0].peak_to_peak->percentiles) EXPECT_LT(p.sample % 8, 4u);
   }
   // They have the numbers of a family that consists of them.

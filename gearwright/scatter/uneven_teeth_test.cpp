@@ -85,7 +85,7 @@ TEST(FormWave, IsASineOfTheWholeHeight) {
   }
 }
 
-// [T14.22] as written, for every tooth pair separately.
+// [T14.22] is evaluated as printed, for every tooth pair separately.
 double by_definition(const ContactPair& pair, int n, const std::array<int, 2>& teeth,
                      const std::array<std::vector<double>, 2>& pitch) {
   Transmission transmission(pair);
@@ -144,7 +144,8 @@ TEST(GradedFlank, SlopesReachOverTheWholeFlank) {
   const ContactSetup setup = testing::helical_pair().setup();
   const auto g = graded_flank(setup.gear(1), FlankTolerances::iso_2013, 6);
   ASSERT_TRUE(g);
-  // [T10.16], [T10.17] by hand: d 44.0, m_n 2.5, b 25, grade 6: 7.1 and 8.6 µm before rounding to 0.5.
+  // [T10.16] and [T10.17] by hand give 7.1 and 8.6 µm, before rounding to 0.5, for d 44.0, m_n 2.5,
+  // b 25 and grade 6.
   EXPECT_NEAR(g->helix_slope, 0.0085 * 25 / 22.5, 0.0006);
   EXPECT_GT(g->profile_slope, 0.0065);
   EXPECT_LT(g->profile_slope, 0.0090);

@@ -1,5 +1,5 @@
-// The tree of a drive, beside its graph: the materials of its gears, the speed for its [rating], and
-// the table [drive] to which [planetary] or [[stage]] expands.
+// Parts of a drive's spec that its graph does not contain: the materials of the gears, the speed
+// for [rating], and the table [drive] that replaces [planetary] or [[stage]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +67,8 @@ void visit_stage(const Json& stage, const std::string& path, const std::string& 
                    visit);
 }
 
-// Every gear with a material of its own; a later visit of the same gear takes precedence.
+// Visits every gear that has its own material. If a gear is visited again, the later visit takes
+// precedence.
 void visit_materials(const Json& tree, const MaterialVisit& visit) {
   if (tree.contains("planetary")) visit_set(tree["planetary"], "planetary", "", visit);
   if (tree.contains("stage") && tree["stage"].is_array())

@@ -116,7 +116,7 @@ class Editor {
     std::size_t from = offset(key->source().begin);
     std::size_t to = range(node->source()).second;
     if (table->is_inline() && depth > 0) {
-      // Includes one comma: the next, or the previous one for the last element.
+      // Removes one comma as well: the next comma, or for the last element the previous comma.
       const std::size_t next = text_.find_first_not_of(" \t", to);
       if (next != std::string::npos && text_[next] == ',') {
         to = text_.find_first_not_of(" \t", next + 1);
@@ -135,7 +135,7 @@ class Editor {
  private:
   struct Found {
     const toml::table* table;
-    std::size_t depth;  // number of parts that lead to it
+    std::size_t depth;  // number of parts of the path that lead to it
   };
 
   Found deepest(const std::vector<std::string>& parts) const {
@@ -196,7 +196,7 @@ class Editor {
     text_.insert(at, line + "\n");
   }
 
-  // Lines of the headings of a table and of its sub-tables, or of all.
+  // The lines of the headings of a table and its sub-tables, or of all tables.
   void headers(const toml::table& table, std::vector<std::size_t>& lines) const {
     for (const auto& [key, node] : table) {
       const toml::table* inner = node.as_table();
@@ -237,7 +237,7 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     if (json_depth(value) > 32) return Error{std::string(path), "", "nests too deep"};
     wished = parse_json(value);
   } catch (const nlohmann::json::exception&) {
-    return Error{std::string(path), std::string(value), "is no value of JSON"};
+    return Error{std::string(path), std::string(value), "is not a JSON value"};
   }
   if (wished.is_structured() && has_null(wished))
     return Error{std::string(path), "null", "is not a value of a spec; leave out the key"};

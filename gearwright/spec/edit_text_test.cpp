@@ -1,4 +1,4 @@
-// A key set in a text, the rest as it was.
+// A key is set in a text, and the rest of the text is unchanged.
 #include "gearwright/spec/edit_text.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +75,7 @@ TEST(EditText, the_tree_is_the_wanted_one_whatever_the_form) {
         "[gear1]\nteeth = 17\n[gear1.rack]\ndedendum = 1.25\n",
         "gear1 = { teeth = 17, rack = { dedendum = 1.25 } }\n", "[gear1.rack]\ndedendum = 1.25"}) {
     const std::string after = edited("gear1.rack.addendum", "1.5", text);
-    EXPECT_EQ(edited("gear1.rack.addendum", "1.5", after), after) << after;  // it is there
+    EXPECT_EQ(edited("gear1.rack.addendum", "1.5", after), after) << after;  // the sub-table exists
     EXPECT_NE(after.find("1.25"), std::string::npos) << after;
   }
 }

@@ -55,7 +55,7 @@ bool parallel(const Json& tree) {
   return !pair->contains("shaft_angle_deg") || number(*pair, "shaft_angle_deg") == 0.0;
 }
 
-// Copies helix angle and hand. Returns true if they are those of gear 1.
+// Copies helix angle and hand. Returns true if gear 2 then has those of gear 1.
 bool hand_on_helix(const Json& from, Json& to) {
   if (has_any(to, kHelices) || !has_any(from, kHelices)) return false;
   const bool ring = number(to, "teeth").value_or(0.0) < 0.0;
@@ -91,7 +91,7 @@ void hand_on(const Json& from, Json& to, const std::string& key) {
   }
 }
 
-// The grade of a gear, which may be among its tolerances.
+// The grade of a gear, which its table or its tolerances contain.
 const Json* quality_of(const Json& gear) {
   if (const auto own = gear.find("quality"); own != gear.end()) return &*own;
   const auto tolerance = gear.find("tolerance");
@@ -100,7 +100,7 @@ const Json* quality_of(const Json& gear) {
   return grade == tolerance->end() ? nullptr : &*grade;
 }
 
-// Copies the edition of a grade.
+// Copies the edition that belongs to a grade.
 void hand_on_edition(const Json& from, Json& to) {
   const auto tolerance = from.find("tolerance");
   if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;
@@ -153,7 +153,7 @@ Json with_named_materials(const Json& tree) {
   Json::object_t whole;
   for (const auto& [key, node] : tree.items()) {
     if (key == "drawing") {
-      whole.emplace_back(key, node);  // its `material` is a text for people
+      whole.emplace_back(key, node);  // its `material` is a text for users
     } else if (key == "material" && node.is_object()) {
       Json::object_t table;  // in a set, each member may have its own material
       for (const auto& [member, value] : node.items())

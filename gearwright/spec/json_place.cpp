@@ -17,7 +17,7 @@ class Walk {
     blanks();
     return at_ < text_.size() ? text_[at_] : '\0';
   }
-  /// Past the bracket, comma or colon here.
+  /// Moves past the bracket, comma or colon at this position.
   void step() { ++at_; }
   /// Passes a string; returns the text between the quotes, with escapes unchanged.
   std::string_view quoted() {
@@ -27,7 +27,7 @@ class Walk {
     step();
     return inside;
   }
-  /// Past a value.
+  /// Moves past a value.
   void skip() {
     int deep = 0;
     do {
@@ -38,7 +38,7 @@ class Walk {
       }
       if (c == '{' || c == '[') ++deep;
       if (c == '}' || c == ']') --deep;
-      if (deep == 0 && c != '}' && c != ']') {  // a number or a word
+      if (deep == 0 && c != '}' && c != ']') {  // skips a number or a word
         at_ = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
         return;
       }
@@ -68,7 +68,7 @@ TextPlace place_at(std::string_view text, std::size_t at) {
 
 // Moves to the value of the member at the beginning of `path`; false if there is none.
 bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
-  walk.step();  // the brace
+  walk.step();  // skips the brace
   while (walk.here() == '"') {
     const std::size_t at = walk.at();
     const std::string_view key = walk.quoted();

@@ -96,7 +96,7 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
 }
 
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
-  // A rack as gear 2 has nothing but its geometry, and other verbs reject it with the reason.
+  // A rack as gear 2 has only geometry, and other verbs reject it with the reason.
   if (spec.rack) return {};
   std::vector<Error> missing;
   if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1] ||

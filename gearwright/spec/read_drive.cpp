@@ -28,7 +28,8 @@ double number_of(const TableReader& t, const std::string& key, const Json& value
   return value.get<double>();
 }
 
-// One number, or a table of numbers by names. `set` takes the place of the name among the known.
+// One number, or a table of numbers by name. `set` receives the index of the name among the known
+// names.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
                 const std::vector<std::string>& known,
                 const std::function<void(std::size_t, double)>& set) {
@@ -96,7 +97,7 @@ void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional
   speeds = read_list(t, "speed_rpm");
   const std::vector<double> torques = read_list(t, "torque_Nm");
   if (torques.size() > 1)
-    t.fail("torque_Nm", "give one torque: those of the other bodies follow from it");
+    t.fail("torque_Nm", "give one torque, because it determines the torques of the other bodies");
   if (!torques.empty()) torque = torques.front();
 }
 
@@ -148,14 +149,15 @@ void refuse_in_drive(const Json& node, const std::string& path) {
   const auto refuse = [&](const std::string& key, const char* why) {
     throw SpecError{{path + "." + key, shown(node[key]), why}};
   };
-  if (node.contains("measured")) refuse("measured", "belongs to a gear that is to be identified");
+  if (node.contains("measured"))
+    refuse("measured", "is allowed only for a gear that is to be identified");
   if (node.contains("tip_fillet"))
     refuse("tip_fillet", "is not part of a drive; compute this mesh as a pair");
   if (!node.contains("tolerance") || !node["tolerance"].is_object()) return;
   for (const char* key : {"thickness_series", "span_mm", "over_balls_mm"})
     if (node["tolerance"].contains(key))
       throw SpecError{{path + ".tolerance." + key, shown(node["tolerance"][key]),
-                       "is not completed in a drive; give thickness_allowance_mm"}};
+                       "is not supported in a drive; give thickness_allowance_mm"}};
 }
 
 void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
@@ -163,7 +165,7 @@ void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
   const bool two =
       gears.is_array() && gears.size() == 2 && gears[0].is_object() && gears[1].is_object();
   if (!two) t.fail("gears", "must be a list of two tables, each as [gear1]");
-  // The second gear inherits from the first as gear 2 does from gear 1.
+  // The second gear inherits from the first gear in the same way as gear 2 from gear 1.
   const Json both = inherit(Json{{"gear1", gears[0]}, {"gear2", gears[1]}}).tree;
   for (const std::size_t i : {0, 1}) {
     const std::string name = i == 0 ? "gear1" : "gear2";
@@ -219,7 +221,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
     for (const char* key :
          {"teeth", "normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
           "face_width_mm", "profile_shift", "thickness_allowance_mm", "material"})
-      t.refuse(key, "belongs in the tables of the gears, which have all their own keys");
+      t.refuse(key, "must be in the tables of the gears, because each gear has its own keys");
     read_whole_gears(t, *gears, stage.pair, folder);
   } else {
     read_teeth(t, stage.pair);
@@ -260,8 +262,9 @@ std::size_t place_of(const std::vector<std::string>& names, const std::string& n
                      const std::string& field, const char* what) {
   const auto it = std::find(names.begin(), names.end(), name);
   if (it != names.end()) return static_cast<std::size_t>(it - names.begin());
-  throw SpecError{{field, printable(name, 40),
-                   fmt::format("there is no such {}; there are {}", what, fmt::join(names, ", "))}};
+  throw SpecError{
+      {field, printable(name, 40),
+       fmt::format("there is no such {}; the known names are {}", what, fmt::join(names, ", "))}};
 }
 
 std::string text_at(TableReader& t, const std::string& key) {
@@ -276,7 +279,7 @@ void check_names(const std::vector<Item>& items, const std::string& table) {
     for (std::size_t k = 0; k < i; ++k)
       if (items[i].name == items[k].name)
         throw SpecError{{fmt::format("{}[{}].name", table, i + 1), printable(items[i].name, 40),
-                         "is the name of another one already"}};
+                         "is already the name of another entry"}};
 }
 
 void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& names) {
@@ -307,7 +310,8 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   refuse_in_drive(node, path);
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));
-  if (!has_module) whole["normal_module_mm"] = 1.0;  // numbers of teeth alone do not give a size
+  if (!has_module)
+    whole["normal_module_mm"] = 1.0;  // numbers of teeth alone do not determine a size
   if (!own.has("teeth")) whole["teeth"] = 1;
   const GearInput given = read_gear(drive_gear_keys(), whole, path, nullptr, folder);
   gear.name = node["name"].get<std::string>();
@@ -382,7 +386,7 @@ T taken(Result<T> made, const Json& tree) {
 bool is_drive(const Json& tree) { return has_any(tree, {"planetary", "stage", "drive"}); }
 
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
-  drive_materials(tree);  // only to report errors; a rating reads the materials again
+  drive_materials(tree);  // the materials are read only to report errors; a rating reads them again
   const char* first = nullptr;
   for (const char* table : {"planetary", "stage", "drive"}) {
     if (!tree.contains(table)) continue;

@@ -23,14 +23,14 @@ void check_members(TableReader& t, const DriveSearchProblem& p) {
   for (std::size_t m = 0; m < kSetMembers; ++m) {
     if (!p.teeth[m]) continue;
     if (std::find(members.begin(), members.end(), static_cast<SetMember>(m)) == members.end())
-      t.fail(kTeeth[m], fmt::format("belongs to no drive of kind \"{}\"", kind));
+      t.fail(kTeeth[m], fmt::format("is not used for drives of kind \"{}\"", kind));
   }
   const bool train = p.kind == DriveKind::train;
   for (const char* key : {"stages", "pinion_teeth", "wheel_teeth"})
-    if (!train) t.refuse(key, "belongs to kind = \"train\"");
+    if (!train) t.refuse(key, "is used only with kind = \"train\"");
   for (const char* key :
        {"planets", "neighbour_clearance_min", "phasing", "spacing", "fixed", "input", "output"})
-    if (train) t.refuse(key, "belongs to planetary sets; a train of pairs has none");
+    if (train) t.refuse(key, "is used only for planetary sets, not for a train of pairs");
 }
 
 std::array<double, 2> read_width_band(const TableReader& t, const Json& band) {
@@ -68,7 +68,7 @@ DriveSearchProblem read_drive_search(const Json& search) {
   if (p.kind == DriveKind::train) {
     for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
       if (search.contains(key) && !search[key].is_number())
-        t.fail(key, "must be a number, of all stages of a train");
+        t.fail(key, "must be one number for all stages of a train");
   }
   Json set = shared_keys(search, false);
   set["planet"] = 20;

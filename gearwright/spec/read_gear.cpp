@@ -21,7 +21,7 @@ std::optional<double> read_helix(TableReader& t) {
   const auto lead = t.number("lead_angle_deg");
   const auto hand = t.word("hand");
   if (lead && !hand && *lead < 90.0) {
-    t.fail("lead_angle_deg", "needs hand = \"right\" or \"left\" beside it");
+    t.fail("lead_angle_deg", "needs hand = \"right\" or \"left\" too");
   }
   const double sign = hand && *hand == "left" ? -1.0 : 1.0;
   const auto of_lead = lead ? std::optional((90.0 - *lead) * sign) : std::nullopt;
@@ -55,7 +55,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// The gear by its own dimensions replaces module, helix and shift, which follow for one rack.
+// The dimensions of the finished gear determine module, helix angle and profile shift for one rack.
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");
@@ -126,7 +126,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   c.rack = *leaving;
 }
 
-// Rejects keys of an involute gear, which have no meaning here.
+// Rejects keys of an involute gear, which have no meaning for a rack of arcs.
 void refuse_involute_keys(TableReader& gear) {
   const std::string why = "cannot be combined with a rack of arcs";
   for (const char* key : {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}) {
@@ -139,7 +139,7 @@ void refuse_involute_keys(TableReader& gear) {
     gear.fail("profile_shift", why + "; the positions of the arc centres determine the depth");
 }
 
-// The table that the word `kind` selects from those of a key; by default the first.
+// The table that the word `kind` selects among the tables of a key; by default the first table.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
@@ -245,7 +245,7 @@ Rack read_rack(TableReader& gear, std::optional<double> module) {
     refuse_involute_keys(gear);
     if (!module) {
       gear.lacks_one_of("normal_module_mm", "module");
-      gear.finish();  // which fails
+      gear.finish();  // fails with the reason
     }
     auto rack = gbt12759_rack(*module);
     if (!rack) throw SpecError{spelled(within(gear.name(), rack.error()))};
@@ -265,7 +265,7 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   const auto total = gear.number("profile_shift_pair");
   const Json* by = gear.any("cut_by");
   if (!by) {
-    if (total) gear.fail("profile_shift_pair", "belongs to a gear with cut_by");
+    if (total) gear.fail("profile_shift_pair", "is used only for a gear with cut_by");
     return;
   }
   CutByInput cut;
@@ -280,15 +280,16 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     for (const auto& [key, why] :
          {std::pair{"cut_by", "the cutter itself is cut by a rack; leave this out"},
           std::pair{"profile_shift_pair",
-                    "belongs into the table of the gear that is cut, not into cut_by"},
+                    "must be in the table of the gear that is cut, not in cut_by"},
           std::pair{"modifications",
-                    "a cutter has no flank modifications; write those of the gear into the gear's "
-                    "own table"}}) {
+                    "a cutter has no flank modifications; write the modifications of the gear into "
+                    "the table of the gear"}}) {
       if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
     }
     GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
     if (cutter.cylindrical.teeth < 0)
-      gear.fail("cut_by.teeth", "must be positive: an internal gear cannot be a pinion cutter");
+      gear.fail("cut_by.teeth",
+                "must be positive, because an internal gear cannot be a pinion cutter");
     if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
     if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
       gear.fail("cut_by.tip_fillet",

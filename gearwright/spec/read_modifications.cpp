@@ -64,7 +64,7 @@ void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
     // A start can be computed from the pair, a length cannot.
     const bool follows = m.reach == "_start_mm";
     if (*amount > 0.0 && !reach && !follows)
-      t.fail_absent(reach_key, ": " + key + " needs it beside it");
+      t.fail_absent(reach_key, ": " + key + " needs this key");
     to.*(m.relief) = {
         *amount / kUmPerMm, reach,
         shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
@@ -221,7 +221,7 @@ Result<Topography> topography_from_csv(std::string_view csv) {
     if (k == rows.size() || rows[k].diameter != d || rows[k].z != z) {
       return Error{"", "",
                    fmt::format("{} diameters and {} heights z need a row for each of their {} "
-                               "points; {}, {} has none",
+                               "points; there is no row for {}, {}",
                                t.diameters.size(), columns, t.diameters.size() * columns, d, z)};
     }
     t.removed.push_back(rows[k].removed / kUmPerMm);

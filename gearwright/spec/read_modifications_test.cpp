@@ -25,7 +25,7 @@ const std::array<FlankModifications, 2>& flanks(const Result<JobSpec>& spec) {
   return spec->gears[0]->modifications;
 }
 
-// The key that is refused; its sentence must begin with it.
+// The rejected key, with which the message must begin.
 std::string refusal(const std::string& table, const std::string& word = "",
                     const fs::path& folder = {}) {
   const auto spec = spec_with(table, folder);
@@ -80,7 +80,8 @@ TEST(ReadModifications, one_flank_alone_or_otherwise) {
   EXPECT_EQ(right.lead_crowning, 0.008);
   EXPECT_EQ(left.lead_crowning, 0.0);
   EXPECT_TRUE(spec->given.contains("gear1.modifications.left_tip_relief_um"));
-  // A start for both, an amount for one: the other flank has no border there.
+  // The start is given for both flanks and the amount for one flank, so the other flank has no
+  // border there.
   const auto one = spec_with("tip_relief_start_mm = 46.5\nleft_tip_relief_um = 10\n");
   EXPECT_FALSE(flanks(one)[0].tip_relief.reach);
   EXPECT_TRUE(flanks(one)[1].tip_relief.reach);
@@ -113,7 +114,7 @@ TEST(ReadModifications, refusals_name_the_key) {
             "lead_crowning_um");
   EXPECT_EQ(refusal("lead_crowning_um = \"much\"", "number"), "lead_crowning_um");
   EXPECT_EQ(refusal("lead_crowing_um = 8", "lead_crowning_um"), "lead_crowing_um");
-  // A misspelt key is named before the one that is missing because of it.
+  // The message names a misspelt key before the key that is missing because of it.
   EXPECT_EQ(refusal("tip_relief_um = 20\ntip_relief_begin_mm = 46", "tip_relief_start_mm"),
             "tip_relief_begin_mm");
   const auto cutter = read_spec(
@@ -146,9 +147,9 @@ TEST(TopographyCsv, refusals_say_where) {
   EXPECT_TRUE(topography_from_csv(good));
   EXPECT_TRUE(says("", "two diameters"));
   EXPECT_TRUE(says("42,0,0\n43,0,0\n", "two heights"));
-  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,1,0\n", "46, -1 has none"));
-  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,-1,0\n", "46, 1 has none"));
-  EXPECT_TRUE(says("42,1,0\n46,-1,0\n46,1,0\n", "42, -1 has none"));
+  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,1,0\n", "there is no row for 46, -1"));
+  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,-1,0\n", "there is no row for 46, 1"));
+  EXPECT_TRUE(says("42,1,0\n46,-1,0\n46,1,0\n", "there is no row for 42, -1"));
   EXPECT_TRUE(says(good + "46,1.0,3\n", "line 5: the point 46, 1 is already in line 4"));
   EXPECT_TRUE(says("42;-1;0\n", "line 1: \"42;-1;0\""));
   EXPECT_TRUE(says("d,z,c\n" + good, "line 1"));

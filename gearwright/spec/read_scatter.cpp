@@ -34,7 +34,7 @@ std::optional<DistributionSpec> read_tolerance(TableReader& t, const std::string
     table.finish();
     const auto belongs = [&](const char* to, DistributionSpec::Kind kind, const char* words) {
       if (value->contains(to) && d.kind != kind)
-        table.fail(to, std::string("belongs to distribution = \"") + words + "\"");
+        table.fail(to, std::string("is used only with distribution = \"") + words + "\"");
     };
     belongs("cpk", DistributionSpec::Kind::normal, "normal");
     belongs("offset", DistributionSpec::Kind::normal, "normal");
@@ -112,7 +112,7 @@ ScatterInput read_scatter(const Json& node) {
       if (!s.errors[i]) continue;
       t.fail("bearings", "cannot be combined with scatter.errors." +
                              std::string(error_entries()[i].key) +
-                             "; the places of the bores give the same error");
+                             "; the positions of the bores determine the same error");
     }
   }
   for (const std::size_t i : {0, 1}) {

@@ -65,10 +65,9 @@ void check_teeth(TableReader& t, SearchProblem& p) {
            "must contain values below -1, because an internal gear has more teeth than its pinion");
   const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * p.pinion_teeth[1];
   if (!(most <= kMaxSearchTeeth)) {
-    t.fail("ratio",
-           fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth; at most "
-                       "{}: narrow one of them",
-                       p.pinion_teeth[1], most, kMaxSearchTeeth));
+    t.fail("ratio", fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth, but at "
+                                "most {} are allowed; narrow one of the two",
+                                p.pinion_teeth[1], most, kMaxSearchTeeth));
   }
   if (!t.has("target_ratio")) p.target_ratio = (p.ratio[0] + p.ratio[1]) / 2.0;
 }
@@ -104,8 +103,8 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   for (const double beta : degrees) {
     t.check(key, beta);
     if (p.shaft_angle && !(std::abs(p.shaft_angle->deg() - beta) < 89.0)) {
-      t.fail(key, fmt::format("{} leaves gear 2 the helix angle {}, beyond 89; gear 2 has the "
-                              "shaft angle less this one",
+      t.fail(key, fmt::format("{} gives gear 2 the helix angle {}, which is beyond 89; gear 2 has "
+                              "the shaft angle minus this angle",
                               beta, p.shaft_angle->deg() - beta));
     }
     p.helix.push_back(Angle::degrees(beta));

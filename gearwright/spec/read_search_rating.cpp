@@ -79,12 +79,13 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
   const std::string key =
       given_of(t, {"face_width_mm", "face_width_modules", "face_width_diameters"});
   if (p.crossed())
-    t.fail(key, "must be one width on crossed axes, where a search does not choose it");
-  if (p.shift_step) t.fail(key, "must be one width beside shift_step, whose points are not rated");
+    t.fail(key, "must be one number on crossed axes, where a search does not choose the width");
+  if (p.shift_step)
+    t.fail(key, "must be one number together with shift_step, whose points are not rated");
   if (!p.limits.safety_flank && !p.limits.safety_root && !p.limits.overlap_ratio)
     t.fail(key,
-           "is a band, of which each design takes the least width that holds; give "
-           "safety_flank_min, safety_root_min or overlap_ratio_min too, or one width");
+           "is a band, in which each design takes the least sufficient width; give "
+           "safety_flank_min, safety_root_min or overlap_ratio_min too, or give one width");
 }
 
 }  // namespace

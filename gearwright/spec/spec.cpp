@@ -62,7 +62,7 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
 // Collects the inputs that the tables of a spec lack, as one error.
 class Lacks {
  public:
-  /// Reads a table; its missing inputs are reported with the others.
+  /// Reads a table and collects its missing inputs for a common error.
   template <class F>
   void of(F read) {
     try {
@@ -84,7 +84,7 @@ class Lacks {
       }
     }
   }
-  /// A spec without the first input lacks the second only for that reason.
+  /// A spec that lacks the first input lacks the second input only for that reason.
   void shared(const std::string& first, const std::string& second) {
     if (!has(all_, first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -130,12 +130,12 @@ void share_shafts(const Json& tree, JobSpec& spec) {
     const auto refuse = [&](const char* why) { throw SpecError{{key, "", why}}; };
     if (tree.contains("search"))
       refuse(
-          "does not apply to a search, whose gears have no place on a shaft; give "
+          "does not apply to a search, whose gears have no position on a shaft; give "
           "rating.face_load_factor or [rating.mounting]");
     if (gear->cylindrical.teeth < 0)
       refuse(
-          "does not apply to an internal gear, whose rim is no shaft; the shaft of the pinion "
-          "alone determines the face load factor");
+          "does not apply to an internal gear, because its rim is not a shaft; only the shaft of "
+          "the pinion determines the face load factor");
     if (spec.rating.input.mounting)
       refuse(
           "cannot be combined with [rating.mounting], which describes the shaft of the pinion "
@@ -158,9 +158,10 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
     if (std::find(kOfRacks.begin(), kOfRacks.end(), key) != kOfRacks.end() ||
         !pair_keys().find(key))
       continue;
-    throw SpecError{{"pair." + key, shown(value),
-                     "does not apply to a rack and pinion; center_distance_mm and speed_rpm do. "
-                     "Backlash follows from the distance and the thickness allowances"}};
+    throw SpecError{
+        {"pair." + key, shown(value),
+         "does not apply to a rack and pinion, which uses only center_distance_mm and speed_rpm. "
+         "The backlash follows from the distance and the thickness allowances"}};
   }
   return bar;
 }
@@ -172,7 +173,7 @@ std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::st
   TableReader t(gear_keys(), *gear, path);
   const Json* table = t.table("double_helical");
   if (tree.contains("search") || tree.contains("fit") || is_unknown_gear(*gear))
-    t.fail("double_helical", "is not part of what a search, a fit or an identification finds");
+    t.fail("double_helical", "is not supported in a search, a fit or an identification");
   if (is_rack(tree.value("gear2", Json::object())))
     t.fail("double_helical", "does not apply to the pinion of a rack");
   return read_table<DoubleHelical>(double_helical_keys(), *table, path + ".double_helical");
@@ -221,13 +222,14 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   spec.double_helical = {read_double_helical(gear_1, "gear1", tree),
                          read_double_helical(gear_2, "gear2", tree)};
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
-  lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them, gear 2 takes that of gear 1
+  lacks.shared("gear2.teeth",
+               "gear2.normal_module_mm");  // with them, gear 2 takes the material of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   const bool drives = search && is_drive_search(*search);
   if (drives) {
     for (const char* table : {"gear1", "gear2", "pair"})
-      t.refuse(table, "a search for drives has no pair beside it");
-    lacks.of([&] { read_drive_search(*search); });  // read again when it is used
+      t.refuse(table, "a search for drives cannot be combined with the keys of a pair");
+    lacks.of([&] { read_drive_search(*search); });  // the table is read again when it is used
   }
   if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
   if (const Json* scatter = t.table("scatter"))

@@ -29,7 +29,7 @@ bool has_any(const Json& table, const std::vector<std::string>& keys) {
 }
 
 std::string shown(const Json& value) {
-  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // also nan and inf
   if (value.is_object()) return "(a table)";
   if (value.is_array()) {
     // As it was written, if it is short enough for a message. JSON has no word for nan and inf.
@@ -112,7 +112,7 @@ std::optional<std::vector<double>> TableReader::raw_numbers(const std::string& k
   std::vector<double> values;
   const auto take = [&](const Json& item) {
     if (!item.is_number() || !std::isfinite(item.get<double>()))
-      fail(key, "must be " + form_of(known) + "; " + shown(item) + " is no number");
+      fail(key, "must be " + form_of(known) + "; " + shown(item) + " is not a number");
     values.push_back(item.get<double>());
   };
   if (!node->is_array()) {
@@ -346,7 +346,7 @@ void TableReader::finish() const {
       const Key& wanted = *keys_.find(other);
       const auto it = node_.find(name);
       throw SpecError{{this->name(name), shown(*it),
-                       fmt::format("needs {} beside it: {}", other, plain_words(wanted.meaning))},
+                       fmt::format("needs {} too: {}", other, plain_words(wanted.meaning))},
                       {absent_key(this->name(std::string(other)), wanted)}};
     }
     for (const std::string_view other : key.excludes) {

@@ -1,4 +1,4 @@
-// Written specs read back to what they were.
+// A spec that is written and read again is unchanged.
 #include "gearwright/spec/toml_text.hpp"
 
 #include <nlohmann/json.hpp>

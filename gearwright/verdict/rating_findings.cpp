@@ -30,7 +30,7 @@ std::string rating_remedy(const JudgedRating& rating) {
     text = fmt::format("{:.{}f} mm more face width", std::ceil(more * step) / step, digits);
   }
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
-  if (!text.empty()) return text + " would hold.";
+  if (!text.empty()) return text + " would be sufficient.";
   text = fmt::format(
       "Neither a face width up to {:g} modules nor a steel of the list is sufficient alone.",
       kMostFaceModules);

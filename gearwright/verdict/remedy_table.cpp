@@ -87,7 +87,7 @@ const std::vector<Cure>& cures() {
        {{A::tip_diameter, W::own, -1}}},
       {C::nearly_parallel, "the axes are parallel", {{A::helix_angle, W::second, +1}}},
       {C::face_width,
-       "the face of gear {} holds the line of action",
+       "the face of gear {} contains the line of action",
        {{A::face_width, W::own, +1}}},
       {C::jam, "the gears do not jam", kLooser, true},
       {C::contact_below_form, "contact stays on the usable flank of gear {}", kReachLess, true},

@@ -113,7 +113,7 @@ class TwoHalves(unittest.TestCase):
             key = {"errors": "crossing_deg = 0.01", "load": "torque_Nm = 100"}.get(table, "")
             run = Run("run", PAIR.format("") + f"[{table}]\n{key}\n")
             self.assertEqual(run.status, 1, table)
-            self.assertIn("one helix", run.err)
+            self.assertIn("single-helical", run.err)
 
     def test_modifications_are_left_out_with_a_note(self):
         spec = PAIR.format("").replace("[gear2]", "[gear1.modifications]\nlead_crowning_um = 10\n[gear2]", 1)

@@ -24,7 +24,7 @@ def hint(key, table="gear1", value="2"):
 
 class Keys(Asked):
     def test_keys_that_people_try_lead_to_the_right_one(self):
-        near = "the nearest known one is "
+        near = "the nearest known key is "
         for key, want in (("module", "normal_module_mm"), ("m", "normal_module_mm"), ("mn", "normal_module_mm"),
                           ("m_n", "normal_module_mm"), ("x", "profile_shift"), ("shift", "profile_shift"),
                           ("beta", "helix_angle_deg"), ("β", "helix_angle_deg"), ("helix", "helix_angle_deg"),
@@ -112,7 +112,7 @@ class Slips(Asked):
         self.assertIn("use a point as the decimal mark: 2.5", Run("gear", "[gear1]\nteeth = 17\nnormal_module_mm = 2,5\n").err)
 
     def test_a_table_is_no_key_of_a_gear(self):
-        self.assertEqual(hint("pair", "gear2"), "[pair] is a table of its own, not a part of [gear2]")
+        self.assertEqual(hint("pair", "gear2"), "[pair] is a separate table, not a part of [gear2]")
         self.assertTrue(hint("runout_um", "errors").startswith("known keys here: center_distance_mm"))
         self.assertIn("pitch in [scatter.gear1]", hint("pitch_um", "errors"))
 
@@ -123,7 +123,7 @@ class Slips(Asked):
 
     def test_a_rack_that_nobody_wrote_is_called_a_default(self):
         steep = GEAR + "normal_pressure_angle_deg = 60\n"
-        self.refused(steep, "gear1.rack.dedendum", "not given, and this default does not suit", "0.453449", verb="gear")
+        self.refused(steep, "gear1.rack.dedendum", "not given, and its default does not fit", "0.453449", verb="gear")
         own = self.refused(steep + "[gear1.rack]\ndedendum = 1.25\n", "gear1.rack.dedendum", "0.453449", verb="gear")
         self.assertNotIn("default", own)
 

@@ -177,7 +177,7 @@ class ByName(Asked):
                 (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears"),
                 (two + "[rack]\nteeth = 20\n", "rack", "rack as a mating part is gear 2", "[gear1.rack]"),
                 (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "form = \"rack\"", "teeth = -61"),
-                (gear + "form = \"rack\"\n", "gear1.form", "a rack is gear 2"),
+                (gear + "form = \"rack\"\n", "gear1.form", "the rack must be gear 2"),
                 (two + "[pair]\nherringbone = true\n", "pair.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
                 (gear + "herringbone = true\n", "gear1.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
                 ("units = \"inch\"\n" + gear, "units", "mm", "normal_diametral_pitch_per_in"),
@@ -188,7 +188,7 @@ class ByName(Asked):
             for verb in ("gear", "pair", "run"):
                 self.refused(verb, spec, key, *words, none=("did you mean", "nearest", "unknown key", "missing"))
         # A known key keeps its own message.
-        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "the nearest known one is teeth")
+        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "the nearest known key is teeth")
 
     def test_a_word_that_is_meant(self):
         search = "[search]\nratio = 2\npinion_teeth = [12, 40]\nmodules_mm = 2\nobjective = {}\n"

@@ -67,10 +67,10 @@ class Rate(unittest.TestCase):
         good = "[gear1.shaft]\nbearings_mm = [-300, 420]\ndiameter_mm = 250\n"
         mounting = "[rating.mounting]\nbearing_span_mm = 720\nshaft_diameter_mm = 250\n"
         for text, key, word in [
-                (good.replace("-300", "420"), "gear1.shaft.bearings_mm", "must grow"),
+                (good.replace("-300", "420"), "gear1.shaft.bearings_mm", "must be in rising order"),
                 (good + "steps_mm = [0]\n", "gear1.shaft.steps_mm", "several diameters"),
                 (good.replace("250", "[250, 200]"), "gear1.shaft.steps_mm", "one number less"),
-                (good.replace("250", "[250, 200, 150]") + "steps_mm = [50, 0]\n", "gear1.shaft.steps_mm", "must grow"),
+                (good.replace("250", "[250, 200, 150]") + "steps_mm = [50, 0]\n", "gear1.shaft.steps_mm", "must be in rising order"),
                 (good.replace("250", "-250"), "gear1.shaft.diameter_mm", "greater than 0"),
                 (good + mounting, "gear1.shaft", "rating.mounting")]:
             with self.subTest(key=key, word=word):
@@ -143,7 +143,7 @@ class Rate(unittest.TestCase):
         # The material of gear 1.
         self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))
         self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
-                     "gear1.material.surface_hardness_HV", "off the line")
+                     "gear1.material.surface_hardness_HV", "outside the range")
         self.refused(spec(""), "rating", "is missing")
         plastic = '[gear1.material]\nkind = "plastic"\nsigma_Hlim_MPa = 50\nsigma_Flim_MPa = 30\n'
         self.refused(spec(material1=plastic), "gear1.material.kind", "VDI 2736")
@@ -368,8 +368,8 @@ class Plastic(unittest.TestCase):
         self.refused(PLASTIC.replace("friction_coefficient = 0.2\n", ""), "rating.plastic.friction_coefficient", "is missing")
         self.refused(PLASTIC.replace("ambient_temperature_C = 23\n", ""), "rating.plastic.ambient_temperature_C", "is missing")
         self.refused(PLASTIC.replace("speed_rpm = 1500\n", ""), "rating.speed_rpm", "is missing")
-        self.refused(PLASTIC.replace("[20, 60, 100]", "[20, 100, 60]"), "gear2.material.temperatures_C", "rise")
-        self.refused(PLASTIC.replace("[40, 28, 16]", "[40, 28]"), "gear2.material.sigma_Flim_by_temperature_MPa", "2 values for 3")
+        self.refused(PLASTIC.replace("[20, 60, 100]", "[20, 100, 60]"), "gear2.material.temperatures_C", "rising")
+        self.refused(PLASTIC.replace("[40, 28, 16]", "[40, 28]"), "gear2.material.sigma_Flim_by_temperature_MPa", "2 values, but temperatures_C has 3")
         self.refused(PLASTIC.replace("temperatures_C = [20, 60, 100]\n", ""), "gear2.material.sigma_Hlim_by_temperature_MPa",
                      "temperatures_C")
         self.refused(PLASTIC.replace("youngs_modulus_by_temperature_MPa = [2800, 1800, 1000]\n", ""),
