@@ -21,13 +21,20 @@ namespace gearwright {
 /// A point of a mark that begins a new piece.
 inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
+/// A value of an axis with its words as SVG markup.
+struct AxisName {
+  double at;
+  std::string markup;
+};
+
 struct FigureAxis {
-  std::string words;          ///< "rotation of gear 1"; plain text
-  std::string unit;           ///< "°"; empty: a pure number
-  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis is reversed
-  bool whole = false;         ///< only whole numbers are possible
-  std::string symbol = {};    ///< "ε_α", after the words
-  bool log = false;           ///< logarithmic axis; 0 < lo < hi
+  std::string words;                 ///< "rotation of gear 1"; plain text
+  std::string unit;                  ///< "°"; empty: a pure number
+  double lo = 0.0, hi = 1.0;         ///< hi < lo: the axis is reversed
+  bool whole = false;                ///< only whole numbers are possible
+  std::string symbol = {};           ///< "ε_α", after the words
+  bool log = false;                  ///< logarithmic axis; 0 < lo < hi
+  std::vector<AxisName> names = {};  ///< shown instead of round numbers
 };
 
 struct FigureMark {

@@ -52,16 +52,24 @@ struct Scale {
   }
 };
 
-Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
-  const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
-  if (axis.log) return log_ticks(lo, hi, apart / 2 * std::log10(hi / lo) / px);
-  const int most = std::clamp(static_cast<int>(px / apart), 3, 10);
-  if (!axis.whole) return round_ticks(lo, hi, most);
+Ticks whole_ticks(double lo, double hi, int most) {
   Ticks ticks{{}, 0};
   const int step = std::max(1, static_cast<int>(std::ceil((hi - lo) / most)));
   for (int k = static_cast<int>(std::ceil(lo)); k <= hi; ++k)
     if (k == 1 || k % step == 0) ticks.values.push_back(k);
   return ticks;
+}
+
+std::vector<AxisName> names_on(const FigureAxis& axis, double px, double apart) {
+  if (!axis.names.empty()) return axis.names;
+  const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
+  const int most = std::clamp(static_cast<int>(px / apart), 3, 10);
+  const Ticks ticks = axis.log     ? log_ticks(lo, hi, apart / 2 * std::log10(hi / lo) / px)
+                      : axis.whole ? whole_ticks(lo, hi, most)
+                                   : round_ticks(lo, hi, most);
+  std::vector<AxisName> names;
+  for (const double v : ticks.values) names.push_back({v, tick_text(v, ticks.decimals)});
+  return names;
 }
 
 std::string words_of(const FigureAxis& axis) {
@@ -75,7 +83,7 @@ struct Layout {
   double note = 20.0;               // px, the line of the note
   // px, the line of the words above each lane; 0 if the words are in front of the lane
   double lane_words = 0.0;
-  Ticks across, up;
+  std::vector<AxisName> across, up;
 
   Layout(const Figure& f, double width) {
     if (f.plane) {
@@ -106,9 +114,8 @@ struct Layout {
       lane_words = 16.0;
     }
     const double tall = f.tall * (width - beside - 100);
-    up = ticks_on(f.y, std::max(120.0, tall), kUp);
-    for (const double v : up.values)
-      before = std::max(before, kLetter * letters(tick_text(v, up.decimals)));
+    up = names_on(f.y, std::max(120.0, tall), kUp);
+    for (const AxisName& n : up) before = std::max(before, kLetter * letters(n.markup));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
     // The note gets a line of its own if it does not fit next to the words.
@@ -117,7 +124,7 @@ struct Layout {
     bottom = top + std::max(110.0, f.tall * (right - left));
     foot = bottom + (f.lanes.empty() ? 0.0 : 8 + lane() * static_cast<double>(f.lanes.size()));
     height = foot + kFoot;
-    across = ticks_on(f.x, right - left, kAcross);
+    across = names_on(f.x, right - left, kAcross);
   }
   double lane() const { return kLane + lane_words; }
 };
@@ -172,13 +179,13 @@ class Writer {
   }
 
   void grid() {
-    for (const double v : at_.up.values) {
+    for (const auto& [v, markup] : at_.up) {
       svg_.line({at_.left, y_(v)}, {at_.right, y_(v)}, v == 0.0 ? "axis" : "grid");
-      svg_.text({at_.left - 7, y_(v) + 4}, tick_text(v, at_.up.decimals), Anchor::end, "tick");
+      svg_.text({at_.left - 7, y_(v) + 4}, markup, Anchor::end, "tick");
     }
-    for (const double v : at_.across.values) {
+    for (const auto& [v, markup] : at_.across) {
       svg_.line({x_(v), at_.top}, {x_(v), at_.foot + 4}, "grid");
-      svg_.text({x_(v), at_.foot + 17}, tick_text(v, at_.across.decimals), Anchor::middle, "tick");
+      svg_.text({x_(v), at_.foot + 17}, markup, Anchor::middle, "tick");
     }
     svg_.line({at_.left, at_.foot}, {at_.right, at_.foot}, "axis");
   }

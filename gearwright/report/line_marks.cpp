@@ -15,8 +15,10 @@ namespace {
 constexpr double kRoom = 21.0;   // px along a line between two letters
 constexpr double kAside = 16.0;  // px from the line to the middle of a letter
 
-constexpr double kLetterRoom = 0.04;    // of the width of a plot, between two letters
-constexpr double kLetterHeight = 0.12;  // of its height
+// Fractions of the width of a plot.
+constexpr double kLetterRoom = 0.04;  // between two letters
+constexpr double kCharacter = 0.0155;
+constexpr double kLetterHeight = 0.054;
 
 constexpr double kTouching = 2.0;  // px
 constexpr double kFar = 3.2;       // path lengths
@@ -62,15 +64,22 @@ std::vector<PathMark> path_marks(const Mesh<double>& m, double last) {
 void add_letters(Figure& f, const std::vector<LetterAt>& letters) {
   const double wide = f.x.hi - f.x.lo, tall = f.y.hi - f.y.lo;
   const double bend = f.y.hi, edge = bend + 0.02 * tall;
-  f.y.hi += kLetterHeight * tall;
+  f.y.hi += kLetterHeight / f.tall * tall;
   f.x.lo -= kLetterRoom / 2 * wide;
   f.x.hi += kLetterRoom / 2 * wide;
   std::vector<double> wanted;
-  for (const LetterAt& l : letters) wanted.push_back(l.at.x());
-  const std::vector<double> placed = spread(wanted, kLetterRoom * wide, f.x.lo, f.x.hi);
+  std::size_t longest = 0;
+  for (const LetterAt& l : letters) {
+    wanted.push_back(l.at.x());
+    longest = std::max(longest, without_tags(l.letter).size());
+  }
+  const double room = std::max(kLetterRoom, kCharacter * static_cast<double>(longest)) * wide;
+  const double inset = 0.5 * (room - kLetterRoom * wide);
+  const std::vector<double> placed = spread(wanted, room, f.x.lo + inset, f.x.hi - inset);
   for (std::size_t i = 0; i < letters.size(); ++i) {
-    f.line({{placed[i], edge}, {wanted[i], bend - 0.05 * tall}, letters[i].at}, "leader");
-    f.text({placed[i], kInfinity}, letters[i].letter, Anchor::middle, "letter halo", {0.0, 16.0});
+    const LetterAt& l = letters[i];
+    f.line({{placed[i], edge}, {wanted[i], bend - 0.05 * tall}, l.at}, l.line_style);
+    f.text({placed[i], kInfinity}, l.letter, Anchor::middle, l.style, {0.0, 16.0});
   }
 }
 

@@ -28,14 +28,16 @@ void sort_marks(std::vector<PathMark>& marks);
 /// of a period lies beyond the path, and B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
-/// A point to be named by a letter at the upper edge of a plot; at y = −∞ its line ends at the foot.
+/// A point to be named by a letter or by words (SVG markup) at the upper edge of a plot. If its y is
+/// −∞, its line ends at the foot.
 struct LetterAt {
   std::string letter;
   Vec2 at;
+  std::string line_style = "leader", style = "letter halo";
 };
 
-/// Adds the letters to a figure whose axes hold the curves, and room for them: above, and at both
-/// ends of the x axis.
+/// Adds the letters to a figure whose axes contain the curves. It extends the axes by the room that
+/// they need, above and at both ends of the x axis.
 void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
 
 /// ρ_1 of the points that a picture should contain: A, E, and C and the base tangent points unless
