@@ -22,8 +22,10 @@ constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kShade = 19.0;               // px, a box of the key
-constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks
+constexpr double kColumn = 24.0, kBeside = 12.0;  // px of a column of names, and before its words
+constexpr double kLeaderGap = 19.0;               // px between its names
+constexpr double kShade = 19.0;                   // px, a box of the key
+constexpr double kAcross = 58.0, kUp = 26.0;      // px, least distance between ticks
 
 // Number of characters of markup. Continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {
@@ -85,11 +87,20 @@ struct Layout {
   double lane_words = 0.0;
   std::vector<AxisName> across, up;
 
+  // Width of the column of names at one side.
+  static double column(const Figure& f, Anchor side) {
+    double wide = 0.0;
+    for (const FigureLeader& l : f.leaders)
+      if (l.anchor == side) wide = std::max(wide, kColumn + kLetter * letters(l.markup));
+    return wide;
+  }
+
   Layout(const Figure& f, double width) {
     if (f.plane) {
-      left = top = 0.0;
-      right = width;
-      foot = bottom = height = f.tall * width;
+      left = column(f, Anchor::end);
+      top = 0.0;
+      right = width - column(f, Anchor::start);
+      foot = bottom = height = f.tall * (right - left);
       return;
     }
     if (f.bare) {
@@ -146,15 +157,27 @@ class Writer {
     if (!f_.definitions.empty()) svg_.define(f_.definitions);
     svg_.begin_group(fmt::format("class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"",
                                  x_.attribute(), y_.attribute(), f_.pitch));
-    int frame = -1;
+    if (!f_.leaders.empty())
+      svg_.begin_clip(at_.left, at_.top, at_.right - at_.left, at_.bottom - at_.top);
+    int frame = -1, group = -1;
+    const auto close = [&] {
+      if (frame >= 0 || group >= 0) svg_.end_group();
+      origin_ = Vec2::Zero();
+    };
     for (const FigureMark& m : f_.marks) {
-      if (m.frame != frame && frame >= 0) svg_.end_group();
-      if (m.frame != frame && m.frame >= 0) begin_frame(m.frame);
+      if (m.frame != frame || m.group != group) {
+        close();
+        if (m.frame >= 0) begin_frame(m.frame);
+        if (m.group >= 0) begin_turning(f_.groups[static_cast<std::size_t>(m.group)]);
+      }
       frame = m.frame;
+      group = m.group;
       mark(m);
     }
-    if (frame >= 0) svg_.end_group();
+    close();
     if (f_.slide) slide(*f_.slide);
+    if (!f_.leaders.empty()) svg_.end_group();
+    for (const Anchor side : {Anchor::start, Anchor::end}) leaders(side);
     labels();
     svg_.end_group();
     for (std::size_t i = 0; i < f_.lanes.size(); ++i)
@@ -164,12 +187,38 @@ class Writer {
   }
 
  private:
-  Vec2 px(const Vec2& p) const { return {x_(p.x()), y_(p.y())}; }
+  Vec2 px(const Vec2& p) const { return Vec2(x_(p.x()), y_(p.y())) - origin_; }
   double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px
 
   void begin_frame(int frame) {
     svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,
                                  frame == 0 ? "" : " visibility=\"hidden\""));
+  }
+
+  // The marks of a group are relative to the point about which it turns.
+  void begin_turning(const FigureGroup& group) {
+    const Vec2 about = px(group.about);
+    svg_.begin_group(fmt::format("transform=\"translate({} {})\" data-turn=\"{:.12g}\"",
+                                 pixel(about.x()), pixel(about.y()), group.per_pitch));
+    origin_ = about;
+  }
+
+  void leaders(Anchor side) {
+    std::vector<const FigureLeader*> ones;
+    std::vector<double> wanted;
+    for (const FigureLeader& l : f_.leaders) {
+      if (l.anchor != side) continue;
+      ones.push_back(&l);
+      wanted.push_back(px(l.at).y());
+    }
+    const std::vector<double> placed = spread(wanted, kLeaderGap, 12.0, at_.height - 10.0);
+    const double out = side == Anchor::start ? 1.0 : -1.0;
+    const double x = (side == Anchor::start ? at_.right : at_.left) + out * kBeside;
+    for (std::size_t i = 0; i < ones.size(); ++i) {
+      const Vec2 from = px(ones[i]->at);
+      svg_.polyline({from, {x - 8 * out, placed[i]}, {x, placed[i]}}, "leader");
+      svg_.text({x, placed[i]}, ones[i]->markup, side, ones[i]->style, {3 * out, 4.0});
+    }
   }
 
   void words() {
@@ -307,6 +356,7 @@ class Writer {
   Scale x_, y_;
   Svg svg_;
   std::string clip_;
+  Vec2 origin_ = Vec2::Zero();  // px
 };
 
 }  // namespace
