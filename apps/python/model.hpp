@@ -145,7 +145,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
 void bind_mountings(py::module_& m, py::class_<PairValue>& pair);
 void bind_sweep(py::class_<PairValue>& pair);
 void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair);
-void bind_pictures(py::class_<GearValue>& gear, py::class_<PairValue>& pair,
+void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairValue>& pair,
                    py::class_<ContactValue>& contact);
 void bind_catalogue(py::module_& m);
 void bind_search(py::module_& m);

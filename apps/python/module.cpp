@@ -19,7 +19,7 @@ PYBIND11_MODULE(_core, m) {
   bind_mountings(m, pair);
   bind_sweep(pair);
   bind_files(gear, pair);
-  bind_pictures(gear, pair, contact);
+  bind_pictures(m, gear, pair, contact);
   bind_search(m);
   bind_closed_forms(m);
   bind_catalogue(m);

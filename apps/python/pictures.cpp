@@ -3,11 +3,13 @@
 // A picture has its own frame, so its style and that of the notebook do not interfere. The colours
 // follow the user's preference, dark or light.
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/figure/figure_data.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/job/contact_report.hpp"
@@ -72,17 +74,25 @@ Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
   return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });
 }
 
-std::string contact_html(const ContactValue& c) {
+// The figures of a contact; none if nothing touches.
+std::vector<Figure> contact_figures(const ContactValue& c) {
   SolvedJob job = c.model->job;
   job.spec.contact.given = true;  // as if the spec had the table
   const auto part = part_of(job, contact_part);
-  if (!part) return "<p>Nothing touches.</p>";
+  if (!part) return {};
   const ContactReport& r = part->report;
-  return framed("Tooth contact",
-                side_by_side(html_of(transmission_error_figure(r, r.driving)) +
-                             html_of(transmission_error_figure(r, r.other)) +
-                             figure_html(flank_figure(r, 0, {.pattern = &r.patterns[0]})) +
-                             figure_html(flank_figure(r, 1, {.pattern = &r.patterns[1]}))));
+  std::vector<Figure> figures;
+  for (const ContactResult* result : {&r.driving, &r.other})
+    if (auto figure = transmission_error_figure(r, *result)) figures.push_back(*std::move(figure));
+  for (const std::size_t i : {0u, 1u})
+    figures.push_back(flank_figure(r, i, {.pattern = &r.patterns[i]}));
+  return figures;
+}
+
+std::string contact_html(const ContactValue& c) {
+  std::string html;
+  for (const Figure& figure : contact_figures(c)) html += figure_html(figure);
+  return html.empty() ? "<p>Nothing touches.</p>" : framed("Tooth contact", side_by_side(html));
 }
 
 std::string page_of(const Model& source, const std::vector<int>& gears, bool contact) {
@@ -111,8 +121,16 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
 
 }  // namespace
 
-void bind_pictures(py::class_<GearValue>& gear, py::class_<PairValue>& pair,
+void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairValue>& pair,
                    py::class_<ContactValue>& contact) {
+  py::class_<Figure>(m, "Figure", "A picture of the engine, with the data of its curves")
+      .def_readonly("title", &Figure::title)
+      .def_readonly("description", &Figure::description, "The content in words")
+      .def_property_readonly(
+          "data", [](const Figure& f) { return to_python(figure_data(f)); },
+          "Axes, and the points of the named curves, bars, circles and dots")
+      .def("_repr_html_", [](const Figure& f) { return framed(f.title, figure_html(f)); })
+      .def("__repr__", [](const Figure& f) { return fmt::format("Figure({})", f.title); });
   gear.def("_repr_html_", &gear_html)
       .def(
           "report", [](const GearValue& g) { return page_of(*g.model, g.gears(), false); },
@@ -122,6 +140,9 @@ void bind_pictures(py::class_<GearValue>& gear, py::class_<PairValue>& pair,
           "report", [](const PairValue& p) { return page_of(*p.model, p.gears(), false); },
           "The program's report as one HTML page");
   contact.def("_repr_html_", &contact_html)
+      .def_property_readonly("figures", &contact_figures,
+                             "The figures of the report: transmission error on both flanks, and "
+                             "the flanks of both gears; none if nothing touches")
       .def(
           "report",
           [](const ContactValue& c) {

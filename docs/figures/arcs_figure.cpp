@@ -132,8 +132,8 @@ Figure arcs_figure() {
         (m * (concave.b - convex.b) - change) / (m * (concave.radius - convex.radius));
     if (std::abs(sine) < 1) first.push_back({change, Angle::radians(std::asin(sine)).deg()});
   }
-  draw_curve(f.svg(), plot.x, plot.y, first, "g2 dash");
-  draw_curve(f.svg(), plot.x, plot.y, exact, "g1 thick");
+  draw_curve(f, plot, first, "g2 dash");
+  draw_curve(f, plot, exact, "g1 thick");
   const double begin = rack_f.arcs.back().begin.rad();
   const double begin_deg = Angle::radians(begin).deg();
   f.svg().line(plot.px(-0.8, begin_deg), plot.px(0.8, begin_deg), "action dash");

@@ -83,7 +83,7 @@ Figure crossed_figure() {
                foot ? 8 : 0, 4);
     if (panel.points[0].y() > 0 && ends[0] < 0)
       f.svg().line(plot.px(x.lo, 0), plot.px(x.hi, 0), "ink thin");
-    draw_curve(f.svg(), plot.x, plot.y, panel.points, panel.style);
+    draw_curve(f, plot, panel.points, panel.style);
     top += panel.height + 33;
   }
   const Axis y{in(distance)[0], in(distance)[1], first + 170, first};

@@ -10,6 +10,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/ticks.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright::figures {
@@ -149,6 +150,14 @@ void draw_frame(Figure& figure, const Plot& plot, std::string_view foot, std::st
   svg.line({plot.x.from, plot.y.from}, {plot.x.from, plot.y.to}, "soft axis");
   figure.label({(plot.x.from + plot.x.to) / 2, plot.y.from + 37}, foot, Anchor::middle);
   figure.label({plot.x.from, plot.y.to - 9}, head);
+}
+
+void draw_curve(Figure& figure, const Plot& plot, const std::vector<Vec2>& values,
+                std::string_view style) {
+  std::vector<Vec2> points;
+  for (const Vec2& v : values)
+    if (v.allFinite()) points.push_back(plot.px(v.x(), v.y()));
+  figure.svg().polyline(points, style);
 }
 
 Vec2 polar(double radius, double angle) { return radius * Vec2(std::cos(angle), std::sin(angle)); }

@@ -12,7 +12,6 @@
 
 #include "gearwright/figure/svg.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/report/plot_axis.hpp"
 
 namespace gearwright::figures {
 
@@ -52,6 +51,12 @@ class Figure {
   Svg svg_;
 };
 
+/// Values lo … hi at from … to, px.
+struct Axis {
+  double lo, hi, from, to;
+  double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
+};
+
 /// A plot's frame with ticks on both axes (no columns: none below) and words: under it, and above
 /// its left edge.
 struct Plot {
@@ -60,6 +65,9 @@ struct Plot {
 };
 void draw_frame(Figure& figure, const Plot& plot, std::string_view foot, std::string_view head,
                 int columns = 6, int rows = 6);
+/// The finite values as one line.
+void draw_curve(Figure& figure, const Plot& plot, const std::vector<Vec2>& values,
+                std::string_view style);
 
 /// The transverse outline of half a tooth, root to tip, within `tolerance` mm.
 std::vector<Vec2> half_tooth(const Gear& gear, double tolerance);

@@ -118,7 +118,7 @@ Figure search_figure() {
   const Plot right{{-0.2, 1.0, 580, 838}, {k - 0.5, most + 0.15, 470, 36}};
   draw_frame(f, right, "{x1} along the line", "path of contact {E}, modules", 4, 6);
   f.svg().begin_clip(580, 36, 258, 434);
-  draw_curve(f.svg(), right.x, right.y, path, "green thick");
+  draw_curve(f, right, path, "green thick");
   f.svg().end_group();
   f.svg().line(right.px(-0.2, k), right.px(1.0, k), "ink dash");
   f.label(right.px(-0.2, k), "{K}, the least length asked", Anchor::start, {8, 18}, "small halo");

@@ -51,7 +51,9 @@ Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& 
   f.tall = 0.7;
   if (border.size() > 1) f.line(std::move(border), "staircase");
   for (const DesignDot& dot : dots)
-    f.dot(dot.at, dot.style.starts_with("dot-front") ? 4.5 : 3.2, dot.style, dot.words);
+    f.dot(dot.at, dot.style.starts_with("dot-front") ? 4.5 : 3.2, dot.style,
+          fmt::format("{}; {} {:.6g}, {} {:.6g}", dot.words, f.x.words, dot.at.x(), f.y.words,
+                      dot.at.y()));
   return f;
 }
 

@@ -11,7 +11,7 @@ namespace gearwright {
 struct DesignDot {
   Vec2 at;
   std::string style;       ///< "dot-front", "dot-design", "dot-middle"
-  std::string words = {};  ///< shown at the pointer
+  std::string words = {};  ///< the design, shown at the pointer with its two values
 };
 
 /// The dots in their order, over axes with some margin around them, and below them the border of

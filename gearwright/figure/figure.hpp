@@ -21,13 +21,20 @@ namespace gearwright {
 /// A point of a mark that begins a new piece.
 inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
+/// A value of an axis with its words as SVG markup.
+struct AxisName {
+  double at;
+  std::string markup;
+};
+
 struct FigureAxis {
-  std::string words;          ///< "rotation of gear 1"; plain text
-  std::string unit;           ///< "°"; empty: a pure number
-  double lo = 0.0, hi = 1.0;  ///< hi < lo: the axis is reversed
-  bool whole = false;         ///< only whole numbers are possible
-  std::string symbol = {};    ///< "ε_α", after the words
-  bool log = false;           ///< logarithmic axis; 0 < lo < hi
+  std::string words;                 ///< "rotation of gear 1"; plain text
+  std::string unit;                  ///< "°"; empty: a pure number
+  double lo = 0.0, hi = 1.0;         ///< hi < lo: the axis is reversed
+  bool whole = false;                ///< only whole numbers are possible
+  std::string symbol = {};           ///< "ε_α", after the words
+  bool log = false;                  ///< logarithmic axis; 0 < lo < hi
+  std::vector<AxisName> names = {};  ///< shown instead of round numbers
 };
 
 struct FigureMark {
@@ -62,6 +69,7 @@ struct FigureMark {
   double per_pitch = 0.0;  ///< of a shape: degrees clockwise while gear 1 turns by one pitch
   int gear = -1;           ///< 0, 1: gear of the mark; for a circle also the side of its label
   bool head = false;       ///< a line with an arrow at its end
+  int group = -1;          ///< index of the group with which the mark turns; −1: none
 };
 
 /// Dots of one style, spaced by a pitch, that slide along a line with the rotation of gear 1. At t
@@ -70,6 +78,20 @@ struct FigureSlide {
   Vec2 at, step;
   double from, to;
   std::string style;
+};
+
+/// A point of a plane that is named in a column beside the plot, with a line from the point.
+struct FigureLeader {
+  Vec2 at;
+  std::string markup;             ///< SVG markup
+  std::string style = {};         ///< of the words
+  Anchor anchor = Anchor::start;  ///< start: in the column at the right; end: at the left
+};
+
+/// A part of a plane that turns as a whole.
+struct FigureGroup {
+  Vec2 about;
+  double per_pitch;  ///< degrees clockwise while gear 1 turns by one pitch
 };
 
 /// A row of blocks below the plot and over its x axis, such as "tooth pair" and "tip edge of gear
@@ -113,6 +135,8 @@ struct Figure {
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
   std::optional<FigureSlide> slide = {};
+  std::vector<FigureLeader> leaders = {};  ///< of a plane, whose marks are then clipped to the plot
+  std::vector<FigureGroup> groups = {};
   std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);

@@ -13,7 +13,8 @@ namespace {
 using Kind = FigureMark::Kind;
 using Places = std::vector<LabelPlace>;
 
-constexpr double kDot = 5.0;                   // px, half the space of a dot
+constexpr double kDot = 5.0;     // px, half the space of a dot
+constexpr double kMiddle = 5.0;  // px from the middle of the letters down to the base line
 constexpr double kTurn = 0.035, kStep = 24.0;  // rad, px: distance between two candidate positions
                                                // on a circle
 constexpr int kMostSteps = 4000;
@@ -92,6 +93,9 @@ class Labels {
   void keep_off_marks() {
     for (const FigureMark& m : f_.marks) {
       if (m.kind == Kind::line) free_.keep_off(px(m.points));
+      if (m.kind == Kind::text)
+        free_.keep_off(label_box({at_.px(m.points[0]), m.offset - Vec2(0.0, kMiddle), m.anchor},
+                                 without_tags(m.words)));
       if (m.kind == Kind::dot || m.kind == Kind::cross) {
         const Vec2 p = at_.px(m.points[0]);
         free_.keep_off(PixelBox{p.x() - kDot, p.y() - kDot, p.x() + kDot, p.y() + kDot});

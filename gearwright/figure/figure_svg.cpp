@@ -22,8 +22,10 @@ constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kShade = 19.0;               // px, a box of the key
-constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks
+constexpr double kColumn = 24.0, kBeside = 12.0;  // px of a column of names, and before its words
+constexpr double kLeaderGap = 19.0;               // px between its names
+constexpr double kShade = 19.0;                   // px, a box of the key
+constexpr double kAcross = 58.0, kUp = 26.0;      // px, least distance between ticks
 
 // Number of characters of markup. Continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {
@@ -52,16 +54,24 @@ struct Scale {
   }
 };
 
-Ticks ticks_on(const FigureAxis& axis, double px, double apart) {
-  const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
-  if (axis.log) return log_ticks(lo, hi, apart / 2 * std::log10(hi / lo) / px);
-  const int most = std::clamp(static_cast<int>(px / apart), 3, 10);
-  if (!axis.whole) return round_ticks(lo, hi, most);
+Ticks whole_ticks(double lo, double hi, int most) {
   Ticks ticks{{}, 0};
   const int step = std::max(1, static_cast<int>(std::ceil((hi - lo) / most)));
   for (int k = static_cast<int>(std::ceil(lo)); k <= hi; ++k)
     if (k == 1 || k % step == 0) ticks.values.push_back(k);
   return ticks;
+}
+
+std::vector<AxisName> names_on(const FigureAxis& axis, double px, double apart) {
+  if (!axis.names.empty()) return axis.names;
+  const auto [lo, hi] = std::minmax(axis.lo, axis.hi);
+  const int most = std::clamp(static_cast<int>(px / apart), 3, 10);
+  const Ticks ticks = axis.log     ? log_ticks(lo, hi, apart / 2 * std::log10(hi / lo) / px)
+                      : axis.whole ? whole_ticks(lo, hi, most)
+                                   : round_ticks(lo, hi, most);
+  std::vector<AxisName> names;
+  for (const double v : ticks.values) names.push_back({v, tick_text(v, ticks.decimals)});
+  return names;
 }
 
 std::string words_of(const FigureAxis& axis) {
@@ -75,13 +85,22 @@ struct Layout {
   double note = 20.0;               // px, the line of the note
   // px, the line of the words above each lane; 0 if the words are in front of the lane
   double lane_words = 0.0;
-  Ticks across, up;
+  std::vector<AxisName> across, up;
+
+  // Width of the column of names at one side.
+  static double column(const Figure& f, Anchor side) {
+    double wide = 0.0;
+    for (const FigureLeader& l : f.leaders)
+      if (l.anchor == side) wide = std::max(wide, kColumn + kLetter * letters(l.markup));
+    return wide;
+  }
 
   Layout(const Figure& f, double width) {
     if (f.plane) {
-      left = top = 0.0;
-      right = width;
-      foot = bottom = height = f.tall * width;
+      left = column(f, Anchor::end);
+      top = 0.0;
+      right = width - column(f, Anchor::start);
+      foot = bottom = height = f.tall * (right - left);
       return;
     }
     if (f.bare) {
@@ -106,9 +125,8 @@ struct Layout {
       lane_words = 16.0;
     }
     const double tall = f.tall * (width - beside - 100);
-    up = ticks_on(f.y, std::max(120.0, tall), kUp);
-    for (const double v : up.values)
-      before = std::max(before, kLetter * letters(tick_text(v, up.decimals)));
+    up = names_on(f.y, std::max(120.0, tall), kUp);
+    for (const AxisName& n : up) before = std::max(before, kLetter * letters(n.markup));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
     // The note gets a line of its own if it does not fit next to the words.
@@ -117,7 +135,7 @@ struct Layout {
     bottom = top + std::max(110.0, f.tall * (right - left));
     foot = bottom + (f.lanes.empty() ? 0.0 : 8 + lane() * static_cast<double>(f.lanes.size()));
     height = foot + kFoot;
-    across = ticks_on(f.x, right - left, kAcross);
+    across = names_on(f.x, right - left, kAcross);
   }
   double lane() const { return kLane + lane_words; }
 };
@@ -139,15 +157,27 @@ class Writer {
     if (!f_.definitions.empty()) svg_.define(f_.definitions);
     svg_.begin_group(fmt::format("class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"",
                                  x_.attribute(), y_.attribute(), f_.pitch));
-    int frame = -1;
+    if (!f_.leaders.empty())
+      svg_.begin_clip(at_.left, at_.top, at_.right - at_.left, at_.bottom - at_.top);
+    int frame = -1, group = -1;
+    const auto close = [&] {
+      if (frame >= 0 || group >= 0) svg_.end_group();
+      origin_ = Vec2::Zero();
+    };
     for (const FigureMark& m : f_.marks) {
-      if (m.frame != frame && frame >= 0) svg_.end_group();
-      if (m.frame != frame && m.frame >= 0) begin_frame(m.frame);
+      if (m.frame != frame || m.group != group) {
+        close();
+        if (m.frame >= 0) begin_frame(m.frame);
+        if (m.group >= 0) begin_turning(f_.groups[static_cast<std::size_t>(m.group)]);
+      }
       frame = m.frame;
+      group = m.group;
       mark(m);
     }
-    if (frame >= 0) svg_.end_group();
+    close();
     if (f_.slide) slide(*f_.slide);
+    if (!f_.leaders.empty()) svg_.end_group();
+    for (const Anchor side : {Anchor::start, Anchor::end}) leaders(side);
     labels();
     svg_.end_group();
     for (std::size_t i = 0; i < f_.lanes.size(); ++i)
@@ -157,12 +187,38 @@ class Writer {
   }
 
  private:
-  Vec2 px(const Vec2& p) const { return {x_(p.x()), y_(p.y())}; }
+  Vec2 px(const Vec2& p) const { return Vec2(x_(p.x()), y_(p.y())) - origin_; }
   double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px
 
   void begin_frame(int frame) {
     svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,
                                  frame == 0 ? "" : " visibility=\"hidden\""));
+  }
+
+  // The marks of a group are relative to the point about which it turns.
+  void begin_turning(const FigureGroup& group) {
+    const Vec2 about = px(group.about);
+    svg_.begin_group(fmt::format("transform=\"translate({} {})\" data-turn=\"{:.12g}\"",
+                                 pixel(about.x()), pixel(about.y()), group.per_pitch));
+    origin_ = about;
+  }
+
+  void leaders(Anchor side) {
+    std::vector<const FigureLeader*> ones;
+    std::vector<double> wanted;
+    for (const FigureLeader& l : f_.leaders) {
+      if (l.anchor != side) continue;
+      ones.push_back(&l);
+      wanted.push_back(px(l.at).y());
+    }
+    const std::vector<double> placed = spread(wanted, kLeaderGap, 12.0, at_.height - 10.0);
+    const double out = side == Anchor::start ? 1.0 : -1.0;
+    const double x = (side == Anchor::start ? at_.right : at_.left) + out * kBeside;
+    for (std::size_t i = 0; i < ones.size(); ++i) {
+      const Vec2 from = px(ones[i]->at);
+      svg_.polyline({from, {x - 8 * out, placed[i]}, {x, placed[i]}}, "leader");
+      svg_.text({x, placed[i]}, ones[i]->markup, side, ones[i]->style, {3 * out, 4.0});
+    }
   }
 
   void words() {
@@ -172,13 +228,13 @@ class Writer {
   }
 
   void grid() {
-    for (const double v : at_.up.values) {
+    for (const auto& [v, markup] : at_.up) {
       svg_.line({at_.left, y_(v)}, {at_.right, y_(v)}, v == 0.0 ? "axis" : "grid");
-      svg_.text({at_.left - 7, y_(v) + 4}, tick_text(v, at_.up.decimals), Anchor::end, "tick");
+      svg_.text({at_.left - 7, y_(v) + 4}, markup, Anchor::end, "tick");
     }
-    for (const double v : at_.across.values) {
+    for (const auto& [v, markup] : at_.across) {
       svg_.line({x_(v), at_.top}, {x_(v), at_.foot + 4}, "grid");
-      svg_.text({x_(v), at_.foot + 17}, tick_text(v, at_.across.decimals), Anchor::middle, "tick");
+      svg_.text({x_(v), at_.foot + 17}, markup, Anchor::middle, "tick");
     }
     svg_.line({at_.left, at_.foot}, {at_.right, at_.foot}, "axis");
   }
@@ -300,6 +356,7 @@ class Writer {
   Scale x_, y_;
   Svg svg_;
   std::string clip_;
+  Vec2 origin_ = Vec2::Zero();  // px
 };
 
 }  // namespace

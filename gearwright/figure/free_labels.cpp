@@ -11,7 +11,6 @@ namespace {
 constexpr double kNarrowLetter = 8.1;  // px, the mean width of a letter on a narrow screen
 constexpr double kLineHeight = 19.0;   // px of a line of words there
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
-constexpr double kLeaderGap = 19.0;    // px between the labels of a column
 constexpr int kBoxWeight = 8;          // an overlap with text is worse than one with a line
 constexpr int kOutside = 1000;
 
@@ -99,22 +98,6 @@ bool FreeLabels::draw(Svg& svg, std::string_view plain, std::string_view markup,
   boxes_.push_back(box_of(*best, width));
   svg.text(best->at, markup, best->anchor, style, {best->offset.x(), best->offset.y() + kBaseline});
   return true;
-}
-
-void draw_leaders(Svg& svg, const std::vector<Leader>& leaders, double x, double height) {
-  std::vector<double> wanted;
-  for (const Leader& l : leaders) wanted.push_back(l.from.y());
-  const std::vector<double> placed = spread(wanted, kLeaderGap, 12.0, height - 10.0);
-  for (std::size_t i = 0; i < leaders.size(); ++i) {
-    const Vec2& from = leaders[i].from;
-    svg.polyline({from, {std::max(x - 8, from.x()), placed[i]}, {x, placed[i]}}, "leader");
-    svg.text({x, placed[i]}, leaders[i].markup, Anchor::start, "", {3.0, 4.0});
-  }
-}
-
-Vec2 leaves_right(const Vec2& axis, double radius, double edge) {
-  const double dx = std::min(edge - axis.x(), 0.94 * radius);
-  return {axis.x() + dx, axis.y() - std::sqrt(std::max(0.0, (radius - dx) * (radius + dx)))};
 }
 
 std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards) {

@@ -52,19 +52,6 @@ class FreeLabels {
   std::vector<std::vector<Vec2>> lines_;
 };
 
-struct Leader {
-  Vec2 from;           ///< px, the labelled point
-  std::string markup;  ///< SVG text content
-};
-
-/// Draws labels in a column beside a plot, at `x` and to its right, each with a line to its point.
-/// They are ordered like the points and lie between the top and `height`.
-void draw_leaders(Svg& svg, const std::vector<Leader>& leaders, double x, double height);
-
-/// Returns the point, px, at which a circle about `axis` leaves a plot at its right edge, or the
-/// end of the circle if it is small.
-Vec2 leaves_right(const Vec2& axis, double radius, double edge);
-
 /// The four sides of a dot and the corners between them, `distance` px away. Those nearest to
 /// `towards` come first.
 std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "gearwright/figure/figure_svg.hpp"
+
 #include <string>
 
 namespace gearwright {
@@ -63,25 +67,16 @@ TEST(FreeLabels, PlacesAroundADotBeginWhereItIsWanted) {
   EXPECT_LT(places_around({0, 0}, 10, {0, -1}).front().offset.y(), 0.0);
 }
 
-TEST(Leaders, LeaveTheCircleAtTheEdgeOrBefore) {
-  const Vec2 axis(200, 500);
-  for (const double r : {40.0, 150.0, 220.0, 900.0}) {
-    const Vec2 p = leaves_right(axis, r, 400.0);
-    EXPECT_NEAR((p - axis).norm(), r, 1e-9);
-    EXPECT_LE(p.x(), 400.0);
-    EXPECT_LT(p.y(), axis.y());
-  }
-  EXPECT_DOUBLE_EQ(leaves_right(axis, 900.0, 400.0).x(), 400.0);
-}
-
 TEST(Leaders, LabelsKeepApart) {
-  Svg svg("s", 500, 300, "t", "d");
-  draw_leaders(svg, {{{100, 50}, "upper"}, {{100, 52}, "lower"}}, 420, 300);
-  const std::string text = svg.str();
-  // The labels are half a gap of 19 px on either side of 51.
-  EXPECT_NE(text.find("translate(420 41.5)"), text.npos);
-  EXPECT_NE(text.find("translate(420 60.5)"), text.npos);
-  EXPECT_LT(text.find("upper"), text.find("lower"));
+  Figure f = plane_figure("s", "t", "d", {{0, 0}, {400, 300}});
+  f.leaders = {{{100, 250}, "upper"}, {{100, 248}, "lower"}};
+  const std::string text = figure_svg(f, 500);
+  const auto height = [&](const char* words) {
+    const std::size_t at = text.rfind("translate(", text.find(words));
+    return std::atof(text.c_str() + text.find(' ', at));
+  };
+  EXPECT_NEAR(height(">lower<") - height(">upper<"), 19.0, 0.02);
+  EXPECT_NE(text.find("<g clip-path=\"url(#s-c1)\">"), text.npos);
 }
 
 }  // namespace

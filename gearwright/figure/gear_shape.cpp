@@ -160,25 +160,6 @@ std::vector<Vec2> chords(const Arc& arc, double tolerance) {
   return points;
 }
 
-std::string arc_path(const Gear& gear, const Arc& arc, int side) {
-  Pen pen(outline_unit_mm(gear));
-  pen.move(on_side(arc.begin_point, side));
-  draw(pen, gear, arc, side, true);
-  return pen.take();
-}
-
-void draw_upright_arcs(Svg& svg, const Viewport& view, const Gear& gear,
-                       const std::function<const char*(ArcName)>& style) {
-  const Vec2 axis = view.px(Vec2::Zero());
-  svg.begin_group(fmt::format("transform=\"translate({} {}) scale({:.9g}) rotate(-90)\"",
-                              pixel(axis.x()), pixel(axis.y()),
-                              view.scale * outline_unit_mm(gear)));
-  for (const Arc& arc : gear.tooth->outline.arcs) {
-    for (const int side : {+1, -1}) svg.path(arc_path(gear, arc, side), style(arc.name));
-  }
-  svg.end_group();
-}
-
 std::string tooth_path(const Gear& gear) {
   GW_EXPECTS(has_outline(gear));
   const std::vector<Arc>& arcs = gear.tooth->outline.arcs;

@@ -29,15 +29,6 @@ constexpr double kRim = 2.5;                ///< m_n: metal drawn around interna
 ///           parameter
 std::vector<Vec2> chords(const Arc& arc, double tolerance);
 
-/// Path data of one arc of the tooth at the x axis. `side` is +1 for the generated side (y > 0), −1
-/// for the mirrored one.
-std::string arc_path(const Gear& gear, const Arc& arc, int side);
-
-/// Draws both sides of the tooth arc by arc in a window with x_up, each arc in the style of its
-/// name.
-void draw_upright_arcs(Svg& svg, const Viewport& view, const Gear& gear,
-                       const std::function<const char*(ArcName)>& style);
-
 /// Path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);
 

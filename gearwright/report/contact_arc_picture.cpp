@@ -7,8 +7,10 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/arc_contact_figures.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 
@@ -17,7 +19,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 640.0;
-constexpr double kHeight = 460.0;
+constexpr double kAspect = 640.0 / 460.0;
+constexpr double kShown = 4.9;  // modules, the width of a picture
 
 // A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth.
 // A point is (height towards the mating gear, across). With `mate`, the rack is turned over and
@@ -45,36 +48,36 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// Maps the plane (up, right) to the picture. A Viewport with x_up has y to the left.
-Vec2 upright(const Viewport& view, const Vec2& p) { return view.px(mirrored(p)); }
-
-std::vector<Vec2> carried(const Viewport& view, const std::vector<Vec2>& points) {
-  std::vector<Vec2> px;
-  for (const Vec2& p : points) px.push_back(upright(view, p));
-  return px;
+// A figure of the plane (up, right) about its point (x, 0), x mm up.
+Figure plane_of(const std::string& id, const std::string& title, const std::string& description,
+                double m, double up) {
+  const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kAspect / 2);
+  return plane_figure(id, title, description, {middle - half, middle + half});
 }
 
-void draw_material(Svg& svg, const Viewport& view, const std::vector<Vec2>& chain, double depth,
-                   std::size_t gear) {
-  svg.polygon(carried(view, closed(chain, depth)), std::string("cut-solid ") + kInk[gear]);
-  svg.polyline(carried(view, chain), std::string("outline ") + kInk[gear]);
+std::vector<Vec2> all_upright(std::vector<Vec2> points) {
+  for (Vec2& p : points) p = upright(p);
+  return points;
+}
+
+void add_material(Figure& f, const std::vector<Vec2>& chain, double depth, std::size_t gear) {
+  f.area(all_upright(closed(chain, depth)), std::string("cut-solid ") + kInk[gear]);
+  f.line(all_upright(chain), std::string("outline ") + kInk[gear]);
 }
 
 // An arc of the circle about `center` through `at`, extending ± `half` rad on both sides of it, and
 // its radius.
-void draw_arc_radius(Svg& svg, const Viewport& view, const Vec2& center, const Vec2& at,
-                     std::size_t gear, bool dashed) {
+void add_arc_radius(Figure& f, const Vec2& center, const Vec2& at, std::size_t gear, bool dashed) {
   const double turn = std::atan2(at.y() - center.y(), at.x() - center.x());
   const double radius = (at - center).norm();
   std::vector<Vec2> arc;
   for (int k = -24; k <= 24; ++k) {
     const double a = turn + k * 0.5 / 24;
-    arc.push_back(upright(view, center + radius * Vec2(std::cos(a), std::sin(a))));
+    arc.push_back(upright(center + radius * Vec2(std::cos(a), std::sin(a))));
   }
-  svg.polyline(arc, std::string("thin dot ") + kInk[gear]);
-  svg.line(upright(view, center), upright(view, at),
-           std::string(dashed ? "thin dash " : "thin ") + kInk[gear]);
-  svg.dot(upright(view, center), 3.4, std::string("mark ") + kInk[gear]);
+  f.line(std::move(arc), std::string("thin dot ") + kInk[gear]);
+  f.line({upright(center), upright(at)}, std::string(dashed ? "thin dash " : "thin ") + kInk[gear]);
+  f.dot(upright(center), 3.4, std::string("mark ") + kInk[gear]);
 }
 
 struct Arcs {
@@ -117,71 +120,71 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
                arcs.v.radius * std::cos(theta) - arcs.v.a);
   const Vec2 O_v(-arcs.v.b, -arcs.v.a);
   const Vec2 O_c(-arcs.c.b, -arcs.c.a);
-  const Viewport view{kWidth, kHeight, Vec2(0.05 * m, -0.12 * m), kWidth / (4.9 * m), true};
-  Svg svg("racks", kWidth, kHeight, "The racks in the normal section",
-          "Both racks in one normal section with their arcs, centres, radii and the angle of the "
-          "common normal to the pitch line.");
+  Figure f = plane_of("racks", "The racks in the normal section",
+                      "Both racks in one normal section with their arcs, centres, radii and the "
+                      "angle of the common normal to the pitch line.",
+                      m, 0.05 * m);
+  f.x.lo += 0.12 * m;
+  f.x.hi += 0.12 * m;
+  f.caption = fmt::format(
+      ", pitch lines dash-dot one on the other. They touch at M, with the normal at {} = {}° to "
+      "the "
+      "pitch line. The centres O lie {} beyond the middle of the tooth and {} below the pitch "
+      "line.<br>{}<br>{}",
+      symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
+      arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c));
   const double deep = 3.0 * m;
-  draw_material(svg, view, rack_over_pitches(pair.gears[arcs.convex], false), -deep, arcs.convex);
-  draw_material(svg, view, rack_over_pitches(pair.gears[arcs.concave], true), deep, arcs.concave);
-  svg.line(upright(view, {0, -4 * m}), upright(view, {0, 4 * m}), "thin dashdot");
-  svg.line(upright(view, {-deep, 0}), upright(view, {deep, 0}), "thin dashdot");
-  draw_arc_radius(svg, view, O_c, M, arcs.concave, true);
-  draw_arc_radius(svg, view, O_v, M, arcs.convex, false);
+  add_material(f, rack_over_pitches(pair.gears[arcs.convex], false), -deep, arcs.convex);
+  add_material(f, rack_over_pitches(pair.gears[arcs.concave], true), deep, arcs.concave);
+  f.line({{-4 * m, 0}, {4 * m, 0}}, "thin dashdot");
+  f.line({{0, -deep}, {0, deep}}, "thin dashdot");
+  add_arc_radius(f, O_c, M, arcs.concave, true);
+  add_arc_radius(f, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
-  svg.line(upright(view, M), upright(view, M + 1.1 * m * n), "action-line");
+  f.line({upright(M), upright(M + 1.1 * m * n)}, "action-line");
   // ψ_c is the angle from the pitch line to the normal, drawn where the normal crosses that line.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;
   for (int k = 0; k <= 16; ++k) {
     const double a = theta * k / 16;
-    angle.push_back(upright(view, foot + around * Vec2(std::sin(a), std::cos(a))));
+    angle.push_back(upright(foot + around * Vec2(std::sin(a), std::cos(a))));
   }
-  svg.polyline(angle, "one");
-  svg.text(upright(view, foot + around * Vec2(std::sin(theta / 2), std::cos(theta / 2))),
-           symbol_svg("ψ_c"), Anchor::start, "halo", {5, 5});
-  svg.dot(upright(view, M), 4.2, "mark action-dot");
-  svg.text(upright(view, M), "M", Anchor::middle, "letter halo", {2, -12});
+  f.line(std::move(angle), "one");
+  f.text(upright(foot + around * Vec2(std::sin(theta / 2), std::cos(theta / 2))), symbol_svg("ψ_c"),
+         Anchor::start, "halo", {5, 5});
+  f.dot(upright(M), 4.2, "mark action-dot");
+  f.text(upright(M), "M", Anchor::middle, "letter halo", {2, -12});
   for (const auto& [center, gear, up] :
        {std::tuple(O_v, arcs.convex, true), std::tuple(O_c, arcs.concave, false)}) {
     const std::string number = std::to_string(gear + 1);
-    const Vec2 at = upright(view, center);
-    svg.text(at, symbol_svg("O_" + number), Anchor::end, std::string("letter halo ") + kInk[gear],
-             {-8, up ? -5.0 : 17.0});
-    svg.text(upright(view, center + 0.3 * (M - center)), symbol_svg("ρ_" + number), Anchor::middle,
-             std::string("halo ") + kInk[gear], {0.0, up ? -12.0 : 24.0});
+    f.text(upright(center), symbol_svg("O_" + number), Anchor::end,
+           std::string("letter halo ") + kInk[gear], {-8, up ? -5.0 : 17.0});
+    f.text(upright(center + 0.3 * (M - center)), symbol_svg("ρ_" + number), Anchor::middle,
+           std::string("halo ") + kInk[gear], {0.0, up ? -12.0 : 24.0});
   }
-  return captioned(
-      svg.str(),
-      fmt::format(
-          "<strong>The racks in the normal section</strong>, with coincident pitch lines "
-          "(dash-dot). They touch at M, with the normal at {} = {}° to the pitch line. The centres "
-          "O lie {} beyond the middle of the tooth and {} below the pitch line.<br>{}<br>{}",
-          symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
-          arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c)));
+  return figure_html(f, kWidth);
 }
 
 std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
   const double m = pair.gears[0].spec.normal_module;
-  const Viewport view{kWidth, kHeight, Vec2(0.0, 0.0), kWidth / (4.9 * m), true};
-  Svg svg("arc-teeth", kWidth, kHeight, "The teeth across the contact point",
-          "Both gears cut by the plane across the tooth through the contact point, with the common "
-          "normal.");
+  Figure f = plane_of("arc-teeth", "The teeth across the contact point",
+                      "Both gears cut by the plane across the tooth through the contact point, "
+                      "with the common normal.",
+                      m, 0.0);
+  f.caption = fmt::format(
+      ", in the plane normal to the tooth, as mounted without errors: normal angle {}°.",
+      fixed(contact.at.theta.deg(), 3));
+  f.keys = {{"g1", "gear 1, below"}, {"g2", "gear 2, above"}, {"action", "common normal"}};
   const double deep = 4.0 * m;
   for (const std::size_t i : {1u, 0u})
-    draw_material(svg, view, normal_section(pair, contact, i, 2), i == 0 ? -deep : deep, i);
+    add_material(f, normal_section(pair, contact, i, 2), i == 0 ? -deep : deep, i);
   const NormalPlane plane = normal_plane(pair, contact);
   const Vec2 n =
       Vec2(contact.at.normal.x(), contact.at.normal.dot(plane.across)).normalized() * 1.4 * m;
-  svg.line(upright(view, -n), upright(view, n), "action-line");
-  svg.dot(upright(view, {0, 0}), 4.2, "mark action-dot");
-  return captioned(
-      svg.str(),
-      fmt::format("<strong>The teeth across the contact point</strong>, in the plane normal to the "
-                  "tooth, as mounted without errors: normal angle {}°. {} {} {}",
-                  fixed(contact.at.theta.deg(), 3), caption_key("g1", "gear 1, below"),
-                  caption_key("g2", "gear 2, above"), caption_key("action", "common normal")));
+  f.line({upright(-n), upright(n)}, "action-line");
+  f.dot({0, 0}, 4.2, "mark action-dot");
+  return figure_html(f, kWidth);
 }
 
 }  // namespace

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/figure/svg.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
@@ -17,9 +16,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kPlanWidth = 640.0;
-constexpr double kPlanHeight = 520.0;
+constexpr double kPlanAspect = 640.0 / 520.0;
 constexpr double kWholeWidth = 420.0;
-constexpr double kWholeHeight = 400.0;
 // Greatest reduction, relative to the scale of the whole gears, for lines far outside the faces.
 constexpr double kMaxReduction = 5.0;
 constexpr double kMaxEnlargement = 12.0;
@@ -36,10 +34,10 @@ PlanFrame frame_of(const InvolutePair& pair, std::size_t which) {
   return {{std::sin(sigma), std::cos(sigma)}, {std::cos(sigma), -std::sin(sigma)}};
 }
 
-void draw_face(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i,
-               double radius, const std::string& style) {
+void add_face(Figure& f, const InvolutePair& pair, std::size_t i, double radius,
+              const std::string& style) {
   const auto corners = face_in_plan(pair, i, radius);
-  svg.polygon(view.px(std::vector<Vec2>(corners.begin(), corners.end())), style + kInk[i]);
+  f.area({corners.begin(), corners.end()}, style + kInk[i]);
 }
 
 // Half the size of the area that contains the tips of both gears, mm.
@@ -60,65 +58,65 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// A window that contains the lines, room for letters and a sufficient part of the gears.
-Viewport plan_window(const InvolutePair& pair) {
-  const Vec2 lines = lines_extent(pair);
-  const auto scale = [](const Vec2& half) {
-    return 0.5 * std::min((kPlanWidth - 90) / half.x(), (kPlanHeight - 90) / half.y());
-  };
-  const double close = 0.8 * scale(lines.cwiseMax(1e-3 * extent(pair)));
-  const double whole = scale(extent(pair));
-  return {kPlanWidth, kPlanHeight, Vec2::Zero(),
-          std::clamp(close, whole / kMaxReduction, kMaxEnlargement * whole)};
+// Half the size of a picture with this ratio of width to height, mm, for an area with some margin.
+Vec2 window(const Vec2& half, double aspect) {
+  const double wide = std::max(1.17 * half.x(), 1.2 * aspect * half.y());
+  return {wide, wide / aspect};
 }
 
-void draw_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
-  const double far = 1.1 * extent(pair).norm() + Vec2(view.width, view.height).norm() / view.scale;
-  for (const std::size_t i : {0u, 1u}) {
-    const PlanFrame f = frame_of(pair, i);
-    svg.line(view.px(f.at(-far, 0)), view.px(f.at(far, 0)), std::string("thin dashdot ") + kInk[i]);
-  }
+// Half the size of the plan, with the lines, room for letters and a sufficient part of the gears.
+Vec2 plan_window(const InvolutePair& pair) {
+  const Vec2 whole = window(extent(pair), kPlanAspect);
+  const Vec2 close = 1.25 * window(lines_extent(pair).cwiseMax(1e-3 * extent(pair)), kPlanAspect);
+  return whole / std::clamp(whole.x() / close.x(), 1.0 / kMaxReduction, kMaxEnlargement);
 }
 
-// The names of the axes are where the axes leave the picture.
-void name_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
+// Adds the axes, which extend beyond the picture, with their names at its edge.
+void add_axes(Figure& f, const InvolutePair& pair, double width) {
+  const Vec2 half(f.x.hi, f.y.hi);
+  const double px = 2 * half.x() / width;  // mm
+  const double far = 1.1 * extent(pair).norm() + 2 * half.norm();
   for (const std::size_t i : {0u, 1u}) {
-    const Vec2 d(frame_of(pair, i).along.x(), -frame_of(pair, i).along.y());  // on the screen
-    const double room = std::min((view.width / 2 - 34) / std::max(std::abs(d.x()), 1e-9),
-                                 (view.height / 2 - 16) / std::max(std::abs(d.y()), 1e-9));
-    const Vec2 at = Vec2(view.width / 2, view.height / 2) + room * d;
+    const Vec2 along = frame_of(pair, i).along;
+    f.line({Vec2(-far * along), Vec2(far * along)}, std::string("thin dashdot ") + kInk[i]);
+    const double room = std::min((half.x() - 34 * px) / std::max(std::abs(along.x()), 1e-9),
+                                 (half.y() - 16 * px) / std::max(std::abs(along.y()), 1e-9));
     // Nearly parallel axes leave the picture together, so the name of gear 1 goes to the left of
     // both.
-    const Vec2 aside =
-        std::abs(d.y()) > std::abs(d.x()) ? Vec2(i == 0 ? -24.0 : 24.0, 5.0) : Vec2(0.0, -8.0);
-    svg.text(at, fmt::format("axis {}", i + 1), Anchor::middle, std::string("halo ") + kInk[i],
-             aside);
+    const Vec2 aside = std::abs(along.y()) > std::abs(along.x()) ? Vec2(i == 0 ? -24.0 : 24.0, 5.0)
+                                                                 : Vec2(0.0, -8.0);
+    f.text(room * along, fmt::format("axis {}", i + 1), Anchor::middle,
+           std::string("halo ") + kInk[i], aside);
   }
 }
 
-std::string plan_svg(const InvolutePair& pair) {
-  const Viewport view = plan_window(pair);
-  Svg svg("plan", kPlanWidth, kPlanHeight, "Lines of action in plan",
-          "Both gears seen along the centre line from gear 2: the faces of their pitch cylinders "
-          "as rectangles, tip cylinders thin, both axes, the direction of the teeth, and the "
-          "leading and trailing lines of action with their ends and base tangent points.");
+Figure plan_figure(const InvolutePair& pair) {
+  const Vec2 half = plan_window(pair);
+  Figure f =
+      plane_figure("plan", "Lines of action",
+                   "Both gears seen along the centre line from gear 2: the faces of their pitch "
+                   "cylinders as rectangles, tip cylinders thin, both axes, the direction of the "
+                   "teeth, and the leading and trailing lines of action with their ends and base "
+                   "tangent points.",
+                   {-half, half});
+  f.caption = " seen along the centre line from gear 2. " + line_key() +
+              " Rectangles: pitch cylinders from face to face, thin: tip cylinders; dashed: the "
+              "common direction of the teeth.";
   for (const std::size_t i : {0u, 1u}) {
-    draw_face(svg, view, pair, i, pair.mesh.rack.sides[i].pitch_radius, "face ");
-    draw_face(svg, view, pair, i, pair.gears[i].actual_tip_radius(), "thin ");
+    add_face(f, pair, i, pair.mesh.rack.sides[i].pitch_radius, "face ");
+    add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "thin ");
   }
-  draw_axes(svg, view, pair);
+  add_axes(f, pair, kPlanWidth);
   const auto& side = pair.mesh.rack.sides[0];
   const Vec2 teeth(std::sin(side.helix_angle), side.cos_helix);
-  const double far = extent(pair).norm() + kPlanWidth / view.scale;
-  svg.line(view.px(-far * teeth), view.px(far * teeth), "thin dash");
-  const auto on = [&](const Point<Housing>& p) { return view.px(in_plan(p)); };
-  draw_lines_of_action(svg, pair, on);
-  name_axes(svg, view, pair);
-  return svg.str();
+  const double far = extent(pair).norm() + 2 * half.x();
+  f.line({Vec2(-far * teeth), Vec2(far * teeth)}, "thin dash");
+  add_lines_of_action(f, pair, in_plan);
+  return f;
 }
 
 // The teeth on the side of a pitch cylinder that is seen from gear 2's side: x > 0.
-void draw_teeth(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
+void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const auto& side = pair.mesh.rack.sides[i];
   const int z = pair.input.gears[i].teeth;
   if (z > kTeethShown) return;
@@ -148,46 +146,39 @@ void draw_teeth(Svg& svg, const Viewport& view, const InvolutePair& pair, std::s
     std::vector<Vec2> points;
     for (int n = 0; n <= steps; ++n) {
       const double s = lo + n * (hi - lo) / steps;
-      points.push_back(view.px(f.at(s, r * std::sin(k * pitch + turn * s))));
+      points.push_back(f.at(s, r * std::sin(k * pitch + turn * s)));
     }
-    svg.polyline(points, std::string("tooth-line ") + kInk[i]);
+    figure.line(std::move(points), std::string("tooth-line ") + kInk[i]);
   }
 }
 
-Viewport whole_window(const InvolutePair& pair) {
+Vec2 whole_window(const InvolutePair& pair) {
   const Vec2 half = extent(pair);
-  const double scale =
-      0.5 * std::min((kWholeWidth - 70) / half.x(), (kWholeHeight - 60) / half.y());
-  const double height = std::clamp(2 * scale * half.y() + 60.0, 160.0, kWholeHeight);
-  return {kWholeWidth, height, Vec2::Zero(), scale};
+  return window(half, std::clamp(half.x() / half.y(), 1.05, 2.6));
 }
 
-// The size of the plan in the picture of the whole pair, px. None if the plan shows more than that
-// picture.
-std::optional<Vec2> frame_of_plan(const InvolutePair& pair) {
-  const Viewport whole = whole_window(pair);
-  const Viewport plan = plan_window(pair);
-  const Vec2 size = Vec2(plan.width, plan.height) * (whole.scale / plan.scale);
-  if (size.x() > whole.width - 8 || size.y() > whole.height - 8) return std::nullopt;
-  return size;
+// True if the plan shows only a part of the picture of the whole pair.
+bool plan_is_within(const InvolutePair& pair) {
+  return (plan_window(pair).array() < 0.98 * whole_window(pair).array()).all();
 }
 
-std::string whole_svg(const InvolutePair& pair) {
-  const Viewport view = whole_window(pair);
-  Svg svg(
-      "whole", view.width, view.height, "The whole pair",
-      "Both gears seen along the centre line, gear 2 in front, with the direction of their teeth.");
+Figure whole_figure(const InvolutePair& pair) {
+  const Vec2 half = whole_window(pair);
+  Figure f = plane_figure(
+      "whole", "The whole pair",
+      "Both gears seen along the centre line, gear 2 in front, with the direction of their teeth.",
+      {-half, half});
+  f.caption = fmt::format(
+      ", gear 2 in front: shaft angle {}°, centre distance {} mm{}.",
+      fixed(pair.shaft_angle.deg(), kAngleDigits), fixed(pair.center_distance, kLengthDigits),
+      plan_is_within(pair) ? "; the frame is the picture of the lines of action" : "");
   for (const std::size_t i : {0u, 1u}) {
-    draw_face(svg, view, pair, i, pair.gears[i].actual_tip_radius(), "solid ");
-    draw_teeth(svg, view, pair, i);
+    add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "solid ");
+    add_teeth(f, pair, i);
   }
-  draw_axes(svg, view, pair);
-  if (const auto size = frame_of_plan(pair)) {
-    svg.rect((view.width - size->x()) / 2, (view.height - size->y()) / 2, size->x(), size->y(),
-             "frame");
-  }
-  name_axes(svg, view, pair);
-  return svg.str();
+  if (plan_is_within(pair)) f.bar(-plan_window(pair), plan_window(pair), "frame");
+  add_axes(f, pair, kWholeWidth);
+  return f;
 }
 
 }  // namespace
@@ -202,17 +193,8 @@ std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, do
 }
 
 std::string plan_figures(const InvolutePair& pair) {
-  const std::string whole = fmt::format(
-      "<strong>The whole pair</strong>, gear 2 in front: shaft angle {}°, centre distance {} mm{}.",
-      fixed(pair.shaft_angle.deg(), kAngleDigits), fixed(pair.center_distance, kLengthDigits),
-      frame_of_plan(pair) ? "; the frame is the picture of the lines of action" : "");
-  return "<div class=\"figures mesh\">\n" +
-         captioned(plan_svg(pair),
-                   "<strong>Lines of action</strong> seen along the centre line from gear 2. " +
-                       line_key() +
-                       " Rectangles: pitch cylinders from face to face, thin: tip cylinders; "
-                       "dashed: the common direction of the teeth.") +
-         captioned(whole_svg(pair), whole) + "</div>\n";
+  return "<div class=\"figures mesh\">\n" + figure_html(plan_figure(pair), kPlanWidth) +
+         figure_html(whole_figure(pair), kWholeWidth) + "</div>\n";
 }
 
 }  // namespace gearwright

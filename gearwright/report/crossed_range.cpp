@@ -10,6 +10,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/pair/series.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/line_marks.hpp"
 
 namespace gearwright {
 
@@ -114,40 +115,27 @@ std::vector<Approximation> approximations(const CrossedPair& pair) {
   return all;
 }
 
-Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area) {
-  return area.across(deg(samples.front().place.normal_pressure_angle.rad()),
-                     deg(samples.back().place.normal_pressure_angle.rad()));
+FigureAxis angle_axis(double lo, double hi) {
+  return {
+      .words = "working normal pressure angle", .unit = "°", .lo = lo, .hi = hi, .symbol = "α_wn"};
 }
 
-std::string angle_words() { return "working normal pressure angle " + symbol_svg("α_wn") + ", °"; }
-
-void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area) {
-  const double top = area.top;
-  const double bottom = area.bottom();
-  draw_foot(svg, x, top, bottom, 8, angle_words());
-  if (pair.contact_ratio_range) {
-    const double lo = x(deg(pair.contact_ratio_range->lo.normal_pressure_angle.rad()));
-    const double hi =
-        std::min(x(deg(pair.contact_ratio_range->hi.normal_pressure_angle.rad())), x.to);
-    svg.rect(lo, top, hi - lo, bottom - top, "band");
+void add_angles(Figure& f, const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
+  f.x = angle_axis(samples.front().place.normal_pressure_angle.deg(),
+                   samples.back().place.normal_pressure_angle.deg());
+  if (const auto& range = pair.contact_ratio_range) {
+    f.bar({range->lo.normal_pressure_angle.deg(), -kInfinity},
+          {std::min(range->hi.normal_pressure_angle.deg(), f.x.hi), kInfinity}, "band");
   }
-  struct Mark {
-    const char* words;
-    const char* style;
-    double at;
+  std::vector<LetterAt> marks;
+  const auto mark = [&](const char* words, const std::string& style, double at) {
+    marks.push_back({fmt::format("{} {}°", words, fixed(at, 3)), Vec2(at, -kInfinity), style,
+                     "tick halo " + style});
   };
-  std::vector<Mark> marks{{"mounted", "here", deg(pair.mesh.rack.normal_pressure_angle)}};
+  mark("mounted", "here", deg(pair.mesh.rack.normal_pressure_angle));
   if (pair.min_distance)
-    marks.push_back({"least distance", "least", pair.min_distance->normal_pressure_angle.deg()});
-  std::vector<double> wanted;
-  for (const Mark& m : marks) wanted.push_back(x(m.at));
-  const std::vector<double> placed = spread(wanted, 176.0, x.from + 66.0, x.to - 84.0);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    svg.polyline({{placed[i], top - 11}, {wanted[i], top - 2}, {wanted[i], bottom}},
-                 marks[i].style);
-    svg.text({placed[i], top - 16}, fmt::format("{} {}°", marks[i].words, fixed(marks[i].at, 3)),
-             Anchor::middle, std::string("tick ") + marks[i].style);
-  }
+    mark("least distance", "least", pair.min_distance->normal_pressure_angle.deg());
+  add_letters(f, marks);
 }
 
 }  // namespace gearwright

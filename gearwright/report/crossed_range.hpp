@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/figure/svg.hpp"
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/pair/pair.hpp"
-#include "gearwright/report/plot_axis.hpp"
 
 namespace gearwright {
 
@@ -47,15 +46,13 @@ struct Approximation {
 /// Solutions without a rack are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 
-/// The α_wn axis of these pictures, in degrees.
-Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area);
+/// An axis of α_wn in degrees.
+FigureAxis angle_axis(double lo, double hi);
 
-/// The background of a picture over α_wn, with its x axis. It is shaded where ε ≥ 1 and has lines
-/// at the least centre distance and at the position of the pair, which are named above the plot.
-void draw_angles(Svg& svg, const CrossedPair& pair, const Axis& x, const PlotArea& area);
-
-/// The words of an axis of α_wn (SVG markup).
-std::string angle_words();
+/// The axis of these samples, with a band where ε ≥ 1 and lines at the least centre distance and at
+/// the position of the pair, which are named above the plot. The y axis is set before, and the
+/// curves are added after.
+void add_angles(Figure& figure, const CrossedPair& pair, const std::vector<CrossedSample>& samples);
 
 /// Values of the samples as a curve over α_wn in degrees.
 template <class Value>

@@ -9,6 +9,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/drive_figures.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 
@@ -16,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSectionWidth = 640.0, kSectionTall = 1.0;  // px; height over width
-constexpr double kPhaseWidth = 170.0, kPhaseTall = 140.0;
+constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px
+constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // px; height over width
 constexpr double kPhaseModules = 6.5;    // size of the region in a picture of a phase
 constexpr double kTeethPerSecond = 1.2;  // frequency of the fastest mesh while the picture turns
 constexpr int kSliderSteps = 240;        // of the slider
@@ -25,8 +26,6 @@ constexpr int kSliderSteps = 240;        // of the slider
 // Degrees, clockwise as in SVG, by which a body with `ratio` to the input turns while t runs from 0
 // to 1.
 double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input_turns; }
-
-std::string turn_attribute(double degrees) { return fmt::format("data-turn=\"{:.12g}\"", degrees); }
 
 class Pictures {
  public:
@@ -47,10 +46,10 @@ class Pictures {
         all.cover(about + reach);
       }
     }
-    const Vec2 size = all.size();
-    const double scale =
-        std::min((kSectionWidth - 24) / size.x(), (kSectionTall * kSectionWidth - 24) / size.y());
-    view_ = {kSectionWidth, scale * size.y() + 24, (all.lo + all.hi) / 2, scale};
+    const double px = all.size().maxCoeff() / (kSectionWidth - 2 * kSectionEdge);  // mm
+    const Vec2 half(kSectionWidth / 2 * px, all.size().y() / 2 + kSectionEdge * px);
+    const Vec2 middle = (all.lo + all.hi) / 2;
+    window_ = {middle - half, middle + half};
   }
 
   std::string all() {
@@ -62,19 +61,22 @@ class Pictures {
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
 
-  void use_gear(Svg& svg, const Viewport& view, std::size_t placed, double height, const Vec2& at,
-                double turned, double relative) {
+  // The gear about a point of the figure, which turns with `relative` to the input, within its group.
+  void add_gear(Figure& f, std::size_t placed, double height, const Vec2& at, double turned,
+                double relative, int group = -1) {
     const PlacedGear& p = layout_.gears[placed];
     const Gear& gear = *drive_.geometry.gears[p.gear];
-    if (!has_outline(gear)) {
-      svg.circle(at, view.scale * gear.tip_diameter / 2,
-                 "stick " + body_style(graph_.gears[p.gear].body));
-      return;
+    const std::string style = body_style(graph_.gears[p.gear].body);
+    if (has_outline(gear)) {
+      f.marks.push_back({FigureMark::Kind::shape, "part " + style, {at}, shape_name(p.gear)});
+      FigureMark& shape = f.marks.back();
+      shape.radius = outline_unit_mm(gear);
+      shape.turned = kDegPerRad * (layout_.angle_at(drive_, placed, height) + turned);
+      shape.per_pitch = turn_of(relative, turns_);
+    } else {
+      f.circle(at, gear.tip_diameter / 2, "stick " + style, -1);
     }
-    const double degrees = kDegPerRad * (layout_.angle_at(drive_, placed, height) + turned);
-    svg.use(shape_name(p.gear), at, view.scale * outline_unit_mm(gear), degrees,
-            "part " + body_style(graph_.gears[p.gear].body),
-            turn_attribute(turn_of(relative, turns_)));
+    f.marks.back().group = group;
   }
 
   // Rings are drawn first, so that gears inside them are on top of their rims.
@@ -89,8 +91,14 @@ class Pictures {
 
   std::string section(std::size_t k) {
     const DriveSection& section = layout_.sections[k];
-    Svg svg(fmt::format("section-{}", k + 1), kSectionWidth, view_.height, "The drive in section",
-            "All gears of this section in their places, true to scale, with all planets.");
+    Figure f = plane_figure(fmt::format("section-{}", k + 1),
+                            "In section" + (k == 0 ? "" : fmt::format(" {}", k + 1)),
+                            "All gears of this section in their places, true to scale, with all "
+                            "planets.",
+                            window_);
+    f.caption = fmt::format(
+        ", true to scale{}.",
+        layout_.sections.size() > 1 ? fmt::format(", at z = {} mm", fixed(section.height, 1)) : "");
     std::set<std::size_t> carriers;
     for (const std::size_t i : drawn_order(section)) {
       const std::size_t body = graph_.gears[layout_.gears[i].gear].body;
@@ -98,66 +106,56 @@ class Pictures {
         carriers.insert(*carrier);
         continue;
       }
-      use_gear(svg, view_, i, section.height, view_.px(layout_.gears[i].axis), 0.0, ratio(body));
+      add_gear(f, i, section.height, layout_.gears[i].axis, 0.0, ratio(body));
     }
-    for (const std::size_t carrier : carriers) draw_carrier(svg, section, carrier);
-    for (std::size_t b = 0; b < graph_.bodies.size(); ++b) {
-      if (graph_.bodies[b].carrier) continue;
-      const Vec2 at = view_.px(layout_.places.axes[b]);
-      svg.line(at - Vec2(6, 0), at + Vec2(6, 0), "cross");
-      svg.line(at - Vec2(0, 6), at + Vec2(0, 6), "cross");
-    }
-    const std::string caption = fmt::format(
-        "<strong>In section{}</strong>, true to scale{}. {}",
-        k == 0 ? "" : fmt::format(" {}", k + 1),
-        layout_.sections.size() > 1 ? fmt::format(", at z = {} mm", fixed(section.height, 1)) : "",
-        keys(section));
-    return captioned(svg.str() + (k == 0 ? control() : ""), caption);
+    for (const std::size_t carrier : carriers) add_carrier(f, section, carrier);
+    for (std::size_t b = 0; b < graph_.bodies.size(); ++b)
+      if (!graph_.bodies[b].carrier) f.cross(layout_.places.axes[b]);
+    add_keys(f, section, carriers);
+    return figure_html(f, kSectionWidth, "", k == 0 ? control() : "");
   }
 
   // The planets in a group that turns with the carrier, and lines from its axis to theirs.
-  void draw_carrier(Svg& svg, const DriveSection& section, std::size_t carrier) {
-    const Vec2 center = view_.px(layout_.places.axes[carrier]);
-    svg.begin_group(fmt::format("transform=\"translate({} {})\" {}", pixel(center.x()),
-                                pixel(center.y()),
-                                turn_attribute(turn_of(ratio(carrier), turns_))));
+  void add_carrier(Figure& f, const DriveSection& section, std::size_t carrier) {
+    const int group = static_cast<int>(f.groups.size());
+    const Vec2 center = layout_.places.axes[carrier];
+    f.groups.push_back({center, turn_of(ratio(carrier), turns_)});
     std::vector<Vec2> pins;
     for (const std::size_t i : section.gears) {
       const std::size_t body = graph_.gears[layout_.gears[i].gear].body;
       if (graph_.bodies[body].carrier != carrier) continue;
-      const Vec2 at = view_.px(layout_.gears[i].axis) - center;
-      use_gear(svg, view_, i, section.height, at, 0.0, ratio(body) - ratio(carrier));
-      pins.push_back(at);
+      add_gear(f, i, section.height, layout_.gears[i].axis, 0.0, ratio(body) - ratio(carrier),
+               group);
+      pins.push_back(layout_.gears[i].axis);
     }
     for (const Vec2& at : pins) {
-      svg.line(Vec2::Zero(), at, "stick " + body_style(carrier));
-      svg.circle(at, 4.0, "stick " + body_style(carrier));
+      f.line({center, at}, "stick " + body_style(carrier));
+      f.marks.back().group = group;
+      f.dot(at, 4.0, "stick " + body_style(carrier));
+      f.marks.back().group = group;
     }
-    svg.end_group();
   }
 
-  std::string keys(const DriveSection& section) const {
-    std::string text;
-    std::set<std::size_t> said, carriers;
+  void add_keys(Figure& f, const DriveSection& section, const std::set<std::size_t>& carriers) {
+    std::set<std::size_t> said;
     for (const std::size_t i : section.gears) {
       const DriveGear& gear = graph_.gears[layout_.gears[i].gear];
       if (!said.insert(layout_.gears[i].gear).second) continue;
       const int count = graph_.bodies[gear.body].count;
-      text += key(gear.body, fmt::format("{}{} {}", count > 1 ? fmt::format("{} × ", count) : "",
-                                         gear.name, std::abs(gear.teeth)));
-      if (const auto carrier = graph_.bodies[gear.body].carrier) carriers.insert(*carrier);
+      f.keys.push_back(
+          key(gear.body, fmt::format("{}{} {}", count > 1 ? fmt::format("{} × ", count) : "",
+                                     gear.name, std::abs(gear.teeth))));
     }
-    for (const std::size_t c : carriers) text += key(c, graph_.bodies[c].name);
-    return text;
+    for (const std::size_t c : carriers) f.keys.push_back(key(c, graph_.bodies[c].name));
   }
 
-  std::string key(std::size_t body, const std::string& words) const {
+  FigureKey key(std::size_t body, const std::string& words) const {
     std::string speed;
     if (graph_.is_fixed(body))
       speed = ", held";
     else if (const auto n = drive_.speed_rpm(body))
       speed = fmt::format(", {}/min", fixed(*n, 1));
-    return caption_key(body_style(body), escaped(words + speed)) + " ";
+    return {body_style(body), words + speed};
   }
 
   std::string control() const {
@@ -221,24 +219,23 @@ class Pictures {
     const double sum = graph_.gears[rider_gear].teeth + graph_.gears[central_gear].teeth;
     const double pitch_radius = std::abs(along.norm() * graph_.gears[central_gear].teeth / sum);
     const double module = drive_.geometry.gears[rider_gear]->spec.normal_module;
-    const Viewport view{
-        kPhaseWidth, kPhaseTall, {0.0, pitch_radius}, kPhaseWidth / (kPhaseModules * module)};
-    Svg svg(fmt::format("phase-{}-{}", m + 1, copy + 1), kPhaseWidth, kPhaseTall,
-            fmt::format("{}, planet {}", mesh.name, copy + 1),
-            "The teeth of the planet and of the central gear about their pitch point.");
-    svg.begin_clip(0, 0, kPhaseWidth, kPhaseTall);
+    const Vec2 middle(0.0, pitch_radius), half = kPhaseModules / 2 * module * Vec2(1.0, kPhaseTall);
+    Figure f = plane_figure(fmt::format("phase-{}-{}", m + 1, copy + 1),
+                            fmt::format("{}, planet {}", mesh.name, copy + 1),
+                            "The teeth of the planet and of the central gear about their pitch "
+                            "point.",
+                            {middle - half, middle + half});
+    f.caption = fmt::format(": <var>γ</var> {}", fixed(gamma.value(), 4));
     const double carried = ratio(set.group.carrier);
     for (const bool ring : {true, false}) {
       for (const std::size_t i : {other, planet}) {
         const DriveGear& gear = graph_.gears[layout_.gears[i].gear];
         if ((gear.teeth < 0) != ring) continue;
         const Vec2 at = i == planet ? Vec2(0.0, along.norm()) : Vec2(Vec2::Zero());
-        use_gear(svg, view, i, height, view.px(at), upright, ratio(gear.body) - carried);
+        add_gear(f, i, height, at, upright, ratio(gear.body) - carried);
       }
     }
-    svg.end_group();
-    return captioned(svg.str(), fmt::format("{}, planet {}: <var>γ</var> {}", escaped(mesh.name),
-                                            copy + 1, fixed(gamma.value(), 4)));
+    return figure_html(f, kPhaseWidth);
   }
 
   static std::string resultants(const PlanetSet& set) {
@@ -260,7 +257,7 @@ class Pictures {
   const DriveGraph& graph_;
   const DriveLayout& layout_;
   double turns_ = 1.0;
-  Viewport view_{};
+  Bounds window_;
 };
 
 }  // namespace

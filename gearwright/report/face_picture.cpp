@@ -8,18 +8,14 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/figure_svg.hpp"
-#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
-#include "gearwright/report/plot_axis.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr PlotArea kArea{640, 58, 18, 58, 230, 50};
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
@@ -38,109 +34,67 @@ double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samp
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-std::string widths_svg(const CrossedPair& pair) {
+Figure widths_figure(const CrossedPair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
-  const Axis x = angle_axis(samples, kArea);
-  const Axis y = kArea.up(0.0, max_shown(pair, samples));
-  Svg svg("widths", kArea.width, kArea.height(),
-          "Face widths over the pressure angle of the common rack",
-          "Face widths that one flank and both flanks of each gear need, over the normal pressure "
-          "angle of the common rack, with the actual face widths as lines.");
-  draw_angles(svg, pair, x, kArea);
-  draw_rows(svg, x, y, 5);
-  svg.text({x.from, kArea.top - 36}, "face widths, mm", Anchor::start, "panel");
-  const Vec2 here(x(deg(pair.mesh.rack.normal_pressure_angle)), 0.0);
-  FreeLabels labels({x.from, kArea.top, x.to, kArea.bottom()});
-  const auto curve = [&](const std::vector<Vec2>& values, const std::string& style) {
-    draw_curve(svg, x, y, values, style);
-    std::vector<Vec2> px;
-    for (const Vec2& v : values) px.push_back({x(v.x()), y(v.y())});
-    labels.keep_off(px);
-  };
-  svg.begin_clip(x.from, kArea.top, x.to - x.from, kArea.tall);
+  Figure f{"widths",
+           "Face widths",
+           "Face widths that one flank and both flanks of each gear need, over the normal pressure "
+           "angle of the common rack, with the actual face widths as lines.",
+           fmt::format(" required by the lines of action, free of backlash: full for one flank "
+                       "({}), dashed for both flanks about the common perpendicular ({}). {}{}{}",
+                       symbol_html("f"), symbol_html("f′"), caption_of_gears(),
+                       pair.flanks_meet() ? " Dots: as mounted." : "",
+                       pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""),
+           {},
+           {"face width", "mm", 0.0, max_shown(pair, samples)}};
+  const double most = f.y.hi;
+  add_angles(f, pair, samples);
   for (const std::size_t i : {0u, 1u}) {
     const auto one = [&](const CrossedSample& s) { return s.faces.one_flank[i]; };
     const auto both = [&](const CrossedSample& s) { return s.faces.both_flanks[i]; };
-    curve(over_angle(samples, one), std::string("curve ") + kInk[i]);
-    curve(over_angle(samples, both), std::string("curve dash ") + kInk[i]);
+    f.line(over_angle(samples, one), std::string("curve ") + kInk[i],
+           fmt::format("gear {}, one flank", i + 1));
+    f.line(over_angle(samples, both), std::string("curve dash ") + kInk[i],
+           fmt::format("gear {}, both flanks", i + 1));
   }
-  svg.end_group();
-  labels.keep_off({{here.x(), kArea.top}, {here.x(), kArea.bottom()}});
-  // The actual faces. Equal faces share a line. Their names are at its right end, or further left
-  // if they would touch the curves.
+  // The actual faces. Equal faces share a line, whose name is above it.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;
-    const double at = y(pair.input.face_width[i]);
-    svg.line({x.from, at}, {x.to, at}, equal ? "face-line" : std::string("face-line ") + kInk[i]);
-    const std::string value = " = " + fixed(pair.input.face_width[i], 2);
-    const std::string name = i == 0 ? "b_1" : "b_2";
-    std::vector<LabelPlace> places;
-    for (double right = x.to - 6; right > x.from + 120; right -= 20)
-      for (const double off : {-11.0, 13.0})
-        places.push_back({{right, at}, {0.0, off}, Anchor::end});
-    labels.draw(svg, equal ? "b1 = b2" + value : "b1" + value,
-                symbol_svg(equal ? "b_1" : name) + (equal ? " = " + symbol_svg("b_2") : "") + value,
-                std::string("halo ") + (equal ? "" : kInk[i]), places, FreeLabels::If::always);
+    const double width = pair.input.face_width[i];
+    const std::string ink = equal ? "" : std::string(" ") + kInk[i];
+    f.line({{f.x.hi, width}, {f.x.lo, width}}, "face-line" + ink);
+    f.marks.back().label = symbol_svg(i == 0 ? "b_1" : "b_2") +
+                           (equal ? " = " + symbol_svg("b_2") : "") + " = " + fixed(width, 2);
+    f.marks.back().label_style = "halo" + ink;
+    f.marks.back().border = true;
   }
   for (const std::size_t i : {0u, 1u}) {
     if (!pair.flanks_meet()) break;
-    for (const double f : {pair.face_widths.one_flank[i], pair.face_widths.both_flanks[i]}) {
-      if (f <= y.hi) svg.dot({here.x(), y(f)}, 3.2, std::string("mark ") + kInk[i]);
+    for (const double width : {pair.face_widths.one_flank[i], pair.face_widths.both_flanks[i]}) {
+      if (width <= most)
+        f.dot({deg(pair.mesh.rack.normal_pressure_angle), width}, 3.2,
+              std::string("mark ") + kInk[i],
+              fmt::format("gear {}: {} mm", i + 1, fixed(width, 2)));
     }
   }
-  return svg.str();
+  return f;
 }
-
-constexpr double kStrip = 34.0;  // px, height of a face
-constexpr double kRow = 104.0;
-constexpr PlotArea kFaces{640, kArea.left + 14, 18, 30, 2 * kRow - 6, 46};
 
 // The part of the face used by a line: the reach of the tips, and within it the part that flanks
 // and faces leave.
-void draw_use(Svg& svg, const CrossedPair& pair, std::size_t i, bool leading, const Axis& x,
-              double y) {
+void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, double y) {
   const Mesh<double>& m = pair.mesh;
   const double sign = leading ? 1.0 : -1.0;
-  const auto at = [&](double rho1) { return x(sign * axial_place(m, rho1)[i]); };
-  const double A = at(m.rho1_A);
-  const double E = at(m.rho1_E);
-  const char* style = leading ? "action" : "trailing";
-  svg.line({A, y}, {E, y}, std::string(style) + "-line reached");
+  const auto at = [&](double rho1) { return Vec2(sign * axial_place(m, rho1)[i], y); };
+  const Vec2 A = at(m.rho1_A), E = at(m.rho1_E);
+  const std::string style = leading ? "action" : "trailing";
+  f.line({A, E}, style + "-line reached");
   if (m.rho1_true_begin < m.rho1_true_end)
-    svg.line({at(m.rho1_true_begin), y}, {at(m.rho1_true_end), y}, style);
-  const std::string dot = std::string("mark ") + style + "-dot";
-  const double side = A <= E ? -1.0 : 1.0;
-  const auto label = [&](double px, const char* letter, double to) {
-    svg.dot({px, y}, 3.0, dot);
-    svg.text({px, y}, letter, to < 0 ? Anchor::end : Anchor::start, "letter halo", {8.0 * to, 5.0});
-  };
-  label(A, leading ? "A" : "A′", side);
-  label(E, leading ? "E" : "E′", -side);
-}
-
-std::string faces_svg(const CrossedPair& pair) {
-  double reach = 0.0;
-  for (const std::size_t i : {0u, 1u}) {
-    reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths.both_flanks[i] / 2});
-  }
-  const Axis x = kFaces.across(-1.1 * reach, 1.1 * reach);
-  Svg svg("faces", kFaces.width, kFaces.height(), "Faces and the lines of action on them",
-          "For each gear its face from end to end, and the parts that the leading and the trailing "
-          "line of action use.");
-  draw_foot(svg, x, kFaces.top - 14, kFaces.bottom(), 8,
-            "along each gear’s axis from the common perpendicular, mm");
-  for (const std::size_t i : {0u, 1u}) {
-    const double top = kFaces.top + static_cast<double>(i) * kRow;
-    const double half = pair.input.face_width[i] / 2;
-    svg.rect(x(-half), top, x(half) - x(-half), 2 * kStrip, std::string("face ") + kInk[i]);
-    svg.text({8, top + kStrip + 4}, fmt::format("Gear {}", i + 1), Anchor::start,
-             std::string("panel ") + kInk[i]);
-    draw_use(svg, pair, i, true, x, top + kStrip / 2);
-    draw_use(svg, pair, i, false, x, top + 3 * kStrip / 2);
-  }
-  svg.line({x(0), kFaces.top - 14}, {x(0), kFaces.bottom()}, "thin dashdot");
-  return svg.str();
+    f.line({at(m.rho1_true_begin), at(m.rho1_true_end)}, style);
+  const double side = A.x() <= E.x() ? -12.0 : 12.0;
+  f.point(A, 3.0, "mark " + style + "-dot", leading ? "A" : "A′", {side, 0.0});
+  f.point(E, 3.0, "mark " + style + "-dot", leading ? "E" : "E′", {-side, 0.0});
 }
 
 // Describes the parts of the lines outside the faces.
@@ -153,6 +107,35 @@ std::string beyond(const CrossedPair& pair) {
           fmt::format(" Gear {}: its lines reach {} mm beyond the face.", i + 1, fixed(more, 2));
   }
   return text.empty() ? " Both lines lie within both faces." : text;
+}
+
+Figure faces_figure(const CrossedPair& pair) {
+  double reach = 0.0;
+  for (const std::size_t i : {0u, 1u}) {
+    reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths.both_flanks[i] / 2});
+  }
+  Figure f{
+      "faces",
+      "Use of the faces",
+      "For each gear its face from end to end, and the parts that the leading and the trailing "
+      "line of action use.",
+      fmt::format(" as mounted. {} {} Thick: within usable flanks and faces.{}",
+                  caption_key("action", "leading flanks A–E"),
+                  caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)),
+      {"along the axis of each gear from the common perpendicular", "mm", -1.1 * reach,
+       1.1 * reach},
+      {"", "", 0.0, 2.0}};
+  f.tall = 0.32;
+  for (const std::size_t i : {0u, 1u}) {
+    const double middle = i == 0 ? 1.5 : 0.5, half = pair.input.face_width[i] / 2;
+    f.y.names.push_back({middle, fmt::format("gear {}", i + 1)});
+    f.bar({-half, middle - 0.36}, {half, middle + 0.36}, std::string("face ") + kInk[i],
+          fmt::format("face of gear {}: {} mm", i + 1, fixed(2 * half, 2)));
+    add_use(f, pair, i, true, middle + 0.18);
+    add_use(f, pair, i, false, middle - 0.18);
+  }
+  f.line({{0.0, -kInfinity}, {0.0, kInfinity}}, "thin dashdot");
+  return f;
 }
 
 constexpr int kSpeedSteps = 96;
@@ -226,23 +209,12 @@ std::string speed_table(const CrossedPair& pair) {
 }  // namespace
 
 std::string face_width_figure(const CrossedPair& pair) {
-  return captioned(
-      widths_svg(pair),
-      fmt::format("<strong>Face widths</strong> required by the lines of action, free of backlash: "
-                  "full for one flank ({}), dashed for both flanks about the common perpendicular "
-                  "({}). {}{}{}",
-                  symbol_html("f"), symbol_html("f′"), caption_of_gears(),
-                  pair.flanks_meet() ? " Dots: as mounted." : "",
-                  pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
+  return figure_html(widths_figure(pair), 640.0);
 }
 
 std::string face_use_figure(const CrossedPair& pair) {
   GW_EXPECTS(pair.flanks_meet());
-  return captioned(faces_svg(pair),
-                   fmt::format("<strong>Use of the faces</strong> as mounted. {} {} Thick: within "
-                               "usable flanks and faces.{}",
-                               caption_key("action", "leading flanks A–E"),
-                               caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)));
+  return figure_html(faces_figure(pair), 640.0);
 }
 
 std::string speed_figures(const CrossedPair& pair) {

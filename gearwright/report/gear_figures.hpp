@@ -12,16 +12,34 @@
 // 1".
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 
 /// The classes of the page's style for an arc of that name.
 const char* arc_style(ArcName name);
+
+/// A point of the gear frame in a figure in which the tooth at the x axis is upright. The side y > 0
+/// is on the right.
+inline Vec2 upright(const Vec2& p) { return {p.y(), p.x()}; }
+
+/// Adds the shape of the gear with a tooth upright.
+void add_upright_gear(Figure& figure, const Gear& gear, const std::string& shape,
+                      std::string style);
+
+/// Adds both sides of the upright tooth arc by arc, each arc in the style of its name.
+void add_upright_arcs(Figure& figure, const Gear& gear,
+                      const std::function<const char*(ArcName)>& style);
+
+/// Names the circle about the axis of the upright gear in the column at the right, at the point
+/// where it leaves the plot, unless that point is outside the plot.
+void lead_circle(Figure& figure, double radius, std::string markup);
 
 /// The tooth, upright, with its arcs in colours, the circles of the drawing and a legend. If there
 /// is no outline, a paragraph gives the reason.

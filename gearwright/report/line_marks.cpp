@@ -12,14 +12,15 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRoom = 21.0;   // px along a line between two letters
-constexpr double kAside = 16.0;  // px from the line to the middle of a letter
+constexpr double kAside = 15.0;  // px from the line to the middle of a letter
 
-constexpr double kLetterRoom = 0.04;    // of the width of a plot, between two letters
-constexpr double kLetterHeight = 0.12;  // of its height
+// Fractions of the width of a plot.
+constexpr double kLetterRoom = 0.04;  // between two letters
+constexpr double kCharacter = 0.0155;
+constexpr double kLetterHeight = 0.054;
 
-constexpr double kTouching = 2.0;  // px
-constexpr double kFar = 3.2;       // path lengths
+constexpr double kTouching = 0.003;  // of the width of the picture
+constexpr double kFar = 3.2;         // path lengths
 
 std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
@@ -29,28 +30,22 @@ std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
                               {leading ? "T_1" : "T_1′", 0.0, "mark hollow"},
                               {leading ? "T_2" : "T_2′", m.base_tangent_distance, "mark hollow"}};
   if (leading) marks.push_back({"C", m.rho1_C, "mark pitch-dot"});
-  sort_marks(marks);
   return marks;
 }
 
-// The side of its line for a letter at p, which is away from the other line. If the lines coincide,
-// letters of the leading line are above and those of the trailing line below.
+// The side of its line for a letter at p, which is away from the other line. If the lines are within
+// `touching`, letters of the leading line are above and those of the trailing line below.
 Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const Vec2& other_along,
-                 bool leading) {
+                 double touching, bool leading) {
   const Vec2 across(-along.y(), along.x());
   const Vec2 other_across(-other_along.y(), other_along.x());
-  const double away = (p - other_from).dot(other_across);  // px from the other line
-  const double side = std::abs(away) > kTouching ? away * other_across.dot(across)
-                                                 : (leading ? -1.0 : 1.0) * across.y();
+  const double away = (p - other_from).dot(other_across);
+  const double side = std::abs(away) > touching ? away * other_across.dot(across)
+                                                : (leading ? 1.0 : -1.0) * across.y();
   return side < 0.0 ? Vec2(-across) : across;
 }
 
 }  // namespace
-
-void sort_marks(std::vector<PathMark>& marks) {
-  std::sort(marks.begin(), marks.end(),
-            [](const PathMark& a, const PathMark& b) { return a.rho1 < b.rho1; });
-}
 
 std::vector<PathMark> path_marks(const Mesh<double>& m, double last) {
   std::vector<PathMark> marks{
@@ -62,15 +57,22 @@ std::vector<PathMark> path_marks(const Mesh<double>& m, double last) {
 void add_letters(Figure& f, const std::vector<LetterAt>& letters) {
   const double wide = f.x.hi - f.x.lo, tall = f.y.hi - f.y.lo;
   const double bend = f.y.hi, edge = bend + 0.02 * tall;
-  f.y.hi += kLetterHeight * tall;
+  f.y.hi += kLetterHeight / f.tall * tall;
   f.x.lo -= kLetterRoom / 2 * wide;
   f.x.hi += kLetterRoom / 2 * wide;
   std::vector<double> wanted;
-  for (const LetterAt& l : letters) wanted.push_back(l.at.x());
-  const std::vector<double> placed = spread(wanted, kLetterRoom * wide, f.x.lo, f.x.hi);
+  std::size_t longest = 0;
+  for (const LetterAt& l : letters) {
+    wanted.push_back(l.at.x());
+    longest = std::max(longest, without_tags(l.letter).size());
+  }
+  const double room = std::max(kLetterRoom, kCharacter * static_cast<double>(longest)) * wide;
+  const double inset = 0.5 * (room - kLetterRoom * wide);
+  const std::vector<double> placed = spread(wanted, room, f.x.lo + inset, f.x.hi - inset);
   for (std::size_t i = 0; i < letters.size(); ++i) {
-    f.line({{placed[i], edge}, {wanted[i], bend - 0.05 * tall}, letters[i].at}, "leader");
-    f.text({placed[i], kInfinity}, letters[i].letter, Anchor::middle, "letter halo", {0.0, 16.0});
+    const LetterAt& l = letters[i];
+    f.line({{placed[i], edge}, {wanted[i], bend - 0.05 * tall}, l.at}, l.line_style);
+    f.text({placed[i], kInfinity}, l.letter, Anchor::middle, l.style, {0.0, 16.0});
   }
 }
 
@@ -85,8 +87,8 @@ std::vector<double> line_ends(const InvolutePair& pair) {
   return ends;
 }
 
-void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
-                          const std::function<Vec2(const Point<Housing>&)>& on, Lines lines) {
+void add_lines_of_action(Figure& f, const InvolutePair& pair,
+                         const std::function<Vec2(const Point<Housing>&)>& on, Lines lines) {
   const Mesh<double>& m = pair.mesh;
   const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.base_tangent_distance, m.rho1_C};
   const auto [from, to] = std::minmax_element(ends.begin(), ends.end());
@@ -96,30 +98,21 @@ void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
   for (const bool leading : {false, true}) {
     if (!leading && lines == Lines::leading) continue;
     const auto at = [&](double rho1) { return on_line(leading, rho1); };
-    const char* style = leading ? "action" : "trailing";
-    svg.line(at(*from), at(*to), std::string(style) + "-line");
+    const std::string style = leading ? "action" : "trailing";
+    f.line({at(*from), at(*to)}, style + "-line");
     if (pair.flanks_meet()) {
-      svg.line(at(m.rho1_A), at(m.rho1_E), std::string(style) + " reached");
+      f.line({at(m.rho1_A), at(m.rho1_E)}, style + " reached");
       if (m.rho1_true_begin < m.rho1_true_end)
-        svg.line(at(m.rho1_true_begin), at(m.rho1_true_end), style);
+        f.line({at(m.rho1_true_begin), at(m.rho1_true_end)}, style);
     }
-  }
-  for (const bool leading : {false, true}) {
-    if (!leading && lines == Lines::leading) continue;
-    const auto at = [&](double rho1) { return on_line(leading, rho1); };
     const Vec2 along = (at(*to) - at(*from)).normalized();
     const Vec2 other_from = on_line(!leading, *from);
     const Vec2 other_along = (on_line(!leading, *to) - other_from).normalized();
-    const std::vector<PathMark> marks = marks_of(pair, leading);
-    std::vector<double> wanted;
-    for (const PathMark& mark : marks) wanted.push_back(at(mark.rho1).dot(along));
-    const std::vector<double> placed = spread(wanted, kRoom, -1e9, 1e9);
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-      const Vec2 p = at(marks[i].rho1);
-      svg.dot(p, 3.4, marks[i].style);
-      svg.text(p, symbol_svg(marks[i].letter), Anchor::middle, "letter halo",
-               kAside * letter_side(p, along, other_from, other_along, leading) +
-                   (placed[i] - wanted[i]) * along + Vec2(0.0, 5.0));
+    for (const PathMark& mark : marks_of(pair, leading)) {
+      const Vec2 p = at(mark.rho1);
+      const Vec2 side =
+          letter_side(p, along, other_from, other_along, kTouching * (f.x.hi - f.x.lo), leading);
+      f.point(p, 3.4, mark.style, symbol_svg(mark.letter), kAside * Vec2(side.x(), -side.y()));
     }
   }
 }

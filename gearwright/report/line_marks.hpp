@@ -21,21 +21,20 @@ struct PathMark {
   const char* style = "";  ///< style of its dot
 };
 
-/// Sorts the marks by increasing ρ_1.
-void sort_marks(std::vector<PathMark>& marks);
-
 /// The points A to E, in this order, of which those from A to `last` are used. If ε_α > 2, the end
 /// of a period lies beyond the path, and B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
-/// A point to be named by a letter at the upper edge of a plot; at y = −∞ its line ends at the foot.
+/// A point to be named by a letter or by words (SVG markup) at the upper edge of a plot. If its y is
+/// −∞, its line ends at the foot.
 struct LetterAt {
   std::string letter;
   Vec2 at;
+  std::string line_style = "leader", style = "letter halo";
 };
 
-/// Adds the letters to a figure whose axes hold the curves, and room for them: above, and at both
-/// ends of the x axis.
+/// Adds the letters to a figure whose axes contain the curves. It extends the axes by the room that
+/// they need, above and at both ends of the x axis.
 void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
 
 /// ρ_1 of the points that a picture should contain: A, E, and C and the base tangent points unless
@@ -44,11 +43,11 @@ std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
 
-/// Draws the lines. `on` maps the housing to px. Letters keep a distance from the lines and from
-/// each other, on the side away from the other line.
-void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
-                          const std::function<Vec2(const Point<Housing>&)>& on,
-                          Lines lines = Lines::both);
+/// Adds the lines to a plane, to which `on` maps the housing. Each letter is on the side away from the
+/// other line, or at a free position.
+void add_lines_of_action(Figure& figure, const InvolutePair& pair,
+                         const std::function<Vec2(const Point<Housing>&)>& on,
+                         Lines lines = Lines::both);
 
 /// The words for a caption (HTML).
 std::string line_key();

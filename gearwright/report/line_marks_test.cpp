@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/report/crossed_figures.hpp"
+
 #include <string>
 
 #include "gearwright/report/testing/sample_reports.hpp"
@@ -10,10 +13,9 @@ namespace gearwright {
 namespace {
 
 std::string drawn(const CrossedPair& pair, Lines lines) {
-  Svg svg("x", 400, 400, "t", "d");
-  draw_lines_of_action(
-      svg, pair, [](const Point<Housing>& p) { return Vec2(10 * p.r.y(), 10 * p.r.z()); }, lines);
-  return svg.str();
+  Figure f = plane_figure("x", "t", "d", {{-20, -20}, {20, 20}});
+  add_lines_of_action(f, pair, in_plan, lines);
+  return figure_svg(f, 400);
 }
 
 TEST(LineMarksPicture, BaseTangentsFarFromTheLineAreLeftOut) {

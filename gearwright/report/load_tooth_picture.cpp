@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "gearwright/figure/figure_svg.hpp"
-#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kWidth = 520.0, kHeight = 360.0;
+constexpr double kWidth = 520.0, kAspect = 520.0 / 360.0;
 constexpr double kLongest = 0.7;  // normal modules, drawn length of the greatest stress
 
 struct Fillet {
@@ -57,37 +57,31 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double root = f.at.front().norm() - out * 1.0 * module;
   const double flank = f.at.back().norm() + out * 0.9 * module;
   const auto [lo, hi] = std::minmax(root, flank);
-  const double scale = kHeight / (hi - lo);
-  const Vec2 middle = f.at[f.worst];
-  // The side in tension is drawn on the right, which is the side y < 0 of the gear frame.
-  const Viewport view{kWidth, kHeight, mirrored({0.5 * (lo + hi), middle.y()}), scale, true};
-  Svg svg(fmt::format("root-stress{}", which + 1), kWidth, kHeight,
-          name + ": stress along the fillet",
-          "The tooth in the transverse section; bars on the fillet in tension show the greatest "
-          "principal stress over a mesh.");
-  const Vec2 axis = view.px(Vec2::Zero());
-  svg.begin_clip(0, 0, kWidth, kHeight);
-  svg.use(shape, axis, view.scale * outline_unit_mm(gear), 90.0,
-          fmt::format("body g{}", which + 1));
-  svg.line(axis, view.px({2 * hi, 0.0}), "thin dashdot");
-  std::vector<Vec2> ends;
+  // The side in tension is drawn on the right, which is the side y > 0 of the gear frame.
+  const Vec2 worst = f.at[f.worst];
+  const double half = 0.5 * kAspect * (hi - lo);
+  Figure figure = plane_figure(
+      fmt::format("root-stress{}", which + 1), fmt::format("{}: {} N/mm²", name, fixed(most, 1)),
+      "The tooth in the transverse section; bars on the fillet in tension show the greatest principal "
+      "stress over a mesh.",
+      {{worst.y() - half, lo}, {worst.y() + half, hi}});
+  figure.caption = fmt::format(
+      " at the dot, on a diameter of {} mm, {} mm along the face from its middle. Bars: the "
+      "greatest principal stress at each point of the fillet over a mesh.",
+      fixed(2 * worst.norm(), 2),
+      fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2));
+  add_upright_gear(figure, gear, shape, fmt::format("body g{}", which + 1));
+  figure.line({{0.0, 0.0}, {0.0, 2 * hi}}, "thin dashdot");
+  std::vector<Vec2> ends, bars;
   for (std::size_t i = 0; i < f.at.size(); ++i) {
-    const Vec2 end = f.at[i] + (kLongest * module * f.stress[i] / most) * f.in[i];
-    ends.push_back(view.px(mirrored(end)));
-    svg.line(view.px(mirrored(f.at[i])), ends.back(), "thin");
+    ends.push_back(upright(f.at[i] + (kLongest * module * f.stress[i] / most) * f.in[i]));
+    bars.insert(bars.end(), {upright(f.at[i]), ends.back(), kNewPiece});
   }
-  svg.polyline(ends, "curve c-root-fillet");
-  svg.end_group();
-  svg.dot(view.px(mirrored(f.at[f.worst])), 3.0, "mark");
-  svg.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
-  return captioned(
-      svg.str(),
-      fmt::format(
-          "<strong>{}: {} N/mm²</strong> at the dot, on a diameter of {} mm, {} mm along the face "
-          "from its middle. Bars: the greatest principal stress at each point of the fillet over a "
-          "mesh.",
-          name, fixed(most, 1), fixed(2 * middle.norm(), 2),
-          fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2)));
+  figure.line(std::move(bars), "thin");
+  figure.line(ends, "curve c-root-fillet");
+  figure.dot(upright(worst), 3.0, "mark");
+  figure.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
+  return figure_html(figure, kWidth);
 }
 
 }  // namespace

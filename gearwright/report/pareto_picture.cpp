@@ -38,9 +38,9 @@ Quantity quantity_of(Objective objective) {
   return {axis, Along::objective, w.greater};
 }
 
-std::string title_of(const DesignRow& row, const Vec2& value) {
-  return fmt::format("{}: x1 = {}, x2 = {}; {:.6g}, {:.6g}", design_name(row.trial),
-                     fixed(row.shift[0], 4), fixed(row.shift[1], 4), value.x(), value.y());
+std::string title_of(const DesignRow& row) {
+  return fmt::format("{}: x1 = {}, x2 = {}", design_name(row.trial), fixed(row.shift[0], 4),
+                     fixed(row.shift[1], 4));
 }
 
 // The second axis for a single objective: the centre distance, or the ratio if the centre distance
@@ -114,7 +114,7 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
     for (auto d = dots.rbegin(); d != dots.rend(); ++d) {
       if (d->front != front) continue;
       const char* style = !d->row->balanced ? "dot-middle" : front ? "dot-front" : "dot-design";
-      drawn.push_back({d->value, style, title_of(*d->row, d->value)});
+      drawn.push_back({d->value, style, title_of(*d->row)});
     }
   }
   Figure f = designs_figure(

@@ -6,74 +6,47 @@
 #include <optional>
 #include <utility>
 
-#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/pair/contact_zones.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/pair_figures.hpp"
-#include "gearwright/report/plot_axis.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr PlotArea kArea{640, 46, 22, 112, 230, 58};
-constexpr double kStripTop = 34.0, kStripHeight = 26.0;
 constexpr double kDeepest = -8.0;  // specific sliding at which a shown curve ends
 // The same for a curve that falls without limit, towards a base tangent point.
 constexpr double kEndless = -4.0;
 
-std::string count_words(int pairs, double width) {
-  if (pairs == 0) return width > 80 ? "no contact" : "0";
-  if (width < 14) return "";
-  if (width < 56) return std::to_string(pairs);
-  return fmt::format("{} pair{}", pairs, pairs == 1 ? "" : "s");
-}
-
-void draw_strip(Svg& svg, const InvolutePair& pair, const Axis& x) {
-  const Mesh<double>& mesh = pair.mesh;
+// The numbers of tooth pairs along the path, and the part of it on usable flanks if that is shorter.
+void add_lanes(Figure& f, const Mesh<double>& mesh) {
+  const auto from_C = [&](double rho1) { return rho1 - mesh.rho1_C; };
   const std::vector<ContactZone> zones = contact_zones(mesh.rho1_A, mesh.rho1_E, mesh.step);
   int most = 0;
   for (const ContactZone& zone : zones) most = std::max(most, zone.pairs);
+  FigureLane pairs{"tooth pairs", {}};
   for (const ContactZone& zone : zones) {
-    const double left = x(zone.begin);
-    const double width = x(zone.end) - left;
-    svg.rect(left, kStripTop, width, kStripHeight,
-             zone.pairs == 0      ? "zone none"
-             : zone.pairs == most ? "zone more"
-                                  : "zone fewer");
-    svg.text({left + width / 2, kStripTop + kStripHeight / 2 + 5}, count_words(zone.pairs, width),
-             Anchor::middle, "inzone");
+    pairs.blocks.push_back({from_C(zone.begin), from_C(zone.end),
+                            zone.pairs == 0      ? "zone none"
+                            : zone.pairs == most ? "zone more"
+                                                 : "zone fewer",
+                            zone.pairs == 0 ? "no contact" : std::to_string(zone.pairs)});
   }
-  const std::vector<PathMark> marks = path_marks(mesh, std::max(mesh.rho1_E, mesh.rho1_D));
-  std::vector<double> wanted;
-  for (const PathMark& m : marks) wanted.push_back(x(m.rho1));
-  const std::vector<double> letters = spread(wanted, 16.0, 10.0, kArea.width - 10.0);
-  const std::vector<double> values = spread(wanted, 58.0, 30.0, kArea.width - 30.0);
-  const double foot = kArea.bottom();
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    svg.polyline({{letters[i], kStripTop - 9}, {wanted[i], kStripTop - 3}, {wanted[i], foot}},
-                 "leader");
-    svg.text({letters[i], kStripTop - 14}, marks[i].letter, Anchor::middle, "letter");
-    svg.line({wanted[i], foot}, {values[i], foot + 10}, "leader");
-    svg.text({values[i], foot + 23}, fixed(marks[i].rho1 - mesh.rho1_C, 3), Anchor::middle, "tick");
-  }
-  svg.text({(x.from + x.to) / 2, kArea.height() - 8},
-           "distance from the pitch point C along the line of action, mm", Anchor::middle, "tick");
-
-  // The remaining path after clipping to the usable flanks.
+  f.lanes.push_back(std::move(pairs));
   const double clip = 1e-9 * mesh.path_length;
-  const bool clipped =
-      mesh.rho1_true_begin > mesh.rho1_A + clip || mesh.rho1_true_end < mesh.rho1_E - clip;
-  if (!clipped) return;
-  const double y = kStripTop + kStripHeight + 9;
-  if (mesh.rho1_true_end > mesh.rho1_true_begin) {
-    svg.line({x(mesh.rho1_true_begin), y}, {x(mesh.rho1_true_end), y}, "usable");
-  }
-  svg.text({(x(mesh.rho1_A) + x(mesh.rho1_E)) / 2, y + 18},
-           mesh.rho1_true_end > mesh.rho1_true_begin ? "usable flanks touch along this part only"
-                                                     : "no part where both flanks are usable",
-           Anchor::middle, "tick halo");
+  if (mesh.rho1_true_begin <= mesh.rho1_A + clip && mesh.rho1_true_end >= mesh.rho1_E - clip)
+    return;
+  FigureLane usable{"usable flanks", {}};
+  if (mesh.rho1_true_end > mesh.rho1_true_begin)
+    usable.blocks.push_back(
+        {from_C(mesh.rho1_true_begin), from_C(mesh.rho1_true_end), "lane inside", "touch"});
+  else
+    usable.blocks.push_back(
+        {from_C(mesh.rho1_A), from_C(mesh.rho1_E), "zone none", "nowhere on both gears"});
+  f.lanes.push_back(std::move(usable));
 }
 
 std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
@@ -90,135 +63,125 @@ double lowest_shown(const InvolutePair& pair) {
   return std::max(kDeepest, std::floor(2 * low - 0.3) / 2);
 }
 
-void draw_sliding(Svg& svg, const InvolutePair& pair, int gear, const Axis& x, const Axis& y) {
+void add_sliding(Figure& f, const InvolutePair& pair, int gear) {
   constexpr int kSteps = 96;
   std::vector<Vec2> points;
   for (int k = 0; k <= kSteps; ++k) {
-    const double t = static_cast<double>(k) / kSteps;
-    const double rho1 = pair.mesh.rho1_A + t * pair.mesh.path_length;
+    const double rho1 = pair.mesh.rho1_A + k * pair.mesh.path_length / kSteps;
     const auto z = zeta(pair, gear, rho1);
-    if (z && std::isfinite(*z)) points.push_back({x(rho1), y(std::max(*z, 2 * kDeepest))});
+    if (z && std::isfinite(*z))
+      points.push_back({rho1 - pair.mesh.rho1_C, std::max(*z, 2 * kDeepest)});
   }
-  if (points.size() > 1) svg.polyline(points, gear == 1 ? "curve g1" : "curve g2 dash");
+  f.line(std::move(points), gear == 1 ? "curve g1" : "curve g2 dash", fmt::format("gear {}", gear));
 }
 
-// The four values at the ends, next to their curves and without overlap.
-void label_end(Svg& svg, const InvolutePair& pair, bool at_A, const Axis& x, const Axis& y) {
+// Both values at one end of the path. Values below the plot have their labels at the lower edge, one
+// above the other.
+void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
   const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
-  std::vector<double> wanted;
-  for (const auto& v : values) {
-    const double shown = std::max(v.value_or(y.lo), y.lo);
-    // Labels are below the end of a curve that rises from it and above the end of one that falls.
-    wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 13.0));
-    if (v && *v >= y.lo) svg.dot({x(rho1), y(*v)}, 3.0, wanted.size() == 1 ? "mark g1" : "mark g2");
-  }
-  const std::vector<double> placed = spread(wanted, 17.0, kArea.top - 6, kArea.bottom() - 6);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string value = values[i] ? fixed(*values[i], 3) : std::string("no involute");
-    svg.text({x(rho1), placed[i]},
-             symbol_svg(i == 0 ? "ζ_1" : "ζ_2") + fmt::format("({}) = {}", at_A ? "A" : "E", value),
-             at_A ? Anchor::start : Anchor::end, i == 0 ? "halo g1" : "halo g2",
-             {at_A ? 8.0 : -8.0, 4.0});
+  double lowest = -13.0;  // px
+  for (const std::size_t i : {0u, 1u}) {
+    const bool shown = values[i] && *values[i] >= f.y.lo;
+    const double level = shown ? *values[i] : f.y.lo;
+    const double away = !shown ? lowest : level > 0.0 ? -10.0 : 13.0;
+    if (!shown) lowest -= 19.0;
+    f.point({rho1 - pair.mesh.rho1_C, level}, shown ? 3.0 : 0.0, std::string("mark ") + kInk[i],
+            symbol_svg(i == 0 ? "ζ_1" : "ζ_2") +
+                fmt::format("({}) = {}", at_A ? "A" : "E",
+                            values[i] ? fixed(*values[i], 3) : "no involute"),
+            {at_A ? 8.0 : -8.0, away});
+    f.marks.back().label_style = std::string("halo ") + kInk[i];
   }
 }
 
-std::string path_svg(const InvolutePair& pair) {
+Figure path_of(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
-  const double end = std::max(mesh.rho1_E, mesh.rho1_D);
-  const Axis x{mesh.rho1_A, std::max(mesh.rho1_E, mesh.path_ratio < 1.0 ? end : mesh.rho1_E),
-               kArea.left + 14, kArea.width - kArea.right};
-  const Axis y = kArea.up(lowest_shown(pair), 1.0);
-  Svg svg(
-      "path", kArea.width, kArea.height(), "Path of contact and specific sliding",
-      "A strip from A to E with the number of tooth pairs in contact, and below it the specific "
-      "sliding of both gears over the path.");
-  const double step = y.hi - y.lo > 3.0 ? 1.0 : 0.5;
-  for (double v = std::ceil(y.lo / step) * step; v <= 1.0; v += step) {
-    svg.line({kArea.left, y(v)}, {kArea.width - kArea.right, y(v)}, v == 0.0 ? "axis" : "grid");
-    svg.text({kArea.left - 6, y(v) + 4}, tick_text(v, 1), Anchor::end, "tick");
+  const double last = mesh.path_ratio < 1.0 ? std::max(mesh.rho1_E, mesh.rho1_D) : mesh.rho1_E;
+  Figure f{
+      "path",
+      "Path of contact",
+      "Specific sliding of both gears over the path of contact from A to E, and below it the "
+      "number of tooth pairs in contact.",
+      ", with the number of tooth pairs in contact in one transverse section, and the specific "
+      "sliding.",
+      {"distance from the pitch point C along the line of action", "mm", mesh.rho1_A - mesh.rho1_C,
+       last - mesh.rho1_C},
+      {.words = "specific sliding",
+       .unit = {},
+       .lo = lowest_shown(pair),
+       .hi = 1.0,
+       .symbol = "ζ"}};
+  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
+  std::vector<LetterAt> letters;
+  for (const PathMark& m : path_marks(mesh, std::max(mesh.rho1_E, mesh.rho1_D))) {
+    const double at = m.rho1 - mesh.rho1_C;
+    letters.push_back({fmt::format("<tspan class=\"letter\">{}</tspan> {}", m.letter, fixed(at, 3)),
+                       Vec2(at, -kInfinity), "leader", "tick halo"});
   }
-  draw_strip(svg, pair, x);
-  svg.begin_clip(kArea.left, kArea.top, kArea.width - kArea.right - kArea.left, kArea.tall);
-  for (const int gear : {1, 2}) draw_sliding(svg, pair, gear, x, y);
-  svg.end_group();
-  for (const bool at_A : {true, false}) label_end(svg, pair, at_A, x, y);
-  return svg.str();
+  add_letters(f, letters);
+  for (const int gear : {1, 2}) add_sliding(f, pair, gear);
+  for (const bool at_A : {true, false}) label_end(f, pair, at_A);
+  add_lanes(f, mesh);
+  return f;
 }
 
-std::string ratio_svg(const InvolutePair& pair) {
+constexpr double kBarWidth = 420.0;  // px, that of the picture of the whole pair, above it
+constexpr double kCharacter = 0.032, kSpace = 0.05;  // of the width of the plot
+
+Figure ratios_of(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
-  const double e_alpha = mesh.path_ratio;
-  const double e_true = mesh.true_ratio;
-  const double e_beta = mesh.overlap_ratio;
-  constexpr double kBarWidth = 420.0;  // equal to that of the picture of the whole pair, above it
-  constexpr double kBarLeft = 136.0;
-  constexpr double kBarRight = 122.0;
-  constexpr double kRow = 34.0;
-  constexpr double kTop = 26.0;
-  constexpr double kOneRoom = 3.0;  // px between a value and the line at 1
-  const double most =
-      std::max(2.0, std::ceil(std::max(pair.contact_ratio(), pair.contact_ratio_true()) + 0.15));
-  const Axis x{0.0, most, kBarLeft, kBarWidth - kBarRight};
-  const double height = kTop + 3 * kRow + 10;
-  Svg svg("ratios", kBarWidth, height, "Contact ratios",
-          "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
-  const double by = std::ceil(most / 6);  // chosen so that adjacent numbers do not overlap
-  for (double v = 0.0; v <= most; v += by) {
-    svg.line({x(v), kTop - 6}, {x(v), height - 8}, "grid");
-    svg.text({x(v), kTop - 11}, tick_text(v, 0), Anchor::middle, "tick");
-  }
-  svg.line({x(1.0), kTop - 6}, {x(1.0), height - 8}, "one");
+  const double e_alpha = mesh.path_ratio, e_true = mesh.true_ratio, e_beta = mesh.overlap_ratio;
+  const bool differs = std::abs(e_alpha - e_true) > 1e-9;
+  Figure f{"ratios",
+           "Contact ratios",
+           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.",
+           fmt::format("; from 1 on contact never stops.{}",
+                       differs ? " Filled: of the usable flanks; outlined: from tip to tip, as in "
+                                 "the formula."
+                               : ""),
+           {.words = "contact ratio", .unit = {}, .lo = 0.0, .hi = 2.0, .whole = true},
+           {"", "", 0.0, 3.0}};
+  f.keys = {{"alpha", "transverse"}, {"beta", "overlap"}};
+  f.tall = 0.4;
   struct Bar {
     const char* words;
     const char* symbol;
     double from_alpha, from_beta, formula;
+    double sum() const { return from_alpha + from_beta; }
+    std::string value() const {
+      return fixed(sum(), 3) + (formula - sum() > 1e-9 ? " of " + fixed(formula, 3) : "");
+    }
+    double room() const { return kCharacter * static_cast<double>(value().size()) + kSpace; }
   };
   const std::array<Bar, 3> bars{{{"transverse", "ε_α", e_true, 0.0, e_alpha},
                                  {"overlap", "ε_β", 0.0, e_beta, e_beta},
                                  {"total", "ε_γ", e_true, e_beta, e_alpha + e_beta}}};
+  for (const Bar& bar : bars)
+    f.x.hi = std::max(f.x.hi, std::max(bar.sum(), bar.formula) / (1.0 - bar.room()));
+  f.line({{1.0, -kInfinity}, {1.0, kInfinity}}, "one");
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const Bar& bar = bars[i];
-    const double top = kTop + static_cast<double>(i) * kRow + 4;
-    const double tall = kRow - 12;
-    svg.text({12, top + 16}, bar.words);
-    svg.text({kBarLeft - 12, top + 16}, symbol_svg(bar.symbol), Anchor::end);
-    if (bar.from_alpha > 0.0) svg.rect(x(0), top, x(bar.from_alpha) - x(0), tall, "bar alpha");
-    if (bar.from_beta > 0.0) {
-      svg.rect(x(bar.from_alpha), top, x(bar.from_beta) - x(0), tall, "bar beta");
-    }
-    const double sum = bar.from_alpha + bar.from_beta;
-    if (bar.formula - sum > 1e-9) svg.rect(x(0), top, x(bar.formula) - x(0), tall, "bar formula");
-    std::string value = fixed(sum, 3);
-    if (bar.formula - sum > 1e-9) value += " of " + fixed(bar.formula, 3);
+    const double middle = 2.5 - static_cast<double>(i), low = middle - 0.3, high = middle + 0.3;
+    f.y.names.push_back({middle, bar.words + (" " + symbol_svg(bar.symbol))});
+    if (bar.from_alpha > 0.0) f.bar({0.0, low}, {bar.from_alpha, high}, "bar alpha");
+    if (bar.from_beta > 0.0) f.bar({bar.from_alpha, low}, {bar.sum(), high}, "bar beta");
+    if (bar.formula - bar.sum() > 1e-9) f.bar({0.0, low}, {bar.formula, high}, "bar formula");
     // A value that the line at 1 would cross is behind the line.
-    const LabelPlace beside{{x(std::max(sum, bar.formula)), top + 16}, {7.0, 0.0}, Anchor::start};
-    const PixelBox box = label_box(beside, value);
-    const bool crossed = box.left - kOneRoom < x(1.0) && x(1.0) < box.right + kOneRoom;
-    svg.text({crossed ? x(1.0) : beside.at.x(), beside.at.y()}, value, Anchor::start, "halo",
-             beside.offset);
+    const double end = std::max(bar.sum(), bar.formula);
+    const bool crossed = end < 1.0 && end + bar.room() * f.x.hi > 1.0;
+    f.text({crossed ? 1.0 : end, middle}, bar.value(), Anchor::start, "halo", {7.0, 5.0});
   }
-  return svg.str();
+  return f;
 }
 
 }  // namespace
 
-std::string path_figure(const InvolutePair& pair) {
-  return captioned(path_svg(pair),
-                   "<strong>Path of contact</strong>, zones of tooth pairs in contact in one "
-                   "transverse section. Specific sliding: " +
-                       caption_key("g1", "gear 1") + " " + caption_key("g2", "gear 2 (dashed)"));
-}
+std::string path_figure(const InvolutePair& pair) { return figure_html(path_of(pair), 640.0); }
 
 std::string ratio_figure(const InvolutePair& pair) {
-  const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
-  const char* const filled =
-      differs ? " Filled: of the usable flanks; outlined: from tip to tip, as in the formula." : "";
-  return captioned(
-      ratio_svg(pair),
-      fmt::format("<strong>Contact ratios</strong>; from 1 on contact never stops.{} {} {}", filled,
-                  caption_key("alpha", "transverse"), caption_key("beta", "overlap")));
+  return figure_html(ratios_of(pair), kBarWidth);
 }
 
 }  // namespace gearwright

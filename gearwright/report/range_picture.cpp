@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/ticks.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -19,32 +19,37 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kPanel = 124.0, kGap = 34.0;  // px, height of a panel and distance between panels
-constexpr PlotArea kArea{640, 66, 18, 58, 3 * kPanel + 2 * kGap, kGap + 20};
-constexpr double kNear = 12.0;  // px, height of a label
-
 // One of the three quantities, with its curve and its value for the mounted pair.
 struct Quantity {
-  std::string words;  // SVG markup
+  const char* id;
+  FigureAxis axis;
   std::function<double(const CrossedSample&)> value;
   double mounted;
   int digits;
 };
 
 std::vector<Quantity> quantities(const CrossedPair& pair) {
-  return {
-      {"centre distance " + symbol_svg("a") + ", mm",
-       [](const CrossedSample& s) { return s.place.center_distance; }, pair.center_distance, 4},
-      {"shaft angle " + symbol_svg("Σ") + ", °",
-       [](const CrossedSample& s) { return s.place.shaft_angle.deg(); }, pair.shaft_angle.deg(), 4},
-      {"contact ratio " + symbol_svg("ε") + ", tip to tip",
-       [](const CrossedSample& s) { return s.contact_ratio; }, pair.contact_ratio(), 3}};
+  return {{"range-distance",
+           {.words = "centre distance", .unit = "mm", .symbol = "a"},
+           [](const CrossedSample& s) { return s.place.center_distance; },
+           pair.center_distance,
+           4},
+          {"range-angle",
+           {.words = "shaft angle", .unit = "°", .symbol = "Σ"},
+           [](const CrossedSample& s) { return s.place.shaft_angle.deg(); },
+           pair.shaft_angle.deg(),
+           4},
+          {"range-ratio",
+           {.words = "contact ratio tip to tip", .unit = {}, .symbol = "ε"},
+           [](const CrossedSample& s) { return s.contact_ratio; },
+           pair.contact_ratio(),
+           3}};
 }
 
 // The range of a panel contains the mounted pair and the curve. If the contact ratio reaches 1,
 // only the part of the curve with ε ≥ 1 counts.
-std::array<double, 2> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
-                            const Quantity& q) {
+std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
+                          const Quantity& q) {
   double lo = q.mounted;
   double hi = q.mounted;
   for (const CrossedSample& s : samples) {
@@ -52,65 +57,42 @@ std::array<double, 2> shown(const CrossedPair& pair, const std::vector<CrossedSa
     lo = std::min(lo, q.value(s));
     hi = std::max(hi, q.value(s));
   }
-  const auto ends = widened(lo, hi, 0.12);
-  return {ends[0], ends[1]};
+  return widened(lo, hi, 0.12);
 }
 
-// Slope of the curve at the mounted pair, px up per px to the right.
-double slope(const CrossedPair& pair, const Quantity& q, const Axis& x, const Axis& y) {
-  const Angle at = Angle::radians(pair.mesh.rack.normal_pressure_angle);
-  const Angle step = Angle::degrees(0.01 * (x.hi - x.lo));
-  const auto before = crossed_sample(pair, at - step);
-  const auto after = crossed_sample(pair, at + step);
-  if (!before || !after) return 0.0;
-  return (y(q.value(*before)) - y(q.value(*after))) / (x(2 * step.deg()) - x(0.0));
-}
-
-void draw_panel(Svg& svg, const CrossedPair& pair, const std::vector<CrossedSample>& samples,
-                const Quantity& q, const Axis& x, double top) {
-  const auto [lo, hi] = shown(pair, samples, q);
-  const Axis y{lo, hi, top + kPanel, top};
-  draw_rows(svg, x, y, 6);
-  svg.text({x.from, top == kArea.top ? top - 36 : top - 7}, q.words, Anchor::start, "panel");
-  svg.begin_clip(x.from, top, x.to - x.from, kPanel);
-  draw_curve(svg, x, y, over_angle(samples, q.value), "curve ink");
-  svg.end_group();
-  const auto mark = [&](Angle angle, const char* style, double radius) {
+Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
+                   const Quantity& q) {
+  Figure f{q.id,
+           "Possible positions of the pair: " + q.axis.words,
+           "The " + q.axis.words +
+               " of the pair free of backlash over the normal pressure angle of the common rack; "
+               "shaded where the contact ratio is at least 1, with lines at the least centre "
+               "distance and where the pair is mounted.",
+           "",
+           {},
+           q.axis};
+  const std::vector<double> ends = shown(pair, samples, q);
+  f.y.lo = ends[0];
+  f.y.hi = ends[1];
+  f.tall = 0.24;
+  add_angles(f, pair, samples);
+  f.line(over_angle(samples, q.value), "curve ink", q.axis.words);
+  const auto mark = [&](Angle angle, double radius, const char* style, const char* words) {
     const auto s = crossed_sample(pair, angle);
-    const Vec2 at(x(angle.deg()), s ? y(q.value(*s)) : -1e9);
-    if (s && at.x() > x.from && at.x() < x.to && at.y() > top && at.y() < top + kPanel)
-      svg.dot(at, radius, style);
+    if (!s) return;
+    const Vec2 at(angle.deg(), q.value(*s));
+    if (at.x() > f.x.lo && at.x() < f.x.hi && at.y() > ends[0] && at.y() < ends[1])
+      f.dot(at, radius, style, words);
   };
   for (const Approximation& a : approximations(pair))
-    mark(a.normal_pressure_angle, "mark ring", 4.0);
-  if (pair.min_distance) mark(pair.min_distance->normal_pressure_angle, "mark", 3.4);
+    mark(a.normal_pressure_angle, 4.0, "mark ring", a.name);
+  if (pair.min_distance)
+    mark(pair.min_distance->normal_pressure_angle, 3.4, "mark", "least centre distance");
   const Angle mounted = Angle::radians(pair.mesh.rack.normal_pressure_angle);
-  const Vec2 here(x(mounted.deg()), y(q.mounted));
-  svg.dot(here, 3.4, "mark action-dot");
-  const bool left = here.x() > (x.from + x.to) / 2;
-  // The label is next to the curve, and below it if the curve rises on the label's side.
-  const double rise = slope(pair, q, x, y);
-  const auto on_curve = crossed_sample(pair, mounted);
-  const bool on = on_curve && std::abs(y(q.value(*on_curve)) - here.y()) < kNear;
-  const bool high = on && std::abs(rise) > 0.1 ? left == (rise > 0.0) : here.y() > top + kPanel / 2;
-  svg.text(here, fixed(q.mounted, q.digits), left ? Anchor::end : Anchor::start, "halo here",
-           {left ? -9.0 : 9.0, high ? -9.0 : 17.0});
-}
-
-std::string range_svg(const CrossedPair& pair) {
-  const std::vector<CrossedSample> samples = crossed_samples(pair);
-  const Axis x = angle_axis(samples, kArea);
-  Svg svg("range", kArea.width, kArea.height(), "Possible positions of the pair",
-          "Centre distance, shaft angle and contact ratio of the pair free of backlash, each over "
-          "the normal pressure angle of the common rack; shaded where the contact ratio is at "
-          "least 1, with lines at the least centre distance and where the pair is mounted.");
-  draw_angles(svg, pair, x, kArea);
-  double top = kArea.top;
-  for (const Quantity& q : quantities(pair)) {
-    draw_panel(svg, pair, samples, q, x, top);
-    top += kPanel + kGap;
-  }
-  return svg.str();
+  f.point({mounted.deg(), q.mounted}, 3.4, "mark action-dot", fixed(q.mounted, q.digits),
+          {9.0, -9.0});
+  f.marks.back().label_style = "halo here";
+  return f;
 }
 
 constexpr int kZoomSteps = 80;
@@ -144,11 +126,7 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
            "near the least centre distance; marks at the exact and the approximate solutions.",
            ": 0 exact, 1 to 3 terms of the series, v the virtual spur pair, v′ the same corrected. "
            "The curve is the exact distance at each angle: near its least it hardly changes.",
-           {.words = "working normal pressure angle",
-            .unit = "°",
-            .lo = box.lo.x() - 0.12 * reach,
-            .hi = box.hi.x() + 0.12 * reach,
-            .symbol = "α_wn"},
+           angle_axis(box.lo.x() - 0.12 * reach, box.hi.x() + 0.12 * reach),
            {.words = "above the least centre distance",
             .unit = "µm",
             .lo = -0.06 * most,
@@ -184,8 +162,12 @@ std::vector<std::string> table_row(const CrossedPair& pair, const std::string& n
 
 std::string range_figure(const CrossedPair& pair) {
   const bool by_hand = !approximations(pair).empty();
+  const std::vector<CrossedSample> samples = crossed_samples(pair);
+  std::string panels;
+  for (const Quantity& q : quantities(pair))
+    panels += figure_svg(range_panel(pair, samples, q), 640.0);
   return captioned(
-      range_svg(pair),
+      panels,
       fmt::format(
           "<strong>Possible positions of the pair</strong> free of backlash. {} {} {}{}",
           caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),

@@ -13,8 +13,8 @@ using testing::count_of;
 
 TEST(RangePicture, ThreeCurvesAndTheirMarks) {
   const std::string text = range_figure(testing::crossed_pair());
-  EXPECT_EQ(count_of(text, "<polyline class=\"curve ink\""), 3u);
-  EXPECT_EQ(count_of(text, "class=\"band\""), 1u);
+  EXPECT_EQ(count_of(text, "<path class=\"curve ink\""), 3u);
+  EXPECT_EQ(count_of(text, "class=\"band\""), 3u);
   EXPECT_EQ(count_of(text, "mark action-dot"), 3u);
   EXPECT_EQ(count_of(text, "mark ring"), 15u);  // five approximations in three panels
   EXPECT_NE(text.find(">50.0100<"), text.npos);
@@ -41,7 +41,7 @@ TEST(RangePicture, WithoutAnIntervalOfContact) {
   ASSERT_FALSE(pair.contact_ratio_range.has_value());
   const std::string text = range_figure(pair);
   EXPECT_EQ(count_of(text, "class=\"band\""), 0u);
-  EXPECT_EQ(count_of(text, "<polyline class=\"curve ink\""), 3u);
+  EXPECT_EQ(count_of(text, "<path class=\"curve ink\""), 3u);
   EXPECT_NE(text.find("is below 1 everywhere"), text.npos);
 }
 

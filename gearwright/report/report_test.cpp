@@ -207,7 +207,7 @@ TEST(Report, CrossedPairsSayWhatTheyAre) {
     EXPECT_EQ(page.find("tips, roots, fillets and flanks keep clear"), page.npos);
     EXPECT_LT(page.size(), 250'000u);
     const auto ids = StrictHtml::read(page).ids;
-    for (const char* id : {"plan", "whole", "section", "range", "widths"}) {
+    for (const char* id : {"plan", "whole", "section", "range-angle", "widths"}) {
       EXPECT_EQ(ids.count(id), 1u) << id;
     }
     for (const char* id : {"mesh", "path", "ratios"}) EXPECT_EQ(ids.count(id), 0u) << id;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -15,13 +15,11 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 520.0;
-constexpr double kHeight = 400.0;
-constexpr double kPlotWidth = 400.0;  // the remaining width is for labels
-constexpr double kMargin = 22.0;      // px around the essential part
-constexpr int kFewTeeth = 12;  // with more teeth, a root without undercut looks like any other
+constexpr double kAspect = 1.0;    // of the plot
+constexpr double kMargin = 0.055;  // of its height and width, around the essential part
+constexpr int kFewTeeth = 12;      // with more teeth, a root without undercut looks like any other
 
-// Points are marked on the right of the tooth. That is the side y < 0 of the gear frame, so they
-// are mirrored.
+// Points are marked on the right of the tooth, the side y > 0 of the gear frame.
 
 const Arc& flank_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
@@ -36,13 +34,13 @@ Vec2 center_of(const FilletArc& arc, double polar_angle) {
 }
 
 Vec2 root_center(const Gear& gear) {
-  return center_of(*gear.tooth->root_fillet, -std::numbers::pi / gear.spec.teeth);
+  return center_of(*gear.tooth->root_fillet, kPi / gear.spec.teeth);
 }
 
 // Beyond the middle of the space, F lies in the neighbouring tooth.
 bool shows_limit(const Gear& gear) {
   return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
-         std::numbers::pi / gear.spec.teeth;
+         kPi / gear.spec.teeth;
 }
 
 // The essential part, mm: the whole tooth if its tip matters, otherwise the root on the right, up
@@ -56,53 +54,50 @@ std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack
     for (const Arc& arc : g.tooth->outline.arcs) {
       for (const Vec2& p : sample(arc, 40)) {
         if (p.norm() > top) continue;
-        points.push_back(mirrored(p));
-        if (whole) points.push_back(p);
+        points.push_back(p);
+        if (whole) points.push_back(mirrored(p));
       }
     }
   };
   add(gear);
   if (rack && has_outline(*rack)) add(*rack);
   if (gear.tooth->root_fillet) points.push_back(root_center(gear));
-  if (shows_limit(gear)) points.push_back(mirrored(undercut_limit_point(gear)));
+  if (shows_limit(gear)) points.push_back(undercut_limit_point(gear));
   return points;
 }
 
-Viewport window(const Gear& gear, const std::optional<Gear>& rack) {
+Bounds window(const Gear& gear, const std::optional<Gear>& rack) {
   Bounds box;
-  for (const Vec2& p : points_shown(gear, rack)) box.cover(p);
-  // The y axis of the gear points to the left and its x axis up.
-  const double scale = std::min((kPlotWidth - 2 * kMargin) / box.size().y(),
-                                (kHeight - 2 * kMargin) / box.size().x());
-  const double shift = (kWidth - kPlotWidth) / 2 / scale;
-  return {kWidth, kHeight, (box.lo + box.hi) / 2 - Vec2(0.0, shift), scale, true};
+  for (const Vec2& p : points_shown(gear, rack)) box.cover(upright(p));
+  const double tall = std::max(box.size().x() / kAspect, box.size().y()) / (1.0 - 2 * kMargin);
+  const Vec2 middle = (box.lo + box.hi) / 2, half(tall * kAspect / 2, tall / 2);
+  return {middle - half, middle + half};
 }
 
 // The flank that undercut removed, from the base circle to the present start of the flank.
-void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
+void add_lost_flank(Figure& f, const Gear& gear) {
   const Involute flank(gear.base_radius(),
                        gear.reference().base_tooth_thickness / gear.reference().base_diameter);
   const double end = flank.roll_at(gear.root_form_radius().value_or(gear.actual_tip_radius()));
-  for (const double side : {1.0, -1.0}) {
-    std::vector<Vec2> points;
-    for (int k = 0; k <= 32; ++k) {
-      const Vec2 p = flank.point(end * k / 32);
-      points.push_back(view.px({p.x(), side * p.y()}));
-    }
-    svg.polyline(points, "before");
+  std::vector<Vec2> right, left;
+  for (int k = 0; k <= 32; ++k) {
+    const Vec2 p = flank.point(end * k / 32);
+    right.push_back(upright(p));
+    left.push_back(upright(mirrored(p)));
   }
+  f.line(std::move(right), "before");
+  f.line(std::move(left), "before");
 }
 
 // The circle of an arc, with its centre and the radius to the point at which it touches the flank.
-void draw_fillet(Svg& svg, const Viewport& view, const FilletArc& arc, const Vec2& center,
-                 const Vec2& touch, const char* symbol) {
-  const Vec2 c = view.px(center);
-  const Vec2 p = view.px(touch);
-  svg.circle(c, arc.radius * view.scale, "thin dot");
-  svg.line(c, p, "thin");
-  svg.dot(c, 2.2, "mark hollow");
-  if ((p - c).norm() < 34.0) return;  // there is no room next to such a short line
-  svg.text((c + p) / 2, symbol_svg(symbol), Anchor::middle, "halo", {0.0, -6.0});
+void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2& touch,
+                const char* symbol) {
+  constexpr double kReadable = 0.085;  // of the width of the plot; a shorter line has no name
+  f.circle(center, arc.radius, "thin dot", -1);
+  f.line({center, touch}, "thin");
+  f.dot(center, 2.2, "mark hollow");
+  if ((touch - center).norm() > kReadable * (f.x.hi - f.x.lo))
+    f.text((center + touch) / 2, symbol_svg(symbol), Anchor::middle, "halo", {0.0, -6.0});
 }
 
 std::string with_l(const char* letter, double l) {
@@ -110,67 +105,48 @@ std::string with_l(const char* letter, double l) {
          fixed(l, kLengthDigits);
 }
 
-struct Mark {
-  Vec2 at;  // mm
-  std::string markup;
-};
-
-std::vector<Mark> marks_of(const Gear& gear) {
+std::vector<FigureLeader> marks_of(const Gear& gear) {
   const InvoluteTeeth& teeth = *gear.involute();
-  std::vector<Mark> marks;
+  std::vector<FigureLeader> marks;
   if (gear.tooth->tip_fillet && teeth.point_j_l)
-    marks.push_back({mirrored(flank_of(gear).end_point), with_l("J", *teeth.point_j_l)});
+    marks.push_back({upright(flank_of(gear).end_point), with_l("J", *teeth.point_j_l)});
   if (gear.tooth->root_fillet && teeth.point_c_l) {
-    marks.push_back({mirrored(flank_of(gear).begin_point), with_l("C", *teeth.point_c_l)});
+    marks.push_back({upright(flank_of(gear).begin_point), with_l("C", *teeth.point_c_l)});
   } else if (has_flank(gear)) {
     marks.push_back(
-        {mirrored(flank_of(gear).begin_point),
+        {upright(flank_of(gear).begin_point),
          symbol_svg("d_Ff") + " " + fixed(2 * flank_of(gear).begin_point.norm(), kLengthDigits)});
   }
   if (shows_limit(gear) && teeth.undercut_l)
-    marks.push_back({mirrored(undercut_limit_point(gear)), with_l("F", *teeth.undercut_l)});
+    marks.push_back({upright(undercut_limit_point(gear)), with_l("F", *teeth.undercut_l)});
   return marks;
 }
 
-std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const std::string& shape,
-                     const std::string& name) {
-  const Viewport view = window(gear, rack);
-  const Vec2 axis = view.px(Vec2::Zero());
-  Svg svg(
-      "root-" + shape, kWidth, kHeight,
-      name + ": the actual root and the root that the rack would cut",
+Figure root_of(const Gear& gear, const std::optional<Gear>& rack, const std::string& shape,
+               const std::string& name) {
+  Figure f = plane_figure(
+      "root-" + shape, name + ": its root",
       "The tooth in the transverse section with its arcs in colours; dashed behind it the root "
-      "that the rack alone would leave, the base circle, and the points F, C and J on the flank.");
-  svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  svg.use(shape, axis, view.scale * outline_unit_mm(gear), 90.0, "neighbour");
-  svg.line({axis.x(), 0}, {axis.x(), kHeight}, "thin dashdot");
-  const double space = std::numbers::pi / gear.spec.teeth;
-  const double far = 2 * gear.actual_tip_radius();
-  svg.line(axis, view.px({far * std::cos(space), -far * std::sin(space)}), "thin dashdot");
-  svg.circle(axis, gear.base_radius() * view.scale, "thin dash");
-  if (rack && has_outline(*rack))
-    draw_upright_arcs(svg, view, *rack, [](ArcName) { return "before"; });
-  if (!rack && gear.undercut) draw_lost_flank(svg, view, gear);
-  draw_upright_arcs(svg, view, gear, arc_style);
+      "that the rack alone would leave, the base circle, and the points F, C and J on the flank.",
+      window(gear, rack));
+  add_upright_gear(f, gear, shape, "neighbour");
+  f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");
+  const double space = kPi / gear.spec.teeth, far = 2 * gear.actual_tip_radius();
+  f.line({Vec2::Zero(), far * Vec2(std::sin(space), std::cos(space))}, "thin dashdot");
+  f.circle(Vec2::Zero(), gear.base_radius(), "thin dash", -1, "", "base circle");
+  if (rack && has_outline(*rack)) add_upright_arcs(f, *rack, [](ArcName) { return "before"; });
+  if (!rack && gear.undercut) add_lost_flank(f, gear);
+  add_upright_arcs(f, gear, arc_style);
   if (const auto& arc = gear.tooth->root_fillet)
-    draw_fillet(svg, view, *arc, root_center(gear), mirrored(flank_of(gear).begin_point), "r_r");
+    add_fillet(f, *arc, upright(root_center(gear)), upright(flank_of(gear).begin_point), "r_r");
   if (const auto& arc = gear.tooth->tip_fillet)
-    draw_fillet(svg, view, *arc, center_of(*arc, -arc->land.rad()),
-                mirrored(flank_of(gear).end_point), "r_t");
-  svg.end_group();
-
-  std::vector<Leader> leaders;
-  for (const Mark& mark : marks_of(gear)) {
-    svg.dot(view.px(mark.at), 2.6, "mark");
-    leaders.push_back({view.px(mark.at), mark.markup});
-  }
-  const Vec2 base = leaves_right(axis, gear.base_radius() * view.scale, kPlotWidth);
-  if (base.y() > 0.0 && base.y() < kHeight) {
-    leaders.push_back(
-        {base, symbol_svg("d_b") + " " + fixed(2 * gear.base_radius(), kLengthDigits)});
-  }
-  draw_leaders(svg, leaders, kPlotWidth + 12, kHeight);
-  return svg.str();
+    add_fillet(f, *arc, upright(center_of(*arc, arc->land.rad())),
+               upright(flank_of(gear).end_point), "r_t");
+  f.leaders = marks_of(gear);
+  for (const FigureLeader& mark : f.leaders) f.dot(mark.at, 2.6, "mark");
+  lead_circle(f, gear.base_radius(),
+              symbol_svg("d_b") + " " + fixed(2 * gear.base_radius(), kLengthDigits));
+  return f;
 }
 
 std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
@@ -224,8 +200,9 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
     words += fmt::format(" <b>J</b>: the tip fillet, {} = {} mm, touches the flank.",
                          symbol_html("r_t"), fixed(gear.tooth->tip_fillet->radius, kLengthDigits));
   }
-  return captioned(root_svg(gear, rack, shape, name),
-                   fmt::format("<strong>{}: its root</strong>. {}", name, words));
+  Figure f = root_of(gear, rack, shape, name);
+  f.caption = ". " + words;
+  return figure_html(f, kWidth);
 }
 
 }  // namespace gearwright

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/figure/free_labels.hpp"
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/mesh.hpp"
-#include "gearwright/figure/svg.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 
@@ -21,8 +19,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 520.0;
-constexpr double kHeight = 360.0;
-constexpr double kPlotWidth = 400.0;  // the remaining width is for labels
+constexpr double kAspect = 400.0 / 360.0;  // of the plot
 
 std::vector<NamedCircle> circles_of(const Gear& gear) {
   std::vector<NamedCircle> circles;
@@ -37,23 +34,20 @@ std::vector<NamedCircle> circles_of(const Gear& gear) {
   return circles;
 }
 
-// The window shows one tooth and a quarter pitch on both sides, with a part of the body behind its
-// root. The tooth of an internal gear points down.
-Viewport window(const Gear& gear) {
+// The window, mm, shows one tooth and a quarter pitch on both sides, with a part of the body behind
+// its root. The tooth of an internal gear points down.
+Bounds window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
   const double m = gear.spec.normal_module;
   const double out = gear.side();  // from root to tip
-  const double pitch = gear.transverse_module * std::numbers::pi;
+  const double pitch = gear.transverse_module * kPi;
   const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
-  const double scale = std::min(kHeight / tall, kPlotWidth / (1.5 * pitch));
-  // The middle of the window is that of the plot, which is to the left of the middle of the
-  // picture.
-  const double shift = (kWidth - kPlotWidth) / 2 / scale;
-  const double spare = kHeight / scale - tall;
-  const double middle = (r_a + out * 0.5 * m + r_f - out * body) / 2 - out * 0.3 * spare;
-  return {kWidth, kHeight, Vec2(middle, -shift), scale, true};
+  const double height = std::max(tall, 1.5 * pitch / kAspect);
+  const double middle = (r_a + out * 0.5 * m + r_f - out * body) / 2 - out * 0.3 * (height - tall);
+  const Vec2 half(height * kAspect / 2, height / 2);
+  return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
 // The number of digits is limited so that they fit next to the plot on a narrow screen. The table
@@ -61,20 +55,6 @@ Viewport window(const Gear& gear) {
 std::string shown_diameter(double d) {
   const int before = d < 1000.0 ? 3 : static_cast<int>(std::log10(d)) + 1;
   return fixed(d, std::max(0, std::min(kLengthDigits, 7 - before)));
-}
-
-void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
-  const Vec2 axis = view.px(Vec2::Zero());
-  std::vector<Leader> leaders;
-  svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  for (const NamedCircle& c : circles_of(gear)) {
-    svg.circle(axis, c.radius * view.scale, std::string("thin") + c.style);
-    const Vec2 end = leaves_right(axis, c.radius * view.scale, kPlotWidth);
-    if (end.y() > kHeight || end.y() < 0.0) continue;  // outside the window, but in the table
-    leaders.push_back({end, symbol_svg(c.symbol) + " " + shown_diameter(2 * c.radius)});
-  }
-  svg.end_group();
-  draw_leaders(svg, leaders, kPlotWidth + 12, kHeight);
 }
 
 const char* words_of(const Gear& gear, ArcName name) {
@@ -104,8 +84,8 @@ constexpr int kMaxTeeth = 8;
 constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
 constexpr double kSameShift = 1e-6;  // shifts within this difference are equal
 constexpr double kSmallWidth = 240.0;
-constexpr double kSmallHeight = 230.0;
-constexpr double kMargin = 12.0;
+constexpr double kSmallAspect = 240.0 / 230.0;
+constexpr double kMargin = 0.05;  // of the width and of the height, at the sides and at the top
 constexpr double kChords = 1e-3;  // m_n, a tenth of a pixel of these small pictures
 
 std::vector<Vec2> tooth_points(const Gear& gear) {
@@ -119,68 +99,51 @@ std::vector<Vec2> tooth_points(const Gear& gear) {
 
 // One window for all teeth, mm, from the lowest root to the highest tip, with the width of the
 // widest.
-Viewport window(const std::vector<ShiftedTooth>& teeth) {
-  double half = 0.0;
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0.0;
-  const auto hold = [&](const Gear& gear) {
+Bounds window(const std::vector<ShiftedTooth>& teeth) {
+  Bounds box;
+  const auto contain = [&](const Gear& gear) {
     if (!has_outline(gear)) return;
     for (const Vec2& p : tooth_points(gear)) {
-      half = std::max(half, std::abs(p.y()));
-      low = std::min(low, p.x());
-      high = std::max(high, p.x());
+      box.cover(upright(p));
+      box.cover(upright(mirrored(p)));
     }
   };
   for (const ShiftedTooth& t : teeth) {
-    hold(t.rack_cut);
-    if (t.rounded) hold(*t.rounded);
+    contain(t.rack_cut);
+    if (t.rounded) contain(*t.rounded);
   }
-  low -= 0.12 * (high - low);
-  const double scale =
-      std::min((kSmallWidth - 2 * kMargin) / (2 * half), (kSmallHeight - kMargin) / (high - low));
-  return {kSmallWidth, kSmallHeight, Vec2((low + high + kMargin / scale) / 2, 0.0), scale, true};
-}
-
-// Both flanks of one arc, in the window.
-void draw_arc(Svg& svg, const Viewport& view, const Gear& gear, const Arc& arc, const char* style) {
-  for (const double side : {1.0, -1.0}) {
-    std::vector<Vec2> points;
-    for (const Vec2& p : chords(arc, kChords * gear.spec.normal_module))
-      points.push_back(view.px({p.x(), side * p.y()}));
-    svg.polyline(points, style);
-  }
+  const double low = box.lo.y() - 0.12 * box.size().y();
+  const double tall = std::max((box.hi.y() - low) / (1.0 - kMargin),
+                               box.size().x() / (1.0 - 2 * kMargin) / kSmallAspect);
+  const double middle = (low + box.hi.y() + kMargin * tall) / 2;
+  const Vec2 half(tall * kSmallAspect / 2, tall / 2);
+  return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
 // The tooth over its own pitch, filled down to the axis.
-void fill_slice(Svg& svg, const Viewport& view, const Gear& gear) {
+std::vector<Vec2> slice_of(const Gear& gear) {
   const std::vector<Vec2> side = tooth_points(gear);
-  std::vector<Vec2> slice{view.px(Vec2::Zero())};
-  for (const Vec2& p : side) slice.push_back(view.px(p));
-  for (auto p = side.rbegin(); p != side.rend(); ++p) slice.push_back(view.px({p->x(), -p->y()}));
-  svg.polygon(slice, "slice");
+  std::vector<Vec2> slice{Vec2::Zero()};
+  for (const Vec2& p : side) slice.push_back(upright(p));
+  for (auto p = side.rbegin(); p != side.rend(); ++p) slice.push_back(upright(mirrored(*p)));
+  return slice;
 }
 
-std::string tooth_svg(const ShiftedTooth& t, const Viewport& view, const std::string& id,
-                      const std::string& words) {
-  Svg svg(id, kSmallWidth, kSmallHeight, fmt::format("The tooth at x = {:.4g}", t.shift), words);
-  const Vec2 axis = view.px(Vec2::Zero());
+Figure tooth_of(const ShiftedTooth& t, const Bounds& window, const std::string& id,
+                const std::string& words) {
+  Figure f = plane_figure(id, fmt::format("The tooth at x = {:.4g}", t.shift), words, window);
   const bool cut = has_outline(t.rack_cut);
   const bool rounded = t.rounded && has_outline(*t.rounded);
-  if (rounded || cut) fill_slice(svg, view, rounded ? *t.rounded : t.rack_cut);
-  svg.circle(axis, t.rack_cut.base_radius() * view.scale, "thin dash");
-  svg.line({axis.x(), 0}, {axis.x(), kSmallHeight}, "thin dashdot");
+  if (rounded || cut) f.area(slice_of(rounded ? *t.rounded : t.rack_cut), "slice");
+  f.circle(Vec2::Zero(), t.rack_cut.base_radius(), "thin dash", -1, "", "base circle");
+  f.line({{0.0, window.lo.y()}, {0.0, window.hi.y()}}, "thin dashdot");
   // Their common part covers the dashes.
-  if (cut) {
-    for (const Arc& arc : t.rack_cut.tooth->outline.arcs)
-      draw_arc(svg, view, t.rack_cut, arc, "before");
-  }
-  if (rounded) {
-    for (const Arc& arc : t.rounded->tooth->outline.arcs) {
-      draw_arc(svg, view, *t.rounded, arc,
-               arc.name == ArcName::root_fillet ? arc_style(arc.name) : "kept");
-    }
-  }
-  return svg.str();
+  if (cut) add_upright_arcs(f, t.rack_cut, [](ArcName) { return "before"; });
+  if (rounded)
+    add_upright_arcs(f, *t.rounded, [](ArcName name) {
+      return name == ArcName::root_fillet ? arc_style(name) : "kept";
+    });
+  return f;
 }
 
 std::string words_of(const ShiftedTooth& t) {
@@ -209,47 +172,62 @@ const char* arc_style(ArcName name) {
   contract_failed("postcondition", "known arc name", __FILE__, __LINE__);
 }
 
+void add_upright_gear(Figure& f, const Gear& gear, const std::string& shape, std::string style) {
+  FigureMark mark{FigureMark::Kind::shape, std::move(style), {Vec2::Zero()}, shape};
+  mark.radius = outline_unit_mm(gear);
+  mark.turned = 90.0;
+  f.marks.push_back(std::move(mark));
+}
+
+void add_upright_arcs(Figure& f, const Gear& gear,
+                      const std::function<const char*(ArcName)>& style) {
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    std::vector<Vec2> right, left;
+    for (const Vec2& p : chords(arc, kOutlineTolerance * gear.spec.normal_module)) {
+      right.push_back(upright(p));
+      left.push_back(upright(mirrored(p)));
+    }
+    f.line(std::move(right), style(arc.name));
+    f.line(std::move(left), style(arc.name));
+  }
+}
+
+void lead_circle(Figure& f, double radius, std::string markup) {
+  constexpr double kSteepest = 0.94;  // of the radius, for a circle that does not leave the plot
+  const double x = std::min(f.x.hi, kSteepest * radius);
+  const double y = std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
+  if (y > f.y.lo && y < f.y.hi) f.leaders.push_back({{x, y}, std::move(markup)});
+}
+
 std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name) {
   if (!has_outline(gear)) {
     return fmt::format("<p class=\"nopicture\"><strong>{}: no picture.</strong> {}</p>\n", name,
                        escaped(why_no_outline(gear)));
   }
-  const Viewport view = window(gear);
-  const double unit = view.scale * outline_unit_mm(gear);
-  const Vec2 axis = view.px(Vec2::Zero());
-  const int z = gear.spec.teeth;
-  Svg svg(
-      "tooth-" + shape, kWidth, kHeight, fmt::format("{}: tooth in the transverse section", name),
+  Figure f = plane_figure(
+      "tooth-" + shape, name,
       fmt::format("One tooth of {} teeth with its arcs in colours, neighbouring teeth in grey, and "
                   "reference, {}tip, root and form circles.",
-                  z, gear.involute() ? "base, " : ""));
-  svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  // The x axis of the gear frame points up here, turned by a quarter. At least three teeth are
-  // visible.
-  svg.use(shape, axis, unit, 90.0, "neighbour");
-  svg.line({axis.x(), 0}, {axis.x(), kHeight}, "thin dashdot");
-  svg.end_group();
-  draw_circles(svg, view, gear);
-  svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  draw_upright_arcs(svg, view, gear, arc_style);
-  svg.end_group();
-  for (const Arc& arc : gear.tooth->outline.arcs) {
-    if (&arc == &gear.tooth->outline.arcs.front()) continue;
-    for (const double side : {1.0, -1.0}) {
-      const Vec2 at = view.px({arc.begin_point.x(), side * arc.begin_point.y()});
-      if (at.x() > 0 && at.x() < kPlotWidth) svg.dot(at, 2.2, "mark");
-    }
+                  gear.spec.teeth, gear.involute() ? "base, " : ""),
+      window(gear));
+  f.caption = ", transverse section, mm. ";
+  add_upright_gear(f, gear, shape, "neighbour");
+  f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");
+  for (const NamedCircle& c : circles_of(gear)) {
+    f.circle(Vec2::Zero(), c.radius, std::string("thin") + c.style, -1, "", c.symbol);
+    lead_circle(f, c.radius, symbol_svg(c.symbol) + " " + shown_diameter(2 * c.radius));
   }
-
-  std::string legend;
+  add_upright_arcs(f, gear, arc_style);
   std::vector<ArcName> shown;
   for (const Arc& arc : gear.tooth->outline.arcs) {
+    if (&arc != &gear.tooth->outline.arcs.front())
+      for (const Vec2& p : {arc.begin_point, mirrored(arc.begin_point)})
+        f.dot(upright(p), 2.2, "mark");
     if (std::find(shown.begin(), shown.end(), arc.name) != shown.end()) continue;
     shown.push_back(arc.name);
-    legend += caption_key(arc_style(arc.name), words_of(gear, arc.name)) + " ";
+    f.keys.push_back({arc_style(arc.name), words_of(gear, arc.name)});
   }
-  return captioned(svg.str(),
-                   fmt::format("<strong>{}</strong>, transverse section, mm. {}", name, legend));
+  return figure_html(f, kWidth);
 }
 
 bool shift_is_worth_a_picture(const Gear& gear) {
@@ -295,7 +273,7 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
   if (!shift_is_worth_a_picture(gear)) return {};
   const std::vector<ShiftedTooth> teeth = shifted_teeth(gear);
   if (teeth.empty()) return {};
-  const Viewport view = window(teeth);
+  const Bounds view = window(teeth);
   std::string text = fmt::format(
       "<h3>{}: profile shift and root</h3>\n<p>The same tooth cut at other profile shifts, to one "
       "scale. {} {} from {}the undercut limit on. Dashed circle: the base circle.</p>\n<div "
@@ -306,7 +284,8 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
   for (std::size_t i = 0; i < teeth.size(); ++i) {
     const ShiftedTooth& t = teeth[i];
     const std::string words = words_of(t);
-    text += captioned(tooth_svg(t, view, fmt::format("shift{}-{}", i + 1, shape), words),
+    const Figure f = tooth_of(t, view, fmt::format("shift{}-{}", i + 1, shape), words);
+    text += captioned(figure_svg(f, kSmallWidth),
                       fmt::format("<strong>{} = {:.4g}</strong>{}<br>{}", symbol_html("x"), t.shift,
                                   t.own ? ", this gear" : "", words),
                       t.own ? " class=\"own\"" : "");

@@ -183,7 +183,15 @@ def test_plots():
     matplotlib.use("Agg")
     p = pair()
     assert len(p.gear1.plot().get_lines()) == 1 and len(p.plot().get_lines()) == 2
-    line = p.contact(errors={"crossing_deg": 0.02}, positions=16).plot().get_lines()[0]
-    assert np.isfinite(line.get_ydata()).all()
+    contact = p.contact(errors={"crossing_deg": 0.02}, positions=16)
+    axes = contact.plot()
+    assert all(np.isfinite(line.get_ydata()).all() for line in axes.get_lines())
+    assert axes.get_xlabel() == "rotation of gear 1, °"
+    # The figure shows the error from its middle, in arc seconds.
+    arcsec = np.concatenate([line.get_ydata() for line in axes.get_lines()])
+    assert np.ptp(arcsec) == pytest.approx(np.ptp(contact.transmission_error) * 3600 * 180 / np.pi, rel=1e-9)
+    figure = contact.figures[0]
+    assert figure.title == "Transmission error" and figure.data["curves"]
+    assert "&lt;svg" in figure._repr_html_() and figure.plot().get_lines()
     assert p.animate(frames=3)._draw_frame is not None
     assert gw.search(SEARCH, progress=False).plot().get_xlabel() == "center_distance_mm"

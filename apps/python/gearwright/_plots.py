@@ -1,4 +1,4 @@
-"""Plots with matplotlib, if it is installed: gear.plot(), pair.plot(), pair.animate(), contact.plot()."""
+"""Plots with matplotlib, if it is installed: the data of figures, the sections of gears, the designs of a search."""
 
 from __future__ import annotations
 
@@ -9,28 +9,32 @@ import numpy as np
 from . import _core
 from ._errors import SpecError
 
-ARCSEC = 3600 * 180 / np.pi
-COLOURS = ("#0067a6", "#b54708")
+PLANE = {"x": {"words": "x", "unit": "mm"}, "y": {"words": "y", "unit": "mm"}}
 
 
-def _axes(ax: Any, equal: bool) -> Any:
+def plot(data: dict[str, Any], ax: Any = None) -> Any:
+    """Draws curves and dots over the axes of a figure's data and returns matplotlib's axes. Curves of one name have one
+    colour."""
     if ax is None:
         import matplotlib.pyplot as plt
 
         ax = plt.figure().add_subplot()
-    if equal:
+    colours: dict[str, str] = {}
+    for kind, mark in (("curves", "-"), ("dots", ".")):
+        for one in data.get(kind, ()):
+            points = np.array(one["points"], dtype=float)  # None, a break of a line, becomes NaN
+            colour = colours.setdefault(one["name"], f"C{len(colours)}")
+            ax.plot(points[:, 0], points[:, 1], mark, color=colour, label=one["name"])
+    for axis, label in (("x", ax.set_xlabel), ("y", ax.set_ylabel)):
+        label(", ".join(filter(None, (data[axis]["words"], data[axis]["unit"]))))
+    if data["x"] == PLANE["x"]:
         ax.set_aspect("equal")
-        ax.set_xlabel("x, mm")
-        ax.set_ylabel("y, mm")
     return ax
 
 
 def plot_gear(gear: _core.Gear, ax: Any = None, points: int = 20) -> Any:
     """Plots the section of all teeth and returns the axes."""
-    ax = _axes(ax, True)
-    section = gear.section(points)
-    ax.plot(section[:, 0], section[:, 1], color=COLOURS[0], lw=1)
-    return ax
+    return plot({**PLANE, "curves": [{"name": "gear", "points": gear.section(points)}]}, ax)
 
 
 def _placed(pair: _core.Pair, which: int, points: int, turn: float = 0.0) -> Any:
@@ -43,11 +47,8 @@ def _placed(pair: _core.Pair, which: int, points: int, turn: float = 0.0) -> Any
 
 def plot_pair(pair: _core.Pair, ax: Any = None, points: int = 20) -> Any:
     """Plots both sections in the housing, at rest, and returns the axes."""
-    ax = _axes(ax, True)
-    for which in (1, 2):
-        section = _placed(pair, which, points)
-        ax.plot(section[:, 0], section[:, 1], color=COLOURS[which - 1], lw=1)
-    return ax
+    curves = [{"name": f"gear {which}", "points": _placed(pair, which, points)} for which in (1, 2)]
+    return plot({**PLANE, "curves": curves}, ax)
 
 
 def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: float = 40) -> Any:
@@ -73,28 +74,24 @@ def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: floa
 
 def plot_contact(contact: _core.Contact, ax: Any = None) -> Any:
     """Plots the transmission error over the rotation of gear 1 and returns the axes."""
-    ax = _axes(ax, False)
-    ax.plot(np.degrees(contact.rotation1), contact.transmission_error * ARCSEC, color=COLOURS[0])
-    ax.set_xlabel("rotation of gear 1, degrees")
-    ax.set_ylabel("transmission error, arc seconds")
-    return ax
+    figures = contact.figures
+    if not figures:
+        raise ValueError("nothing touches, so there is no transmission error")
+    return plot(figures[0].data, ax)
 
 
 def plot_search(found: _core.Search, x: str = "center_distance_mm", y: str = "contact_ratio", ax: Any = None) -> Any:
-    """Plots two columns of the designs against each other, with the front in colour, and returns the axes."""
-    ax = _axes(ax, False)
+    """Plots two columns of the designs against each other, with the front in another colour, and returns the axes."""
     table = found.to_numpy()
-    ax.plot(table[x], table[y], ".", color="0.6")
-    front = list(found.front)
-    ax.plot(table[x][front], table[y][front], ".", color=COLOURS[1])
-    ax.set_xlabel(x)
-    ax.set_ylabel(y)
-    return ax
+    points = np.column_stack([table[x], table[y]])
+    dots = [{"name": "designs", "points": points}, {"name": "front", "points": points[list(found.front)]}]
+    return plot({"x": {"words": x, "unit": ""}, "y": {"words": y, "unit": ""}, "dots": dots}, ax)
 
 
 def add() -> None:
     """Adds the plots as methods to the types."""
-    for owner, name, method in ((_core.Gear, "plot", plot_gear), (_core.Pair, "plot", plot_pair),
-                                (_core.Pair, "animate", animate), (_core.Contact, "plot", plot_contact),
-                                (_core.Search, "plot", plot_search)):
+    for owner, name, method in (
+            (_core.Figure, "plot", lambda figure, ax=None: plot(figure.data, ax)), (_core.Gear, "plot", plot_gear),
+            (_core.Pair, "plot", plot_pair), (_core.Pair, "animate", animate), (_core.Search, "plot", plot_search),
+            (_core.Contact, "plot", plot_contact)):
         setattr(owner, name, method)

@@ -217,10 +217,10 @@ val designs(const val& of) {
       return FigureAxis{of[name]["words"].as<std::string>(), of[name]["unit"].as<std::string>()};
     };
     const Numbers x = numbers(of["x"]["values"]), y = numbers(of["y"]["values"]);
-    const val styles = of["styles"];
+    const val styles = of["styles"], names = of["names"];
     std::vector<DesignDot> dots;
     for (std::size_t i = 0; i < x.size(); ++i)
-      dots.push_back({{x[i], y[i]}, styles[i].as<std::string>()});
+      dots.push_back({{x[i], y[i]}, styles[i].as<std::string>(), names[i].as<std::string>()});
     Figure figure = designs_figure(axis("x"), axis("y"), dots);
     figure.tall = of["tall"].as<double>();
     return js(shape(figure, of["width"].as<double>()));

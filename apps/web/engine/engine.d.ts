@@ -271,6 +271,7 @@ export interface DesignDots {
   x: { words: string; unit: string; values: number[] };
   y: { words: string; unit: string; values: number[] };
   styles: string[]; // "dot-front", "dot-design"; " taken" is added for the chosen one
+  names: string[]; // of the designs; shown at the pointer with the values
 }
 
 // ---------------------------------------------------------------------------------- a session

@@ -9,6 +9,7 @@ import { bench } from "../workbench";
 
 export interface Point {
   row: number;
+  name: string;
   x: number;
   y: number;
   front: boolean;
@@ -56,6 +57,7 @@ export class ParetoPicture {
       tall: Math.max(0.1, (height - kRoom.up) / (width - kRoom.across)),
       x: axis(x, points.map((one) => one.x)),
       y: axis(y, points.map((one) => one.y)),
+      names: points.map((one) => one.name),
       styles: points.map(
         (one) => (one.front ? "dot-front" : "dot-design") + (one.row === chosen ? " taken" : ""),
       ),

@@ -213,8 +213,10 @@ export class SearchView implements Tab {
     this.chooser.hidden = !x || !y;
     if (!x || !y) return this.pareto.clear();
     const front = new Set(this.front);
+    const listed = (design: Design, key: string) => [design[key]].flat().join(":");
     const points: Point[] = this.designs.map((design, row) => ({
       row,
+      name: `${row + 1}: ${listed(design, "module_mm")} · ${listed(design, "teeth")}`,
       x: real(valueIn(design, x)),
       y: real(valueIn(design, y)),
       front: front.has(row),
