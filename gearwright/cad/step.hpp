@@ -40,8 +40,9 @@ struct StepFace {
   int poles_u;
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
-  double max_deviation_mm;  ///< normal distance to the exact surface, or of modified flanks an upper
-                            ///< bound of it, measured between the points of the fit
+  double
+      max_deviation_mm;  ///< normal distance to the exact surface, or of modified flanks an upper
+                         ///< bound of it, measured between the points of the fit
 };
 
 struct StepReport {

@@ -82,11 +82,11 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
 
 std::optional<Error> one_helix_error(const SolvedJob& job) {
   if (!job.halves[0]) return std::nullopt;
-  return Error{
-      "gear1.double_helical", "",
-      "makes double-helical gears, and contact, load and tolerances are computed for single-helical "
-      "gears. To compute one half, give its face width and half of the torque, without "
-      "`double_helical`"};
+  return Error{"gear1.double_helical", "",
+               "makes double-helical gears, and contact, load and tolerances are computed for "
+               "single-helical "
+               "gears. To compute one half, give its face width and half of the torque, without "
+               "`double_helical`"};
 }
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {

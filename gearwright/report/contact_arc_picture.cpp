@@ -127,7 +127,7 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   f.x.lo += 0.12 * m;
   f.x.hi += 0.12 * m;
   f.caption = fmt::format(
-      ", pitch lines dash-dot one on the other. They touch at M, with the normal at {} = {}° to "
+      ", with coincident pitch lines (dash-dot). They touch at M, with the normal at {} = {}° to "
       "the "
       "pitch line. The centres O lie {} beyond the middle of the tooth and {} below the pitch "
       "line.<br>{}<br>{}",
