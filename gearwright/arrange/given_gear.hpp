@@ -27,7 +27,7 @@ using Ends = std::array<double, 2>;
 
 /// The pinion cutter, and its cutting depth.
 struct CutByInput {
-  int gear = 0;                              ///< 1 or 2 if that finished gear cuts; 0 for a cutter
+  int gear = 0;                              ///< 1 or 2 if this finished gear cuts; 0 for a cutter
   std::shared_ptr<const GearInput> cutter;   ///< the separate cutter
   std::optional<double> profile_shift_pair;  ///< e: shift of the cutter and of the gear together
   std::optional<double> module;              ///< mm; given although the cutter determines it
@@ -50,8 +50,8 @@ struct ToleranceInput {
   std::optional<std::string> series;                    ///< of DIN 3967, "cd25"
   std::optional<Ends> span;                             ///< W_k  mm
   std::optional<Ends> over_balls;                       ///< M_d  mm
-  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, or the shorter
-  /// one of an internal gear.
+  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, or for an
+  /// internal gear the shorter tooth.
   std::optional<Ends> tip_deviations;
 
   bool says_thickness() const { return series || span || over_balls; }
@@ -61,7 +61,7 @@ struct ToleranceInput {
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< if false, 0 for a gear, and an unknown for `fit`
+  bool helix_given = false;             ///< if false, it is 0, or unknown for `fit`
   bool hand_given = false;              ///< true if the hand is a word, not the sign of the helix
   bool transverse_given = false;  ///< module or pressure angle is that of the transverse section
   bool face_width_given = false;  ///< if false, 10 m_n, with a warning

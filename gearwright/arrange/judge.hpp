@@ -1,9 +1,9 @@
 // The verdict over arranged gears, as drawn and at the ends of their tolerances.
 //
-// Every limit is judged as drawn and at every combination of the ends of the tolerances. A finding
-// that is worse there than as drawn names the combination. Contact is that of the gears themselves,
-// at the mean of their tolerances. Remedies are changes of the input that are arranged and judged
-// before they are named.
+// Every limit is judged as drawn and at every combination of the ends of the tolerances. If a
+// finding is worse at a combination than as drawn, it names the combination. Contact is that of the
+// gears themselves, at the mean of their tolerances. Remedies are changes of the input that are
+// arranged and judged before they are named.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
-// Explains why teeth under load are softer or stiffer than in the standard, by computing the same
-// pair without its errors, without its modifications, with a wider face, with solid bodies.
+// Finds the reasons for which teeth under load are softer or stiffer than in the standard: the same
+// pair is computed without its errors, without its modifications, with a wider face, and with solid
+// bodies.
 #pragma once
 
 #include "gearwright/arrange/loaded_pair.hpp"

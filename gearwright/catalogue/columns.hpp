@@ -16,7 +16,7 @@
 namespace gearwright {
 
 struct RecordColumn {
-  std::vector<const QuantityInfo*> path;  ///< from the row's own quantity to that of the column
+  std::vector<const QuantityInfo*> path;  ///< from the row's quantity to the column's
   bool optional = false;                  ///< a row may lack it, or have no value for it
 
   const QuantityInfo& info() const { return *path.back(); }

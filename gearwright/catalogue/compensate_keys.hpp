@@ -24,7 +24,7 @@ struct CorrectionEntry {
   std::string_view shown_unit() const {
     return unit() == "um" ? "µm" : unit() == "deg" ? "°" : unit();
   }
-  /// "lead_crowning_um": of a flank's, its key in the table of modifications.
+  /// The key of a flank correction in the table of modifications, "lead_crowning_um".
   std::string_view own_key() const { return key.substr(key.find('.') + 1); }
 };
 

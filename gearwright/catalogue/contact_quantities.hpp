@@ -19,17 +19,17 @@ struct NamedSlope {
   double unit = 1.0;  ///< rad or mm per unit of the name
 };
 
-/// An analysis with additional requests.
+/// A contact analysis with the results of additional requests.
 struct ContactView {
   const ContactResult* working;      ///< the flanks that the driver pushes
-  const ContactResult* non_working;  ///< the others, at the same positions
+  const ContactResult* non_working;  ///< the non-working flanks, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
-  std::optional<Angle> min_play{};   ///< of gear 2, between both; < 0 if the gears jam
-  std::vector<NamedSlope> slopes{};  ///< one for each of the sensitivities
+  std::optional<Angle> min_play{};   ///< least play of gear 2; < 0 if the gears jam
+  std::vector<NamedSlope> slopes{};  ///< one entry for each sensitivity
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
   std::array<std::string, 2> map_axes{};   ///< names of x and y
-  std::optional<Angle> continuous_span{};  ///< of TE, from extreme to extreme of the curve
+  std::optional<Angle> continuous_span{};  ///< peak to peak of the continuous TE curve
 };
 
 const Quantities<ContactView>& contact_quantities();

@@ -7,7 +7,8 @@ namespace gearwright {
 
 const KeyTable& planetary_keys();
 const KeyTable& stage_keys();
-/// Keys of a gear in the list `gears` of a stage: those of a gear that apply to a drive.
+/// Keys of a gear in the list `gears` of a stage, which are the keys of [gear1] that apply to a
+/// drive.
 const KeyTable& stage_gear_keys();
 const KeyTable& drive_keys();
 const KeyTable& drive_body_keys();

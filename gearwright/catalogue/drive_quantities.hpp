@@ -21,7 +21,7 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
-/// The rating of a mesh as that of a pair; none of an idle mesh.
+/// The rating of a mesh as for a pair; none for an idle mesh.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 const Quantities<PlanetSet>& assembly_quantities();
 const Quantities<PlanetSet>& phasing_quantities();

@@ -21,18 +21,18 @@ struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
   std::string_view words;         ///< "out-of-plane shaft deviation"
-  std::optional<ErrorKind> kind;  ///< of its derivative, if contact computes one
+  std::optional<ErrorKind> kind;  ///< kind of its derivative, if contact computes it
   int gear;                       ///< 1 or 2 for an error of a gear, 0 for an error of mounting
   /// sets the error to a value in the unit of the key
   void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);
   std::string_view meaning;
 
   std::string_view unit() const { return key_unit(key); }  ///< "deg"
-  double si() const;                                       ///< rad or mm of one unit
-  /// "crossing" of crossing_deg.
+  double si() const;                                       ///< one unit in rad or mm
+  /// The key without its unit, "crossing" for crossing_deg.
   std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }
   bool of_cutter() const { return gear != 0 && unit() == "deg"; }
-  std::string member() const;  ///< of ContactErrors, "cutter_lead[0]"
+  std::string member() const;  ///< member of ContactErrors, "cutter_lead[0]"
 };
 
 /// The entries of all errors, in the order for documents.
@@ -40,12 +40,12 @@ const std::array<ErrorEntry, kErrorCount>& error_entries();
 /// Index of a key in error_entries; none if there is no such error.
 std::optional<std::size_t> error_index(std::string_view key);
 
-/// [errors], a value for each of error_entries, in the key's unit.
+/// [errors]: a value for each entry of error_entries, in the unit of its key.
 struct ErrorsInput {
   std::array<double, kErrorCount> value{};
   bool given = false;
 
-  /// True if one of them is not 0.
+  /// True if an error is not 0.
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }

@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// [gearN.basic]: the gear by its own dimensions.
+/// [gearN.basic]: dimensions that describe the gear independently of the rack.
 struct BasicInput {
   double base_diameter = 0.0;                ///< d_b   mm
   double base_tooth_thickness = 0.0;         ///< s_bt  mm, transverse arc
@@ -25,9 +25,9 @@ struct BasicInput {
 };
 
 const KeyTable& gear_keys();
-/// The keys of [gearN.cut_by]: those of a gear, without those of flanks and cutters.
+/// The keys of [gearN.cut_by]: the keys of a gear without the keys of flanks and cutters.
 const KeyTable& cutter_keys();
-/// The keys of a [gearN] in addition to [search] that describes no complete gear.
+/// The keys of a [gearN] in addition to [search] that does not describe a complete gear.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();

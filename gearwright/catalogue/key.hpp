@@ -5,8 +5,8 @@
 //   KeyTable   the keys of one table of a spec, and the rule that they keep together
 //   KeyPlace   the member, key_place.hpp
 //
-// Reading, the nearest-name hint, the tables of docs/spec.md and the JSON Schema of specs are made
-// from it. A new key is one entry of one of the *_keys.cpp files.
+// The reader, the suggestions for unknown keys, the tables of docs/spec.md and the JSON Schema of
+// specs use it. A new key is one entry of one of the *_keys.cpp files.
 #pragma once
 
 #include <limits>
@@ -29,7 +29,7 @@ struct KeyRange {
   double hi = std::numeric_limits<double>::infinity();
   bool lo_open = false, hi_open = false;  ///< the end itself is not allowed
   bool zero = true;                       ///< false: 0 is not allowed
-  std::string reason{};                   ///< goes on after the range: ", usually 14.5 to 30"
+  std::string reason{};                   ///< text after the range, ", usually 14.5 to 30"
 
   // One end may be infinite.
   static KeyRange between(double lo, double hi, std::string reason = "") {
@@ -71,7 +71,7 @@ struct KeyList {
   bool single = false;      ///< a single value without a list is also allowed
   ListOrder order{};        ///< of numbers
   std::string_view noun{};  ///< noun for a word of the list: "objective"
-  /// The word for which another one is a synonym; empty if there is none.
+  /// Returns the word for which another word is a synonym; empty if there is no such word.
   std::string_view (*meant)(std::string_view word) = nullptr;
   std::string_view must{};  ///< for tables: requirement on the list
   int first = 1;            ///< number of its first element in a path
@@ -110,7 +110,7 @@ struct Key {
   Words excludes{};  ///< keys that must not also be given
   /// The possible tables, distinguished by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
-  std::string_view fallback{};  ///< value if the key is absent: a value as in the file, or words
+  std::string_view fallback{};  ///< value if the key is absent, as in the file or in words
   bool in_documents = true;     ///< false if the text of the documents describes it
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
   /// The members that it sets, as in errors; by default the member of its name, "helix_angle" for
@@ -170,7 +170,7 @@ struct Key {
     return std::move(*this);
   }
 
-  /// `fields`, or the member of the name.
+  /// Returns `fields`, or the member with the name of the key.
   std::vector<std::string> members() const;
 };
 

@@ -1,8 +1,8 @@
 // The catalogue of results: the only description of each quantity, with its getter.
 //
 //   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
-//   Quantity<S>     the same with the way to get it from a subject S: a gear, a pair, a contact
-//   Quantities<S>   all quantities of a subject; of(subject) is the record that every door takes
+//   Quantity<S>     a quantity with its getter for a subject S: a gear, a pair, a contact
+//   Quantities<S>   all quantities of a subject; of(subject) is the record for all interfaces
 //
 // JSON, the terminal's listing, the page's tables, CSV, the schema of results and the tables of
 // docs/spec.md are made from it. A new quantity is one entry of one of the *_quantities.cpp files.
@@ -35,8 +35,8 @@ enum Doors : unsigned {
 
 /// The meaning of two values of a list.
 enum class Two {
-  values,  ///< two of a list
-  gears,   ///< gear 1, gear 2: a column each
+  values,  ///< two values of a list
+  gears,   ///< gear 1 and gear 2, with a column each
   ends     ///< from, to
 };
 
@@ -44,8 +44,8 @@ struct QuantityTable;
 
 /// The description of a quantity.
 struct QuantityInfo {
-  std::string key;     ///< in JSON, with its unit: "tip_diameter_mm"
-  std::string words;   ///< the term of ISO 21771 or ISO 1122-1 where there is one
+  std::string key;     ///< key in JSON, with its unit: "tip_diameter_mm"
+  std::string words;   ///< the term of ISO 21771 or ISO 1122-1, if one exists
   std::string symbol;  ///< "d_a", indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
@@ -53,14 +53,14 @@ struct QuantityInfo {
                           ///< stop
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
-  Two two = Two::values;              ///< of a list of two
+  Two two = Two::values;              ///< meaning of a list of two values
   bool always = false;                ///< never null
-  std::vector<std::string> one_of{};  ///< of a word
+  std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
   std::optional<int> digits{};             ///< decimals for users; by default those of the unit
   std::string nothing{};                   ///< text for users if there is no value
   const QuantityTable& (*of)() = nullptr;  ///< for a record: its contents
-  std::string column{};                    ///< in CSV and Parquet; "#" is the gear's number
+  std::string column{};                    ///< column in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< greater values are better
   bool optional_key = false;               ///< the key is absent, rather than null, if the quantity
                                            ///< does not exist
@@ -104,13 +104,13 @@ struct Quantity {
     return exists = std::move(f), *this;
   }
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
-  // The same condition: only if the subject has the part.
+  // The value exists only if the subject has the part.
   Quantity& when() { return when(there); }
   Quantity& expected() { return expected(there); }
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
 };
 
-/// True if T is an angle, or angles that may be absent, two or many.
+/// True if T is an angle, an optional angle, or a list of angles.
 template <class T>
 struct HasAngles : std::is_same<T, Angle> {};
 template <class T>
@@ -136,7 +136,8 @@ Value angles_in(Unit unit, const Range& angles) {
 template <class S>
 class Quantities;
 
-/// The record of a subject, of one that may be absent, of each of a range; or the finished value.
+/// The record of a subject, of an optional subject, or of each subject of a range; a finished value
+/// is returned unchanged.
 template <class T, class R>
 Value record_value(const Quantities<T>& quantities, const R& found) {
   if constexpr (std::is_same_v<R, T>) {
@@ -162,8 +163,8 @@ std::function<Value(const S&)> getter(Unit unit, G get) {
   }
 }
 
-/// The forms of an entry of S, which `Self` adds: one quantity each, in the unit that its key ends
-/// with. `symbol` may be empty.
+/// The functions that add an entry of S to `Self`: one quantity each, in the unit at the end of its
+/// key. `symbol` may be empty.
 template <class Self, class S>
 class QuantityForms {
  public:

@@ -25,14 +25,14 @@ struct ScatterGear {
   std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
   /// One for each of modification_entries(), for both flanks, µm.
   std::array<std::optional<DistributionSpec>, 7> modifications;
-  bool pitch = false;                               ///< by the grade
-  std::optional<std::array<int, 2>> profile_waves;  ///< least and most, of f_fα of the grade
-  std::optional<std::array<int, 2>> helix_waves;    ///< of f_fβ
+  bool pitch = false;                               ///< true if the pitches vary by the grade
+  std::optional<std::array<int, 2>> profile_waves;  ///< range of their number, for f_fα
+  std::optional<std::array<int, 2>> helix_waves;    ///< range of their number, for f_fβ
 };
 
 /// [scatter.robust]
 struct ScatterRobust {
-  std::vector<std::size_t> corrections;  ///< places in kCorrections; the pair's own if empty
+  std::vector<std::size_t> corrections;  ///< indices in kCorrections; empty for the usual ones
   double percentile = 95.0;
   std::optional<std::array<double, 2>> range;  ///< of every correction, in its unit
 };
@@ -50,7 +50,7 @@ struct ScatterInput {
   bool worst_case = false;
   bool loosening = false;
   bool loaded = false;                        ///< also under the torques of [load]
-  std::optional<std::array<int, 2>> quality;  ///< A of gear 1, gear 2; by default of the gears
+  std::optional<std::array<int, 2>> quality;  ///< A of both gears; by default their own
   /// One for each of error_entries(), in the unit of the key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;

@@ -16,10 +16,10 @@ struct SpreadEntry {
   const char* key;    ///< "peak_to_peak_arcsec"
   const char* words;  ///< "transmission error, peak to peak"
   Unit unit;          ///< of the key
-  int digits;         ///< for people
+  int digits;         ///< decimals for users
   const char* meaning;
 
-  /// A value in rad, or of no angle, in the unit of the key.
+  /// Converts a value, which is in rad if it is an angle, to the unit of the key.
   double shown(double value) const;
 };
 
@@ -33,7 +33,7 @@ struct LoadedEntry : SpreadEntry {
   std::optional<Spread> LoadedSpread::*spread;
 };
 
-/// By ScatterQuantity.
+/// The entries in the order of ScatterQuantity.
 const std::array<ScatterEntry, kScatterQuantities>& scatter_entries();
 const std::array<LoadedEntry, 3>& loaded_entries();
 
@@ -42,7 +42,7 @@ struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
   ValueList
-      samples;  ///< by percentile: the next sample, as errors of a spec, and its other changes
+      samples;  ///< for each percentile, the next sample as errors of a spec with its other changes
 };
 
 struct IndexView {
@@ -65,13 +65,13 @@ struct RobustView {
   std::vector<FoundCorrection> corrections;
   double percent;
   JudgedView before, after;
-  Value spec;  ///< the whole spec with the corrections in it
+  Value spec;  ///< the whole spec with the corrections
 };
 
 /// The family under one torque.
 struct LoadedSpreadView {
   const LoadedSpread* loaded;
-  std::array<std::optional<SpreadView>, 3> spread;  ///< of loaded_entries()
+  std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
 struct ScatterView {
@@ -81,11 +81,11 @@ struct ScatterView {
   std::array<std::optional<SpreadView>, kScatterQuantities> spread;
   std::optional<WorstView> worst_peak_to_peak, worst_least_play;
   std::optional<RobustView> robust;
-  std::vector<LoadedSpreadView> loaded;  ///< by torque
+  std::vector<LoadedSpreadView> loaded;  ///< one for each torque
 };
 
 const Quantities<ScatterView>& scatter_quantities();
-/// Quantities of one quantity, and of a probability.
+/// The quantities of a distribution and of a probability.
 const Quantities<SpreadView>& spread_quantities();
 const Quantities<Probability>& probability_quantities();
 const Quantities<LoadedSpreadView>& loaded_spread_quantities();

@@ -23,7 +23,7 @@ using GivenKeys = std::set<std::string, std::less<>>;
 /// The error with keys for members. Other words are unchanged, so repeated spelling has no effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
-/// A sentence about `owner`, "gear1"; if empty, about the spec.
+/// Replaces members by keys in a sentence about `owner`, "gear1", or about the spec if it is empty.
 std::string spelled(std::string_view sentence, const GivenKeys& given = {},
                     std::string_view owner = {});
 

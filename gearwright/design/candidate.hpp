@@ -76,7 +76,7 @@ struct SieveConstants {
   double min_path = 0.0;             ///< K
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< if true, the third limit is evaluated too: extended external pairs
+  bool path = false;  ///< true for extended external pairs, to which the third limit applies too
 };
 
 struct SieveBatch {

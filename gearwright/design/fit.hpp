@@ -45,9 +45,9 @@ struct FitBranch {
 };
 
 struct Fit {
-  std::vector<FitBranch> branches;           ///< by growing |β_1|, of known gears by growing α_wn
-  std::string reason;                        ///< the reason if there is no solution
-  std::optional<double> nearest_distance;    ///< mm, at the given shaft angle
+  std::vector<FitBranch> branches;         ///< in the order of |β_1|, or for known gears of α_wn
+  std::string reason;                      ///< the reason if there is no solution
+  std::optional<double> nearest_distance;  ///< mm, at the given shaft angle
   std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
 };
 

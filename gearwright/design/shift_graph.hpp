@@ -84,7 +84,7 @@ struct ShiftBounds {
   static constexpr bool kNamed = true;
   double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
   double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
-  ShiftSlice slice() const;  ///< the slice of the tightest edges
+  ShiftSlice slice() const;  ///< the slice between the tightest edges
 };
 
 /// Values that depend on Σ alone.

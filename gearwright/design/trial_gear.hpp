@@ -22,7 +22,7 @@ struct TrialGear {
   double addendum = 0.0;              ///< h_a
   double dedendum = 0.0;              ///< h_f
   double edge_depth = 0.0;            ///< h_F
-  double flank_depth = 0.0;           ///< the same of the rack itself, where h_F is given
+  double flank_depth = 0.0;           ///< the depth of the rack itself, if h_F is given
   double sin_transverse = 0.0;        ///< sin α_t
   double cos_base_helix = 1.0;        ///< cos β_b
   double tan_base_helix = 0.0;        ///< tan β_b, unsigned

@@ -36,7 +36,7 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 /// Errors    as solve_drive() and rate_drive()
 Result<DriveJob> solve_rated_drive(const JobSpec& spec);
 
-/// The least safeties of [rating], 1 where it has none.
+/// The required safeties of [rating]; 1 if they are absent.
 WantedSafety wanted_safety(const JobSpec& spec);
 
 /// The verdict over the drive, including safeties if it is rated.

@@ -1,4 +1,4 @@
-// The verdict over a job: its gears, its pair, and other results.
+// The verdict over the gears, the pair and other results of a job.
 //
 // As judge() of its gears (arrange/judge.hpp), with the keys of the file. The load is that of the
 // job itself, at the mean of its tolerances.

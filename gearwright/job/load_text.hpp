@@ -1,4 +1,4 @@
-// The answer of `load` in JSON, as a table for people and for spreadsheets. Internal to job/ and the
+// The answer of `load` in JSON, as a table for users and for spreadsheets. Internal to job/ and the
 // program.
 #pragma once
 

@@ -11,7 +11,7 @@ namespace gearwright {
 Json warnings_json(const std::vector<Warning>& warnings);
 /// A record that begins with `title`, if the spec has one.
 Json titled_record(const JobSpec& spec);
-/// The same with one result under its key.
+/// The same record with one result under its key.
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
 /// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);

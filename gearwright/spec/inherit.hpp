@@ -14,8 +14,8 @@
 namespace gearwright {
 
 struct Inherited {
-  Json tree;                 ///< the spec with the keys of gear 2 written out
-  bool helix_angle = false;  ///< gear 2 takes that of gear 1; for the verb `fit` it is not given
+  Json tree;                         ///< the spec with the keys of gear 2 written out
+  bool helix_angle = false;          ///< gear 2 takes the helix of gear 1; not given for `fit`
   std::vector<std::string> noted{};  ///< keys that no number of gear 2 shows: material, quality
 };
 

@@ -23,7 +23,8 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 /// does not describe a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Gives [rating] the speed of the first input where it has none, as a life and a power need one.
+/// Sets the speed of [rating] to that of the first input if it is absent, because a life and a
+/// power need a speed.
 void lend_speed(Json& tree);
 
 /// The set of a table with the keys of [planetary].
@@ -34,7 +35,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path);
 /// Domain    a spec with a drive that was read (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);
 
-/// An error of a drive's graph with the key of its table: `drive.fixed` of a set is
+/// Replaces members of a drive's graph in an error by keys of the file: `drive.fixed` of a set is
 /// planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 

@@ -23,7 +23,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
 /// [gearN] rack; by default ISO53-A. `module`, mm, chooses among the racks of GB/T 12759.
 Rack read_rack(TableReader& gear, std::optional<double> module);
 
-/// The same if only straight flanks are allowed.
+/// Reads a rack for which only straight flanks are allowed.
 StraightRack read_straight_rack(TableReader& gear);
 
 /// `cut_by` and `profile_shift_pair`; `node` is the gear's table, `mate` the other's or null.
