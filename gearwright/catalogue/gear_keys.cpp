@@ -186,6 +186,7 @@ const KeyTable& gear_keys() {
                    KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
                    {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
                    "flank tolerance class (grade) of ISO 1328-1; also `quality` of `tolerance`")
+           .with_fields({"tolerance.quality"})
            .with_also({"grade", "accuracy_grade"}),
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
                  "the accuracy grade of the flanks and the limits of the tooth thickness"),

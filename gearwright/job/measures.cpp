@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -29,14 +28,7 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   request.bearing_span = job.spec.pair.bearing_span;
   if (!request.bearing_span && mounting) request.bearing_span = mounting->bearing_span;
   request.words = [&](const Error& e) { return spelled(e, job.spec.given).message(); };
-  auto measures = measure(arranged, request, warnings);
-  if (measures) return measures;
-  Error error = measures.error();
-  // Either of two keys gives the grade.
-  if (error.field == gear_field(which, "tolerance.quality") &&
-      job.spec.given.contains(gear_field(which, "quality")))
-    error.field = gear_field(which, "quality");
-  return error;
+  return measure(arranged, request, warnings);
 }
 
 Result<GearMeasures> measured(const SolvedJob& job, int which, const std::optional<Pair>& pair,

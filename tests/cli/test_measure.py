@@ -65,6 +65,7 @@ class Measuring(Asked):
         old = self.measure(GEAR + '[gear1.tolerance]\nquality = 6\nedition = "ISO 1328:1995"')["tolerances"]
         self.assertNotEqual(old["profile_total_um"], t["profile_total_um"])
         self.refused(GEAR + "quality = 12", "gear1.quality", "1 to 11", verb="measure")
+        self.refused(GEAR + "quality = 12\n[gear2]\nteeth = 43\n[scatter]\n", "gear1.quality", "1 to 11", verb="scatter")
         self.refused(GEAR + "quality = 6\n[gear1.tolerance]\nquality = 7", "gear1.tolerance.quality", "contradicts", verb="measure")
 
     def test_tolerances_of_a_pair(self):
