@@ -8,6 +8,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/load/gap_places.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/load/testing/drive.hpp"
 

@@ -15,7 +15,7 @@
 #include <mutex>
 #include <vector>
 
-#include "gearwright/load/gap_places.hpp"
+#include "gearwright/contact/contact_point.hpp"
 #include "gearwright/load/pair_compliance.hpp"
 
 namespace gearwright {

@@ -9,6 +9,7 @@
 
 #include "gearwright/contact/transmission.hpp"
 #include "gearwright/load/complementarity.hpp"
+#include "gearwright/load/gap_places.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/load/root_forces.hpp"
 
