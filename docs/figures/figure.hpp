@@ -15,6 +15,19 @@
 
 namespace gearwright::figures {
 
+/// A window on a plane in millimetres.
+struct Viewport {
+  double width, height;  ///< px
+  Vec2 center;           ///< mm, the point in the middle of the picture
+  double scale;          ///< px/mm
+  bool x_up = false;     ///< the x axis of the plane points up; otherwise to the right
+
+  Vec2 px(const Vec2& mm) const {
+    const Vec2 d = scale * (mm - center);
+    return Vec2(width / 2, height / 2) + (x_up ? Vec2(-d.y(), -d.x()) : Vec2(d.x(), -d.y()));
+  }
+};
+
 /// Words with symbols in braces as SVG text content.
 std::string markup(std::string_view words);
 

@@ -13,6 +13,9 @@ constexpr double kLineHeight = 19.0;   // px of a line of words there
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
 constexpr int kBoxWeight = 8;          // an overlap with text is worse than one with a line
 constexpr int kOutside = 1000;
+// px. A label that is always drawn crosses a line before it moves further away from its point, so
+// that it is not confused with another.
+constexpr double kNear = 18.0;
 
 double width_of(std::string_view plain) {
   const auto letters = std::count_if(plain.begin(), plain.end(), [](char c) {
@@ -83,7 +86,8 @@ bool FreeLabels::draw(Svg& svg, std::string_view plain, std::string_view markup,
   const LabelPlace* best = nullptr;
   int least = std::numeric_limits<int>::max();
   for (const LabelPlace& place : places) {
-    const int found = conflicts(box_of(place, width));
+    const int away = when == If::always ? static_cast<int>(place.offset.norm() / kNear) : 0;
+    const int found = conflicts(box_of(place, width)) + away;
     if (found < least) {
       least = found;
       best = &place;

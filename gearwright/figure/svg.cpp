@@ -27,24 +27,6 @@ std::string point_list(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-Vec2 Viewport::px(const Vec2& mm) const {
-  const Vec2 d = scale * (mm - center);
-  return x_up ? Vec2(width / 2 - d.y(), height / 2 - d.x())
-              : Vec2(width / 2 + d.x(), height / 2 - d.y());
-}
-
-std::vector<Vec2> Viewport::px(const std::vector<Vec2>& mm) const {
-  std::vector<Vec2> found;
-  for (const Vec2& p : mm) found.push_back(px(p));
-  return found;
-}
-
-Vec2 Viewport::mm(const Vec2& px) const {
-  const double right = (px.x() - width / 2) / scale;
-  const double up = (height / 2 - px.y()) / scale;
-  return center + (x_up ? Vec2(up, -right) : Vec2(right, up));
-}
-
 std::string pixel(double value) { return short_decimals(value, 2); }
 
 Svg::Svg(std::string_view id, double width, double height, std::string_view title,

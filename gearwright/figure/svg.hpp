@@ -1,10 +1,10 @@
 // Builds inline SVG pictures and arranges labels without overlap, in pixels. It is used by the
-// writer of figures and for pictures that are not figures.
+// writer of figures and for the figures of the theory pages.
 //
-// Positions are pixels of the picture, with y down. A Viewport converts millimetres to them.
-// Colours and widths are classes in the style of the page (report/page/), so one picture serves for
-// light, dark and paper. Strokes, marks and labels keep their size when the user zooms. Marks and
-// labels are groups of class "lb", which the script of the page scales back.
+// Positions are pixels of the picture, with y down. Colours and widths are classes of
+// figure_style.css, so one picture serves for light, dark and paper. Strokes, marks and labels keep
+// their size when the user zooms. Marks and labels are groups of class "lb", which the script of the
+// page scales back.
 #pragma once
 
 #include <array>
@@ -28,20 +28,6 @@ struct Bounds {
     hi = hi.cwiseMax(p);
   }
   Vec2 size() const { return hi - lo; }
-};
-
-/// A window on a plane in millimetres.
-struct Viewport {
-  double width;       ///< px
-  double height;      ///< px
-  Vec2 center;        ///< mm, the point in the middle of the picture
-  double scale;       ///< px/mm
-  bool x_up = false;  ///< the x axis of the plane points up (a tooth is upright); otherwise to the
-                      ///< right
-
-  Vec2 px(const Vec2& mm) const;
-  std::vector<Vec2> px(const std::vector<Vec2>& mm) const;
-  Vec2 mm(const Vec2& px) const;
 };
 
 enum class Anchor { start, middle, end };

@@ -42,19 +42,6 @@ TEST(Spread, KeepsGapOrderAndBounds) {
   }
 }
 
-TEST(Viewport, PixelAndBack) {
-  for (const bool up : {false, true}) {
-    const Viewport view{400, 300, Vec2(12, -3), 7.5, up};
-    const Vec2 p(15.25, -1.5);
-    EXPECT_LT((view.mm(view.px(p)) - p).norm(), 1e-12);
-    EXPECT_EQ(view.px(view.center), Vec2(200, 150));
-  }
-  // y points upwards. If x_up, the x axis points upwards and y to the left.
-  EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1}).px({0, 10}).y(), 50);
-  EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1, true}).px({10, 0}).y(), 50);
-  EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1, true}).px({0, 10}).x(), 50);
-}
-
 TEST(HtmlText, Numbers) {
   EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
   EXPECT_EQ(fixed(-0.00006, 4), "-0.0001");
