@@ -11,26 +11,12 @@
 
 #include "gearwright/load/loaded_score.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
+#include "gearwright/scatter/testing/small_family.hpp"
 
 namespace gearwright {
 namespace {
 
 constexpr int kSamples = 4, kFew = 2, kReplicates = 2;
-
-LoadedFamily family(const ContactSetup& setup, std::vector<double> torques) {
-  LoadRequest request;
-  request.torques = std::move(torques);
-  request.positions = 4;
-  request.slices = 8;
-  request.accuracy = ComplianceAccuracy::draft;
-  request.root_stress = false;
-  for (const int which : {1, 2})
-    request.bodies[static_cast<std::size_t>(which - 1)] = {0.5 * setup.gear(which).root_diameter,
-                                                           0.3, 206000.0};
-  auto compliance = pair_compliance(setup.gear(1), setup.gear(2), request);
-  EXPECT_TRUE(compliance);
-  return {std::move(compliance).take(), request, kFew};
-}
 
 ScatterTask task_of(const ContactSetup& setup, std::vector<ScatterTolerance> tolerances,
                     std::vector<double> torques, bool gear2_drives) {
@@ -41,7 +27,7 @@ ScatterTask task_of(const ContactSetup& setup, std::vector<ScatterTolerance> tol
   task.samples = kSamples;
   task.replicates = kReplicates;
   task.percentiles = {50};
-  task.load = family(setup, std::move(torques));
+  task.load = testing::loaded_family(setup, std::move(torques), kFew);
   return task;
 }
 

@@ -8,6 +8,7 @@
 
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
+#include "gearwright/scatter/testing/small_family.hpp"
 
 namespace gearwright {
 namespace {
@@ -38,18 +39,7 @@ const auto& indices(const Scatter& s, Q q) { return s.indices[static_cast<std::s
 TEST(Scatter, ThreadsDoNotMatterUnderLoad) {
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = task_of({testing::distance(0.02), testing::crossing(0.02)}, 8, 8, 2);
-  LoadRequest request;
-  request.torques = {50e3};
-  request.positions = 4;
-  request.slices = 8;
-  request.accuracy = ComplianceAccuracy::draft;
-  request.root_stress = false;
-  for (const int which : {1, 2})
-    request.bodies[static_cast<std::size_t>(which - 1)] = {0.5 * setup.gear(which).root_diameter,
-                                                           0.3, 206000.0};
-  auto compliance = pair_compliance(setup.gear(1), setup.gear(2), request);
-  ASSERT_TRUE(compliance) << compliance.error().message();
-  task.load = LoadedFamily{std::move(compliance).take(), request, 4};
+  task.load = testing::loaded_family(setup, {50e3}, 4);
   std::vector<Scatter> all;
   for (const int threads : {1, 2, 3}) {
     task.threads = threads;
