@@ -1,4 +1,4 @@
-// Turns about the axis, and normals of a screw surface. Internal to cad/.
+// Turns about the axis, and normals of a screw surface.
 //
 //   τ  twist, rad/mm     P, n  point and unit normal of a transverse section
 #pragma once

@@ -135,8 +135,13 @@ Json gears_or_search() {
   const Json second{{"anyOf", {required({"teeth"}), rack}}};
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
+  Json known{{"properties", {{"gear1", whole}, {"gear2", second}}}};
+  // Identify finds the module of both from the readings of gear 2.
+  Json unknown = required({"gear2"});
+  unknown["properties"] = {{"gear1", required({"teeth"})},
+                           {"gear2", required({"teeth", "measured"})}};
   Json alone = required({"gear1"});
-  alone["properties"] = {{"gear1", whole}, {"gear2", second}};
+  alone["anyOf"] = {std::move(known), std::move(unknown)};
   const Json without{
       {"anyOf",
        {required({"search"}), required({"planetary"}), required({"stage"}), required({"drive"})}}};

@@ -1,5 +1,5 @@
-// The verb identify: computes the gears that agree with the readings of an unknown gear. Internal
-// to job/ and the program.
+// The verb identify: computes the gears that agree with the readings of an unknown gear.
+// Internal to job/ and the program.
 #pragma once
 
 #include <string>

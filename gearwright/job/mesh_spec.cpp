@@ -17,6 +17,9 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
   table.erase("name");
   table.erase("body");
+  // 0, and not −0.
+  if (table.contains("helix_angle_deg"))
+    table["helix_angle_deg"] = table["helix_angle_deg"].get<double>() + 0.0;
   const auto& solved = job.drive.geometry.gears[gear];
   if (!solved || !solved->involute() || table.contains("basic")) return table;
   table.erase("profile_shift_pair");

@@ -1,4 +1,4 @@
-// A mesh of a drive as a spec of its own, so that every verb for pairs applies to it.
+// A mesh of a drive as a spec of its own, so that every verb for pairs applies to it. Internal to job/.
 #pragma once
 
 #include "gearwright/job/drive_job.hpp"

@@ -107,7 +107,7 @@ const char* word(Spacing spacing) { return kSpacings[static_cast<std::size_t>(sp
 
 // Degrees as given: 12, not 12° converted to radians and back.
 double tidy(Angle angle) {
-  const double deg = angle.deg() + 0.0;  // 0, and not −0
+  const double deg = angle.deg();
   const double rounded = std::round(deg * 1e9) / 1e9;
   return Angle::degrees(rounded).rad() == angle.rad() ? rounded : deg;
 }

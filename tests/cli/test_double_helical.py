@@ -2,12 +2,13 @@
 and the verbs for gears of one helix reject the table."""
 
 import json
+import re
 import struct
 import tempfile
 import unittest
 from pathlib import Path
 
-from cli import Run
+from cli import SOURCE, Run
 
 PAIR = """[gear1]
 teeth = 23
@@ -139,6 +140,14 @@ class TwoHalves(unittest.TestCase):
         run = Run("export", spec, "--step", "x.step")
         self.assertEqual(run.status, 1)
         self.assertIn("gear1.double_helical.gap_mm = 0", run.err)
+
+    def test_the_face_width_of_a_remedy_is_that_of_a_half(self):
+        arcs = (SOURCE / "examples/circular_arc_drive.toml").read_text() + "[gear1.double_helical]\ngap_mm = 10\n"
+        red = Run("pair", arcs, "--json").json["verdict"]
+        self.assertEqual(red["level"], "red")
+        width = float(re.search(r"face width of (\S+) mm of each half", red["headline"]).group(1))
+        wide = re.sub(r"face_width_mm = \d+", f"face_width_mm = {2 * width + 10}", arcs)
+        self.assertNotEqual(Run("pair", wide, "--json").json["verdict"]["level"], "red")
 
     def test_halves_that_make_no_pair_are_errors(self):
         for old, new, key in (("150\n[gear2.double_helical]\ngap_mm = 30", "120\n[gear2.double_helical]\ngap_mm = 10",

@@ -35,7 +35,7 @@ class Refused(Asked):
             self.no(spec(**{key: []}), f"search.{key}", "empty list")
             self.no(spec(**{key: [1, 2, 3]}), f"search.{key}", "3 values")
             self.no(spec(**{key: "two"}), f"search.{key}", "two", "[least, greatest]" if key != "profile_shift" else "number")
-            self.no(spec(**{key: True}), f"search.{key}", "no number")
+            self.no(spec(**{key: True}), f"search.{key}", "not a number")
         for word in ("nan", "inf", "-inf"):
             self.no(spec(ratio=None, after=f"ratio = [1.9, {word}]\n"), "search.ratio", word)
         self.no(spec(profile_shift=0.3), "search.profile_shift", "[lower limit, upper limit]")
@@ -56,7 +56,7 @@ class Refused(Asked):
     def test_modules(self):
         names = ("ISO54-I", "ISO54-I+II", "a list")
         for value, words in (([2, 0], ("0 cannot", "greater than 0")), ([2, -1.5], ("-1.5 cannot", "greater than 0")),
-                             ([2, 2.5, 2], ("2 twice",)), ([], ("empty", *names)), ("ISO54", names), (["2"], ("no number", *names)),
+                             ([2, 2.5, 2], ("2 twice",)), ([], ("empty", *names)), ("ISO54", names), (["2"], ("not a number", *names)),
                              ([1e-9], ("0.001",)), (1e9, ("1000",)), (True, names)):
             self.no(spec(modules_mm=value), "search.modules_mm", *words)
         self.no(spec(modules_mm=None, after="modules_mm = nan\n"), "search.modules_mm", "nan")
