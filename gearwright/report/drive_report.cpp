@@ -203,8 +203,7 @@ std::string drive_report_html(const DriveReportInput& input) {
                                gears_part(drive) + file_section(input.files) +
                                spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
-  return page + fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", figure_script(),
-                            page_script(), turn_script());
+  return page + page_end(turn_script());
 }
 
 }  // namespace gearwright

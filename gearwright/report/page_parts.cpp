@@ -18,6 +18,11 @@ std::string page_head(std::string_view title, std::string_view version,
       escaped(version), escaped(title), figure_style(), page_style(), more_style);
 }
 
+std::string page_end(std::string_view own_script) {
+  return fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
+                     zoom_script(), page_script(), own_script);
+}
+
 std::string picture_hint() {
   return "<p class=\"hint\" id=\"hint\" hidden>Pictures: wheel zooms, drag moves, double click "
          "restores; with "

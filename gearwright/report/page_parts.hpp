@@ -29,6 +29,9 @@ std::string_view page_script();
 std::string page_head(std::string_view title, std::string_view version,
                       std::string_view more_style = "");
 
+/// The scripts that all pages need and the page's own one, to the end of the page.
+std::string page_end(std::string_view own_script);
+
 /// The hint for zooming. The script of the page makes it visible, so it is hidden without scripts.
 std::string picture_hint();
 

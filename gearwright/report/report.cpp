@@ -237,9 +237,7 @@ std::string report_html(const ReportInput& input) {
               measure_section(input.measures, input.measure_ends, input.k_diagrams);
   sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
-  page += fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
-                      zoom_script(), page_script(), turn_script());
-  return page;
+  return page + page_end(turn_script());
 }
 
 }  // namespace gearwright

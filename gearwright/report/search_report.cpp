@@ -193,9 +193,7 @@ std::string search_report(const SearchReport& report) {
       escaped(kind_of(problem)), escaped(title), search_verdict(report));
   page += with_contents(search_sections(report) + spec_section(report.spec_text)) + "</main>\n" +
           foot(report);
-  page += fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
-                      zoom_script(), page_script(), sort_script());
-  return page;
+  return page + page_end(sort_script());
 }
 
 }  // namespace gearwright

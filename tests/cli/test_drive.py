@@ -36,6 +36,7 @@ class Examples(unittest.TestCase):
                 self.assertEqual(len(ids), len(set(ids)), "names of pictures are unique")
                 for used in re.findall(r'href="#([^"]*)"|url\(#([^)]*)\)', page):
                     self.assertIn(used[0] or used[1], ids)
+                self.assertIn("window.figureZoom =", page, "the script of the page calls it")
                 self.assertIn('id="scheme"', page)
                 self.assertIn('id="power"', page)
                 self.assertIn('id="section-1"', page)
