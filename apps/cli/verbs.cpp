@@ -71,7 +71,7 @@ int answering_verb(const Verb& verb, const Options& o) {
         "there is none" + (answer->why_none.empty() ? "" : ": " + answer->why_none);
     return door.fail(
         {"--take", std::to_string(number),
-         answer->specs.empty() ? none : fmt::format("there are {}", answer->specs.size())});
+         answer->specs.empty() ? none : fmt::format("must be 1 to {}", answer->specs.size())});
   }
   if (o.take || o.expand) {
     const Json& spec = o.expand ? answer->expanded : answer->specs[number - 1];

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/drive/drive_rating.hpp"
@@ -43,15 +44,19 @@ Json mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) {
   Json& pair = spec["pair"] = Json::object();
   if (const auto& distance = drive.geometry.distance[mesh]) pair["center_distance_mm"] = *distance;
   if (!rack && drive.graph.friction > 0.0) pair["friction_coefficient"] = drive.graph.friction;
-  if (!rack && drive.graph.torque_Nm && drive.flow && !drive.flow->self_locking()) {
+  const bool loaded = drive.flow && !drive.flow->self_locking() && drive.flow->driver[mesh] >= 0 &&
+                      drive.graph.torque_Nm.value_or(0.0) != 0.0;
+  if (loaded && !rack) {
     const RatingInput load = mesh_load(
         drive, mesh,
         {std::abs(*drive.graph.torque_Nm), drive.speed_rpm(drive.graph.inputs.front()), {}});
     if (load.speed) pair["speed_rpm"] = *load.speed;
-    if (load.torque > 0.0) spec["load"]["torque_Nm"] = load.torque;
+    spec["load"]["torque_Nm"] = load.torque;
   }
   for (const char* name : kShared)
     if (expanded.contains(name)) spec[name] = expanded[name];
+  if (loaded && !rack && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
+  if (pair.empty()) spec.erase("pair");
   return spec;
 }
 

@@ -7,7 +7,8 @@
 namespace gearwright {
 
 /// The two gears of a mesh at their centre distance, with the shifts and tip diameters of the drive,
-/// the torque and the speed of the mesh relative to its carrier, and the tables for errors, contact
+/// the torque, the speed relative to the carrier and the driving gear of a mesh that carries load, and
+/// the tables for errors, contact
 /// and inspection of the drive. The gear of a rack is gear 2.
 ///
 /// Laws      the pair of this spec has the numbers of the mesh in the drive

@@ -121,6 +121,7 @@ Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records
     group.row(r, "hand_of_helix");
   if (halves) {
     const Records two{double_helical_quantities().of(*halves), {}};
+    if (halves->given.stagger_pitches != 0.0) group.row(two, "stagger_pitches");
     for (const char* key : {"half_face_width_mm", "gap_mm", "groove_diameter_mm"})
       group.row(two, key);
   }
@@ -135,10 +136,13 @@ void size_rows(Group& group, const std::string& what, const std::string& symbol,
                const std::string& fit, const std::optional<std::array<double, 2>>& deviations) {
   const std::string text = with_minus(short_decimals(size, 4));
   group.row(what, symbol, fit.empty() ? text : text + " " + fit);
+  // Half of an odd number of µm needs a fourth decimal.
+  const auto limit = [&](double deviation) {
+    const double um = 1e3 * (size + deviation);
+    return fixed_decimals(size + deviation, std::abs(um - std::round(um)) < 1e-6 ? 3 : 4);
+  };
   group.row("Limits", "",
-            deviations ? fixed_decimals(size + (*deviations)[0], 3) + " … " +
-                             fixed_decimals(size + (*deviations)[1], 3)
-                       : "");
+            deviations ? limit((*deviations)[0]) + " … " + limit((*deviations)[1]) : "");
 }
 
 std::optional<std::array<double, 2>> limits_of(const std::string& fit, double size) {

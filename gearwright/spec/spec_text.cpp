@@ -15,6 +15,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include "gearwright/base/output_file.hpp"
@@ -55,7 +56,10 @@ Json to_json(const toml::node& node) {
   if (const auto* v = node.as_floating_point()) return v->get();
   if (const auto* v = node.as_boolean()) return v->get();
   if (const auto* v = node.as_string()) return v->get();
-  return "(a date or time)";
+  // A date or time, as it is written.
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return text.str();
 }
 
 // Builds the tree of a JSON text with bounded nesting and unique keys, as in TOML.

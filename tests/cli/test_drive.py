@@ -68,6 +68,19 @@ class Meshes(unittest.TestCase):
         self.assertAlmostEqual(torque[1], 20 * 25 / 20, 0)  # less the loss of the first mesh
         self.assertEqual(Run("load", sun, "--json").status, 0)
 
+    def test_a_mesh_without_load_has_no_torque(self):
+        text = (SOURCE / "examples/drives/ravigneaux.toml").read_text()
+        loads = ["[load]" in Run("drive", text, "--take", str(n)).out for n in (1, 2, 3, 4)]
+        self.assertEqual(loads, [True, True, False, True])
+        still = Run("drive", SET + "torque_Nm = 0\n", "--take", "1")
+        self.assertEqual(still.status, 0, still.err)
+        self.assertNotIn("[load]", still.out)
+
+    def test_the_driving_gear_is_that_of_the_drive(self):
+        back = SET + 'torque_Nm = 60\ninput = "carrier"\noutput = "sun"\n'
+        self.assertIn("driver = 2", Run("drive", back, "--take", "1").out)
+        self.assertNotIn("driver", Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out)
+
     def test_a_rack_is_gear_2(self):
         drive = """
 [drive]
@@ -87,7 +100,7 @@ mesh = [{ gears = ["r", "p"] }]
     def test_a_mesh_that_is_not_there(self):
         run = Run("drive", SET, "--take", "3")
         self.assertEqual(run.status, 1)
-        self.assertIn("there are 2", run.err)
+        self.assertIn("must be 1 to 2", run.err)
 
 
 class Files(unittest.TestCase):
