@@ -26,20 +26,14 @@ file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 # Highway compiles these files once for each instruction set and chooses one at run time.
 if(WIN32)
   add_link_options(LINKER:--wrap=mbrtowc)  # base/system_windows.cpp
-  # g++ aligns the stack on Windows to 16 bytes and moves variables of AVX as if it were aligned to
-  # 32 bytes (GCC bug 54412). The assembler writes these moves in the form for any alignment, so AVX2
-  # is available. With AVX-512, a search under Wine still reads an invalid address, so it computes four
-  # numbers at once instead of eight, and gives the same results.
-  set_source_files_properties(${gw_lanes} PROPERTIES
-    COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move
-    COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=(HWY_AVX3|HWY_AVX3_DL)")
+  # g++ aligns the stack on Windows to 16 bytes and moves wider vectors as if it were aligned to their
+  # size (GCC bug 54412). The assembler writes these moves in the form for any alignment.
+  set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)
 elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-  # `Lane` (math/lanes.inc) is a struct around a vector, and C++ permits no member whose type is a
-  # vector of SVE, because its size is unknown at compile time. NEON, which every 64-bit ARM has,
-  # computes two numbers at once. A processor with wider SVE vectors gives the same numbers, but not
-  # faster.
-  set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_DEFINITIONS
-    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+  # One set, NEON, which every 64-bit ARM has. `Lane` (math/lanes.inc) is a struct around a vector, and
+  # a vector of SVE cannot be a member, because its size is unknown at compile time. Most processors
+  # with SVE have vectors of 128 bits, as long as those of NEON.
+  set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
   # Highway's NEON includes AES, which the compiler never uses by itself. If it is enabled, the
   # constructor of an array of lanes is not a function of that instruction set.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS "-march=armv8-a+crypto;-Wno-invalid-pch")
