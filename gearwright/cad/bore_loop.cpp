@@ -49,8 +49,7 @@ WallLoop circle_with_keyway(double radius, double half, double bottom) {
   return loop;
 }
 
-}  // namespace
-
+// Of an internal gear, whose rim must reach the radius `room`, mm.
 std::optional<Error> rim_error(const ToothedBody& body, double room) {
   // The value is rounded up so that the outline fits.
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
@@ -67,6 +66,20 @@ std::optional<Error> rim_error(const ToothedBody& body, double room) {
     return refused("bore.diameter", body.bore->diameter, need);
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> hole_error(const ToothedBody& body, double root, double wall) {
+  const auto at = [&](double limit) {
+    return body.outline.teeth < 0 ? rim_error(body, limit + wall)
+           : body.bore            ? bore_error(*body.bore, limit - wall)
+                                  : std::nullopt;
+  };
+  auto error = at(body.limit_within(root));
+  if (error && !at(root))
+    error->rule += ", because the groove between the halves is deeper than the teeth";
+  return error;
 }
 
 WallLoop circle_loop(double radius) {
@@ -109,14 +122,11 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 }
 
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) {
-  if (body.outline.teeth < 0) {
-    if (auto error = rim_error(body, body.limit_within(outer) + kShortestArc_mm))
-      return *std::move(error);
-    return circle_loop(body.bore->diameter / 2.0);
-  }
-  const Bore& bore = *body.bore;
-  if (auto error = bore_error(bore, body.limit_within(inner) - kShortestArc_mm))
+  const bool ring = body.outline.teeth < 0;
+  if (auto error = hole_error(body, ring ? outer : inner, kShortestArc_mm))
     return *std::move(error);
+  const Bore& bore = *body.bore;
+  if (ring) return circle_loop(bore.diameter / 2.0);
   const double radius = bore.diameter / 2.0;
   const double half = bore.keyway_width / 2.0;
   if (half == 0.0) return circle_loop(radius);

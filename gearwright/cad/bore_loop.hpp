@@ -18,11 +18,9 @@
 
 namespace gearwright {
 
-/// bore_error() for an internal gear, whose bore is its rim: the rim must enclose the roots and has
-/// no keyway.
-///
-/// Domain    `room` mm: the radius that the rim must reach
-std::optional<Error> rim_error(const ToothedBody& body, double room);
+/// The error of a bore or a rim with less than `wall` mm to the roots, at the radius `root` mm, or to
+/// the groove of a double-helical gear. The rim of an internal gear must exist and has no keyway.
+std::optional<Error> hole_error(const ToothedBody& body, double root, double wall);
 
 /// The columns of the wall, counter-clockwise from the lowest point (0, −r), which is on the
 /// circle. They are symmetric about the y axis bit for bit. Normals point into the hole.
@@ -37,7 +35,7 @@ WallLoop circle_loop(double radius);
 
 /// The loop of walls, without the slot if its sides would be slivers.
 ///
-/// Errors    those of bore_error and rim_error
+/// Errors    those of hole_error
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer);
 

@@ -108,10 +108,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   }
 
   const double limit = body.limit_within(root.norm());
-  const auto error = ring        ? rim_error(body, limit + kWallMin_mm)
-                     : body.bore ? bore_error(*body.bore, limit - kWallMin_mm)
-                                 : std::nullopt;
-  if (error) return *error;
+  if (auto error = hole_error(body, root.norm(), kWallMin_mm)) return *std::move(error);
   const double reach = body.bore ? bore_reach(*body.bore) : 0.0;
   double given = std::min(options.chord_tolerance_mm, kWallShare * std::abs(limit - reach));
   if (body.grooved()) given = std::min(given, kWallShare * std::abs(root.norm() - limit));

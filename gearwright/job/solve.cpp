@@ -51,7 +51,10 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
                         "whose --take 1 writes a spec for this verb");
   }
   if (spec.drive) {
-    return Error{"", "", "the spec describes a drive; use the verb drive, run or export"};
+    return Error{
+        "", "",
+        "the spec describes a drive; use the verb drive, rate, run or export, or run gearwright "
+        "drive, whose --take 1 writes the spec of its first mesh for this verb"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",

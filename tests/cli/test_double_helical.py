@@ -135,6 +135,15 @@ class TwoHalves(unittest.TestCase):
         for words in ("gear1.double_helical.groove_diameter_mm = 75", "root diameter"):
             self.assertIn(words, run.err)
 
+    def test_a_bore_that_meets_the_groove(self):
+        gear = json.loads(Run("pair", PAIR.format(""), "--json").out)["gears"][0]
+        bore = (gear["groove_diameter_mm"] + gear["root_diameter_mm"]) / 2
+        for kind in ("--step", "--stl"):
+            run = Run("export", PAIR.format(f"[gear1.bore]\ndiameter_mm = {bore}"), "--gear", "1", kind, "x." + kind[2:])
+            self.assertEqual(run.status, 1)
+            for words in ("gear1.bore.diameter_mm", "groove between the halves"):
+                self.assertIn(words, run.err)
+
     def test_staggered_halves_without_a_gap_have_no_files(self):
         spec = PAIR.format("").replace("gap_mm = 30", "stagger_pitches = 0.5")
         run = Run("export", spec, "--step", "x.step")

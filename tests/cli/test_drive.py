@@ -97,6 +97,11 @@ mesh = [{ gears = ["r", "p"] }]
         self.assertEqual(pair.status, 0, pair.err)
         self.assertEqual(pair.json["pair"]["kind"], "rack_and_pinion")
 
+    def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
+        run = Run("contact", SET)
+        self.assertEqual(run.status, 1)
+        self.assertIn("--take 1", run.err)
+
     def test_a_mesh_that_is_not_there(self):
         run = Run("drive", SET, "--take", "3")
         self.assertEqual(run.status, 1)
