@@ -45,7 +45,7 @@ ContactValue contact_of(const PairValue& pair, const py::object& errors,
   return answered<ContactValue>(
       asked_model(pair, errors, modifications, contact_keys(), "contact", keys), answer_contact,
       contact_record, [](const SolvedJob& job, const ContactAnswer& a) {
-        return judge(job, {.contact = &a.driving});
+        return judge(job, {.contact = &a.judged()});
       });
 }
 

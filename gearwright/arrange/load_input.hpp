@@ -30,6 +30,8 @@ struct LoadInput {
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm
+  double deflection_offset =
+      0.0;  ///< µm, constant over the face; of a half of a double-helical gear
   std::vector<LoadProbeInput> probes{};
 };
 

@@ -105,7 +105,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
   return count > kMostNamed ? fmt::format("{} and {} more", list, count - kMostNamed) : list;
 }
 
-void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
+void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
   // Whether teeth touch does not depend on the torque.
@@ -118,7 +118,8 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                      where),
          0});
   for (const LoadedTorque& t : contact.torques) {
-    const std::string torque = format_number(newton_metres(t.torque));
+    const double whole = t.torque / share;
+    const std::string torque = format_number(newton_metres(whole));
     if (const std::string where =
             rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
         !where.empty())
@@ -130,7 +131,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                        torque, where),
            0});
     if (t.edge_carries)
-      warnings.push_back(edge_carries_at(t.torque));
+      warnings.push_back(edge_carries_at(whole));
     else if (t.beyond_flank)
       warnings.push_back({WarningCode::ellipse_beyond_flank,
                           fmt::format("At {} N m the contact ellipse extends beyond an end of the "
@@ -172,11 +173,14 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
 }
 
 Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
-                         const LoadInput& input, const std::array<ElasticBody, 2>& bodies) {
+                         const LoadInput& input, const std::array<ElasticBody, 2>& bodies,
+                         const std::optional<HalfPlace>& half = {}) {
   if (auto error = not_made_for(arranged)) return *error;
   auto setup = setup_of(arranged, errors);
   if (!setup) return setup.error();
+  if (half) setup = setup->half_at(half->middle, half->below);
   LoadTask task{std::move(setup).take(), {}, input.driver == 2};
+  if (half) task.torque_share = 0.5;
   task.with_errors =
       input.deflection_slope != 0.0 || input.deflection_bow != 0.0 || errors != ContactErrors();
   LoadRequest& request = task.request;
@@ -194,6 +198,7 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   request.bodies = bodies;
   request.deflection_slope = input.deflection_slope * kMmPerUm;
   request.deflection_bow = input.deflection_bow * kMmPerUm;
+  request.deflection_offset = input.deflection_offset * kMmPerUm;
   return task;
 }
 
@@ -241,10 +246,10 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   for (const LoadedTorque& t : found.torques)
     if (std::none_of(t.positions.begin(), t.positions.end(),
                      [](const LoadedPosition& p) { return p.solved(); }))
-      return refused("load.torques", newton_metres(t.torque),
+      return refused("load.torques", newton_metres(t.torque / task.torque_share),
                      "leaves no position at which the forces of these teeth converge; accuracy = "
                      "\"full\", another number of slices or less torque may help");
-  warn_about(found, warnings);
+  warn_about(found, task.torque_share, warnings);
   return std::nullopt;
 }
 
@@ -261,7 +266,7 @@ Result<LoadedContact> contact_of(std::vector<Warning>& warnings, const LoadTask&
 
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
-                            Progress* progress) {
+                            Progress* progress, const std::optional<HalfPlace>& half) {
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   LoadAnalysis answer;
@@ -282,17 +287,17 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
     answer.probes.push_back(std::move(found).take());
   }
   if (input.torques.empty()) return answer;
-  auto made = task_of(arranged, errors, input, *bodies);
+  auto made = task_of(arranged, errors, input, *bodies, half);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  auto compliance = task.compliance();
+  auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
   if (!compliance) return compliance.error();
   answer.compliance = std::move(compliance).take();
   auto contact = contact_of(warnings, task, *answer.compliance);
   if (!contact) return contact.error();
   answer.contact = std::move(contact).take();
-  explain_stiffness(arranged, task, answer, warnings);
+  if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);
   return answer;
 }
 

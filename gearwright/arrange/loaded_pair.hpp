@@ -24,6 +24,17 @@ struct LoadAnalysis {
   std::optional<LoadedContact> contact;      ///< none if there are probes only
   std::optional<PairCompliance> compliance;  ///< of its teeth
   std::vector<ProbeAnswer> probes;           ///< of LoadInput::probes
+  /// Of a double-helical pair, whose other results are those of the whole gears: at z > 0 and at
+  /// z < 0; else empty.
+  std::vector<LoadAnalysis> halves{};
+};
+
+/// A half of a double-helical pair, which is computed as a pair of its own; the half at z < 0 as its
+/// mirror image.
+struct HalfPlace {
+  std::array<double, 2> middle{};  ///< mm, as ContactMount
+  bool below = false;
+  const PairCompliance* ready = nullptr;  ///< of the other half, which has the same teeth
 };
 
 /// Fraction of the root diameter at which a gear without a bore is held.
@@ -38,7 +49,8 @@ inline constexpr double kShaft = 0.5;
 ///           `load.probe[i].…`; as setup_of
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
-                            Progress* progress = nullptr);
+                            Progress* progress = nullptr,
+                            const std::optional<HalfPlace>& half = {});
 
 /// The pair under this single torque on gear 1, N m, with the other numbers of `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
@@ -51,7 +63,8 @@ struct LoadTask {
   ContactSetup setup;
   LoadRequest request;  ///< without progress
   bool gear2_drives = false;
-  bool with_errors = false;  ///< or deflections
+  bool with_errors = false;   ///< or deflections
+  double torque_share = 1.0;  ///< of the torque on gear 1; 0.5 for a half of a double-helical gear
 
   ContactPair pair() const { return setup.pair(gear2_drives); }
   /// The same pair without errors, for K_Hα; none if there are no errors.

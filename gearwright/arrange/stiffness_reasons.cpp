@@ -34,7 +34,7 @@ double mean_stiffness(const ContactPair& pair, const Gear& gear_1, const Gear& g
   request.torques = {torque};
   request.root_stress = false;
   request.progress = nullptr;
-  request.deflection_slope = request.deflection_bow = 0.0;
+  request.deflection_slope = request.deflection_bow = request.deflection_offset = 0.0;
   return loaded_contact(pair, gear_1, gear_2, compliance, request)
       .torques.front()
       .without_twist.mean;
@@ -162,11 +162,12 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
              ? fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
                            "as stiff as c_γα of ISO 6336-1. The difference comes from the teeth "
                            "themselves{}, not from errors, modifications, face or bodies.",
-                           format_number(newton_metres(t.torque)), ratio, ring)
+                           format_number(newton_metres(t.torque / task.torque_share)), ratio, ring)
              : fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
                            "as stiff as c_γα of ISO 6336-1. This includes a factor of {}; a factor "
                            "of {:.2f} comes from the teeth themselves{}.",
-                           format_number(newton_metres(t.torque)), ratio, list, left, ring),
+                           format_number(newton_metres(t.torque / task.torque_share)), ratio, list,
+                           left, ring),
          0});
   }
 }

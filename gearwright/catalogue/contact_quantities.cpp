@@ -17,6 +17,14 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const P& p) { return p.kind != TouchKind::none; }
 
+// Quantities of a single place of contact. The halves of a double-helical pair have a place each.
+template <class F>
+auto at_place(F get) {
+  return [get](const P& p) {
+    return touches(p) && !std::isnan(p.diameter[0]) ? Value(std::invoke(get, p)) : Value();
+  };
+}
+
 // Quantities that exist only at a position with contact.
 template <class F>
 auto touching(F get) {
@@ -78,14 +86,15 @@ void say_position(Quantities<P>& q) {
          touching([](const P& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
-  q.term("point_mm", "in the housing frame", touching(&P::point))
+  q.term("point_mm", "in the housing frame", at_place(&P::point))
       .words("point of contact")
       .list({3});
-  q.term("normal", "unit vector in the housing frame, out of gear 1", touching(&P::normal))
+  q.term("normal", "unit vector in the housing frame, out of gear 1", at_place(&P::normal))
       .list({3});
-  q.number("diameter_mm", "diameter of contact", "", "per gear", touching(&P::diameter)).per_gear();
-  q.number("height_mm", "height of contact", "z", "per gear, from the middle of the face",
-           touching(&P::height))
+  q.number("diameter_mm", "diameter of contact", "", "per gear", at_place(&P::diameter)).per_gear();
+  q.number("height_mm", "height of contact", "z",
+           "per gear, from the middle of the face, of the face of a half for double-helical gears",
+           at_place(&P::height))
       .per_gear();
   q.number("rack_angle_deg", "normal angle of the rack", "θ",
            "for the rack that cut gear 1, at the point of contact; α_n on an involute",
@@ -287,10 +296,35 @@ void say(Quantities<V>& q) {
         "`transmission_error_arcsec` and `point_mm`. Both are null where no teeth touch, and "
         "`point_mm` is also null for line contact",
         sensitivities)
-      .always()
+      .when([](const V& v) { return v.halves.empty(); })
+      .doors(kJson);
+  q.number("axial_float_um", "axial movement of the floating gear", "Δz",
+           "movement of gear 1 along its axis relative to gear 2 at each position, with which the "
+           "halves of a double-helical pair share the load; null without contact [T8.27]",
+           [](const V& v) {
+             ValueList list;
+             for (const double mm : *v.float_axial)
+               list.push_back(std::isnan(mm) ? Value() : Value(mm * kUmPerMm));
+             return Value(std::move(list));
+           })
+      .list({0})
+      .when([](const V& v) { return v.float_axial != nullptr; })
+      .doors(kJson);
+  q.number("axial_float_peak_to_peak_um", "axial movement of the floating gear, peak to peak", "",
+           "over the positions with contact",
+           [](const V& v) { return Value(kUmPerMm * peak_to_peak(*v.float_axial)); })
+      .when([](const V& v) { return v.float_axial != nullptr; });
+  q.record<contact_quantities>(
+       "halves",
+       "contact of both halves of a double-helical pair, at z > 0 and at z < 0; the other numbers "
+       "are those of the whole gears, whose positions have no place of contact",
+       [](const V& v) -> const auto& { return v.halves; })
+      .list({2})
+      .when([](const V& v) { return !v.halves.empty(); })
       .doors(kJson);
   q.record<pattern_quantities>(
-       "pattern", "pattern of both flanks; only with `pattern = true`",
+       "pattern",
+       "pattern of both flanks; only with `pattern = true`, for double-helical pairs in `halves`",
        [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.pattern != nullptr; })
       .doors(kJson);

@@ -19,7 +19,8 @@ struct NamedSlope {
   double unit = 1.0;  ///< rad or mm per unit of the name
 };
 
-/// A contact analysis with the results of additional requests.
+/// A contact analysis with the results of additional requests; for a double-helical pair that of the
+/// whole gears.
 struct ContactView {
   const ContactResult* working;      ///< the flanks that the driver pushes
   const ContactResult* non_working;  ///< the non-working flanks, at the same positions
@@ -28,8 +29,10 @@ struct ContactView {
   std::vector<NamedSlope> slopes{};  ///< one entry for each sensitivity
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
-  std::array<std::string, 2> map_axes{};   ///< names of x and y
-  std::optional<Angle> continuous_span{};  ///< peak to peak of the continuous TE curve
+  std::array<std::string, 2> map_axes{};             ///< names of x and y
+  std::optional<Angle> continuous_span{};            ///< peak to peak of the continuous TE curve
+  const std::vector<double>* float_axial = nullptr;  ///< mm, for each position; null for one helix
+  std::vector<ContactView> halves{};  ///< of a double-helical pair, at z > 0 and at z < 0
 };
 
 const Quantities<ContactView>& contact_quantities();

@@ -329,6 +329,15 @@ const Quantities<LoadView>& load_quantities() {
                return t ? Value(newton_metres(t->torque)) : Value();
              })
         .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
+    q.record<load_quantities>(
+         "halves",
+         "both halves of a double-helical pair, at z > 0 and at z < 0, each under half of the "
+         "torque; the other numbers are those of the whole gears, which have no shares and no "
+         "values along the face",
+         [](const LoadView& v) -> const auto& { return v.halves; })
+        .list({2})
+        .when([](const LoadView& v) { return !v.halves.empty(); })
+        .doors(kJson);
     q.record<probe_quantities>("probes", "one entry for each [[load.probe]], in the given order",
                                &LoadView::probes)
         .list({0})

@@ -32,6 +32,7 @@ struct LoadView {
   std::vector<LoadStandard> standard{};    ///< at each torque; empty if the standard does not cover
                                            ///< the pair
   std::vector<ProbeView> probes{};
+  std::vector<LoadView> halves{};  ///< of a double-helical pair, at z > 0 and at z < 0
 };
 
 std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,

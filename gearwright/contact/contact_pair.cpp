@@ -31,6 +31,14 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
 
 }  // namespace
 
+ContactErrors mirrored(const ContactErrors& errors) {
+  ContactErrors e = errors;
+  e.crossing = -e.crossing;
+  e.intersecting = -e.intersecting;
+  e.axial = -e.axial;
+  return e;
+}
+
 ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
                          const ContactMount& mount)
     : place_(mount) {
@@ -59,7 +67,9 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
     slope_unit_[i] = mirror / (g.reference_diameter / 2 * g.spec.face_width);
   }
   add_patches(0, gear_1, twist(g1, 0), mesh_azimuth(), internal_ ? 1.0 : -1.0, right_1);
-  add_patches(1, gear_2, twist(g2, 1), pi + pi / z2, -1.0, right_2);
+  // At rotation 0, the teeth are in mesh at the height of the middle of face 1.
+  const double apart = mirror * g2.twist() * (middle(2) - middle(1));
+  add_patches(1, gear_2, twist(g2, 1), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
   // Points of gear 1 farther than this from the mesh lie outside the mating gear's annulus.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
@@ -152,10 +162,11 @@ void ContactPair::set_mount() {
   const double turned = sign_if(place_.gear2_drives);
   tilt_ = detail::crossing_turn(mirror * e.crossing.rad()) *
           detail::intersecting_turn(turned * e.intersecting.rad());
-  lift_ = Vec3(0, 0, turned * e.axial);
+  lift_ = Vec3(0, 0, turned * e.axial) + middle(1) * tilt_.col(2);
   const Mat3 shaft = detail::shaft_turn(mirror * place_.shaft_angle.rad());
   relative_.rotation = shaft * tilt_;
-  relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0));
+  relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0)) -
+                    Vec3(0, 0, middle(2));
 }
 
 Vec3 ContactPair::direction_in_housing(const Vec3& v) const {

@@ -34,6 +34,10 @@ struct ContactErrors {
   bool operator==(const ContactErrors&) const = default;
 };
 
+/// The errors of a mounting as its mirror image in the plane z = 0 has them. Errors of the teeth
+/// belong to each half of a double-helical gear in the same way and do not change.
+ContactErrors mirrored(const ContactErrors& errors);
+
 struct ContactGear {
   const Gear* gear = nullptr;
   /// Removal from the right (y < 0) and the left flank; null if there is none.
@@ -45,6 +49,9 @@ struct ContactMount {
   Angle shaft_angle{};           ///< Σ
   bool gear2_drives = false;
   ContactErrors errors;
+  /// z of the middle of each face, mm: not 0 for a half of a double-helical gear. Errors tilt axis 1
+  /// about its point at z = 0, and at rotation 0 the section at middle[0] is the one of pair 0.
+  std::array<double, 2> middle{};
   /// Root fillets and rounded tips are included, so that contact of a fillet before the flanks is
   /// found. Tips of modified flanks are not included, because their removal does not continue
   /// there.   Domain: a changed lead only if recut_outline can compute the root
@@ -78,7 +85,8 @@ class ContactPair {
   const Mat3& tilt() const { return tilt_; }
   double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< of y, in N
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< of z, in N
-  const Vec3& lift() const { return lift_; }                          ///< Δz  mm, in N
+  /// z of the middle of a face, mm, in N.
+  double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
   /// Radius at which the root fillet ends, mm; none without ContactMount::fillets or without a
   /// fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
@@ -98,7 +106,7 @@ class ContactPair {
   std::array<std::vector<FlankPatch>, 2> patches_;
   RelativeMount relative_;
   Mat3 tilt_ = Mat3::Identity();
-  Vec3 lift_ = Vec3::Zero();            // Δz in N
+  Vec3 lift_ = Vec3::Zero();            // of the middle of face 1, in N
   std::array<double, 2> slope_unit_{};  // κ in N per mm of f_Hβ
   std::array<std::optional<double>, 2> root_end_;
 };

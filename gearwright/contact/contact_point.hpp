@@ -54,6 +54,7 @@ struct ContactRidge {
     std::array<double, 2> curvature;  ///< 1/mm: principal values of the gap of that side's flank
   };
   std::array<Side, 2> side;  ///< first the side of the lesser diameter or height
+  bool by_height = false;    ///< true for an end relief, whose sides differ by their height
 };
 
 struct ContactPoint {

@@ -194,6 +194,13 @@ ContactSetup ContactSetup::with_fields(std::array<bool, 2> wanted) const {
   return setup;
 }
 
+ContactSetup ContactSetup::half_at(const std::array<double, 2>& middle, bool below) const {
+  ContactSetup setup = *this;
+  setup.place_.middle = middle;
+  if (below) setup.place_.errors = mirrored(place_.errors);
+  return setup;
+}
+
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change) {
   if (change == Angle()) return std::nullopt;
   const double delta = change.deg();

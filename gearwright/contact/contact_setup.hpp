@@ -64,6 +64,9 @@ class ContactSetup {
   const PairModifications& modifications() const { return modifications_; }
   /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
+  /// The setup of one half of a double-helical pair, whose faces have their middles at these heights.
+  /// The half at z < 0 (`below`) is represented by its mirror image in the plane z = 0.
+  ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
   /// The setup with fields of removed material on these gears, even if nothing is removed, because
   /// their derivatives need the fields.
   ContactSetup with_fields(std::array<bool, 2> wanted) const;

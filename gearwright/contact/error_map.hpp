@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
-#include "gearwright/contact/contact_pair.hpp"
 
 namespace gearwright {
 
@@ -16,12 +15,13 @@ struct ErrorMap {
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// `pair_at(x, y)` makes the pair under these errors. It is called from several threads at once.
+/// `te_at(x, y)` computes TE over a pitch under these errors, rad, as transmission_error() does. It is
+/// called from several threads at once.
 ///
 /// Units     rad
-/// Domain    positions ≥ 2, x and y not empty (contract); `threads` 0 means one per core
+/// Domain    x and y not empty (contract); `threads` 0 means one per core
 ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
-                       const std::function<ContactPair(double, double)>& pair_at, int positions,
+                       const std::function<std::vector<double>(double, double)>& te_at,
                        int threads = 0, Progress* progress = nullptr);
 
 }  // namespace gearwright

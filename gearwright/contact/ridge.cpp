@@ -114,7 +114,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const double s = touch.touch.s;
   const double z = touch.touch.z;
   const GapJet j = transmission.jet_at(touch, s, z);
-  ContactRidge ridge{gear, 0.0, {side_of(transmission.jet_at(beyond, s, z)), side_of(j)}};
+  ContactRidge ridge{gear, 0.0, {side_of(transmission.jet_at(beyond, s, z)), side_of(j)}, !of_u};
   // If N is reversed, the side of lesser height has the greater height in N.
   if (!below != (!of_u && pair.turned() < 0.0)) std::swap(ridge.side[0], ridge.side[1]);
   if (gear == 1) {

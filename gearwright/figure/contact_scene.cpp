@@ -18,10 +18,20 @@ ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const Contac
   const double sigma = m.shaft_angle.rad();
   const ContactAxis axis_1{pair.in_housing(0.0, 0.0),
                            pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))};
-  const ContactAxis axis_2{Vec3(m.center_distance + m.errors.center_distance, 0, 0),
-                           Vec3(0, std::sin(sigma), std::cos(sigma))};
+  const Vec3 direction_2(0, std::sin(sigma), std::cos(sigma));
+  const ContactAxis axis_2{
+      Vec3(m.center_distance + m.errors.center_distance, 0, 0) + m.middle[1] * direction_2,
+      direction_2};
   const int positions = static_cast<int>(driving.positions.size());
   return {gears, {axis_1, axis_2}, m.gear2_drives, marking, positions, std::move(driving)};
+}
+
+void mirror_axes(ContactScene& scene) {
+  for (ContactAxis& axis : scene.axes) {
+    axis.point.z() = -axis.point.z();
+    axis.direction.x() = -axis.direction.x();
+    axis.direction.y() = -axis.direction.y();
+  }
 }
 
 double pitch_of(const ContactScene& scene) {

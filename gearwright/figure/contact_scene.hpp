@@ -33,11 +33,15 @@ struct ContactScene {
   double marking = 0.0;   ///< δ  mm
   int positions = 0;      ///< per pitch
   ContactResult driving;  ///< `positions` positions of one pitch, starting at −half a pitch
+  std::string part{};     ///< ends the ids of figures; "-2" for the second half of a pair
 };
 
 /// Makes the scene of a pair that was turned through one pitch.
 ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
                            double marking, ContactResult driving);
+
+/// Replaces the axes by their mirror images in the plane z = 0, with their directions towards +z.
+void mirror_axes(ContactScene& scene);
 
 /// The pitch of gear 1, rad.
 double pitch_of(const ContactScene& scene);

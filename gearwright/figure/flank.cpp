@@ -229,7 +229,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   GW_EXPECTS(layers.pattern || layers.gap);
   const FlankRaster& extent = layers.pattern ? *layers.pattern : *layers.gap;
   const bool gap_alone = layers.gap && !layers.pattern && !layers.way;
-  Figure f = flank_frame(gap_alone ? "gap" : fmt::format("bearing{}", which + 1),
+  Figure f = flank_frame((gap_alone ? "gap" : fmt::format("bearing{}", which + 1)) + scene.part,
                          gap_alone ? "Gap between the flanks" : fmt::format("Gear {}", which + 1),
                          extent, scene.gears[which]->internal(), which);
   const std::string proportions = std::move(f.caption);

@@ -83,7 +83,7 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
 
 std::optional<Figure> share_figure(const LoadScene& scene) {
   const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
-  Figure f{.id = "load-share",
+  Figure f{.id = "load-share" + scene.part,
            .title = "Load share",
            .description = "Share of the load of one tooth pair over its mesh.",
            .caption = " of one tooth pair while it carries load.",
@@ -113,7 +113,7 @@ std::optional<Figure> stiffness_figure(const LoadScene& scene) {
   return fitted(
       over_the_rotation(
           scene,
-          {.id = "mesh-stiffness",
+          {.id = "mesh-stiffness" + scene.part,
            .title = "Mesh stiffness",
            .description =
                fmt::format("Over the rotation of gear 1: {} divided by approach, for each torque.",
@@ -129,7 +129,7 @@ std::optional<Figure> stiffness_figure(const LoadScene& scene) {
 
 std::optional<Figure> root_turn_figure(const LoadScene& scene) {
   const LoadedTorque& t = shown_torque(scene);
-  Figure f{.id = "root-stress-turn",
+  Figure f{.id = "root-stress-turn" + scene.part,
            .title = "Greatest root stress",
            .description =
                "Greatest principal stress at the roots of both gears over the rotation of gear 1.",
@@ -145,7 +145,7 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
 }
 
 std::optional<Figure> root_face_figure(const LoadScene& scene) {
-  Figure f{.id = "root-stress-face",
+  Figure f{.id = "root-stress-face" + scene.part,
            .title = "Over the face",
            .description = "Greatest stress along the fillet of both gears over the face.",
            .caption = ": the greatest along the fillet.",

@@ -142,8 +142,9 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   GW_EXPECTS(scene.contact.regime == LoadRegime::line);
   const LoadedTorque& t = shown_torque(scene);
   const FlankRaster raster = pressure_raster(scene, which);
-  Figure f = flank_frame(fmt::format("pressure{}", which + 1), fmt::format("Gear {}", which + 1),
-                         raster, scene.gears[which]->internal(), which);
+  Figure f =
+      flank_frame(fmt::format("pressure{}{}", which + 1, scene.part),
+                  fmt::format("Gear {}", which + 1), raster, scene.gears[which]->internal(), which);
   f.caption = fmt::format(" at {}: the greatest pressure over a mesh, N/mm². ", torque_words(t)) +
               f.caption;
   f.keys.push_back({"bears", "teeth in contact now"});
@@ -170,7 +171,7 @@ Figure pressure_along_figure(const LoadScene& scene) {
   GW_EXPECTS(scene.contact.regime == LoadRegime::line);
   const LoadedTorque& t = shown_torque(scene);
   const FaceSlices& s = scene.contact.slices[0];
-  Figure f{"pressure-along",
+  Figure f{"pressure-along" + scene.part,
            "Pressure along the face",
            "Greatest pressure over the face during a mesh, and pressure of the tooth pairs that "
            "carry load at one position.",
@@ -210,8 +211,9 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
     }
   if (const auto form = gear.root_form_radius()) lo = std::min(lo, 2 * *form);
   const double half = gear.spec.face_width / 2;
-  Figure f = flank_frame(fmt::format("ellipses{}", which + 1), fmt::format("Gear {}", which + 1),
-                         {{lo, hi}, {-half, half}, {}}, false, which);
+  Figure f =
+      flank_frame(fmt::format("ellipses{}{}", which + 1, scene.part),
+                  fmt::format("Gear {}", which + 1), {{lo, hi}, {-half, half}, {}}, false, which);
   f.caption = fmt::format(
                   " at {}: the ellipses of contact of a tooth on its way through the mesh; "
                   "the line joins their middles. ",
@@ -239,7 +241,7 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
 }
 
 std::optional<Figure> point_pressure_figure(const LoadScene& scene) {
-  Figure f{"point-pressure",
+  Figure f{"point-pressure" + scene.part,
            "Pressure",
            "Greatest pressure over the mesh of one tooth pair.",
            " in the middle of the ellipse, for one tooth pair while it carries load.",

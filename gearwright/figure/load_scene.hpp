@@ -24,6 +24,10 @@ struct LoadScene {
   std::vector<LoadStandard> standard;      ///< at each torque; may be empty
   std::optional<std::size_t> chosen = {};  ///< index of the torque whose fields are drawn; if none,
                                            ///< the greatest torque
+  std::string part{};  ///< ends the ids of figures; "-2" for the second half of a pair
+  /// Of a double-helical pair, whose other members are those of the whole gears: at z > 0 and at
+  /// z < 0, or one if they are mirror images.
+  std::vector<LoadScene> halves{};
 };
 
 /// Returns the torques that pictures and tables show, as indices in the contact. If there are too

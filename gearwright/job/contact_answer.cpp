@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
+#include "gearwright/contact/halves.hpp"
 
 namespace gearwright {
 
@@ -21,14 +23,15 @@ std::vector<double> spread(const std::array<double, 2>& range, int n) {
   return values;
 }
 
-ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int positions,
-                  bool gear2_drives, Progress* progress) {
-  const auto pair_at = [&](double x, double y) {
-    ContactErrors e = with_error(setup, setup.place().errors, m.key[0], x);
-    return setup.pair(with_error(setup, e, m.key[1], y), gear2_drives);
-  };
-  return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), pair_at,
-                       positions, 0, progress);
+template <class Curve>
+ErrorMap make_map(const ContactMapInput& m, const Curve& te_at, Progress* progress) {
+  return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), te_at, 0,
+                       progress);
+}
+
+ContactErrors errors_at(const ContactSetup& setup, const ContactMapInput& m, double x, double y) {
+  const ContactErrors e = with_error(setup, setup.place().errors, m.key[0], x);
+  return with_error(setup, e, m.key[1], y);
 }
 
 void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& warnings) {
@@ -132,13 +135,21 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   if (least && !flanks_jam) warn_of_jam(*least, "root fillets and flanks are", warnings);
 }
 
-}  // namespace
+// The least play of gear 2 over the positions, between both flanks.
+std::optional<Angle> least_play(const ContactAnswer& answer, bool gear2_drives) {
+  std::optional<Angle> least;
+  for (std::size_t i = 0; i < answer.driving.positions.size(); ++i) {
+    const auto play =
+        play_between(answer.driving.positions[i], answer.other.positions[i], gear2_drives);
+    if (play) least = std::min(least.value_or(*play), *play);
+  }
+  return least;
+}
 
-Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
-  auto made = setup_of(job);
-  if (!made) return made.error();
-  ContactAnswer answer{std::move(made).take(), {}, {}, {}, {}, {}, {}};
-  const ContactInput& input = job.spec.contact;
+// The pair of a setup at the positions of the input.
+Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const ContactInput& input,
+                                std::vector<Warning>& warnings, Progress* progress) {
+  ContactAnswer answer{std::move(setup), {}, {}, {}, {}, {}, {}};
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
   request.rotations = input.rotations;
@@ -151,20 +162,118 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   const auto& positions = answer.driving.positions;
   if (std::none_of(positions.begin(), positions.end(), touches))
     return nothing_touches(answer.setup);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto play = play_between(positions[i], answer.other.positions[i], gear2_drives);
-    if (play) answer.min_play = std::min(answer.min_play.value_or(*play), *play);
-  }
+  answer.min_play = least_play(answer, gear2_drives);
   answer.continuous_span =
       continuous_span(answer.setup.pair(gear2_drives), std::max(kLeastPositions, input.positions));
-  if (input.map)
-    answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, progress);
+  if (input.map) {
+    const auto te_at = [&](double x, double y) {
+      const ContactErrors errors = errors_at(answer.setup, *input.map, x, y);
+      return transmission_error(answer.setup.pair(errors, gear2_drives), input.positions);
+    };
+    answer.map = make_map(*input.map, te_at, progress);
+  }
   if (input.pattern)
     answer.pattern =
         contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, progress);
-  warn_about(answer, job.warnings);
-  if (job.spec.errors.any()) warn_about_fillets(answer, input, job.warnings, progress);
+  warn_about(answer, warnings);
+  if (job.spec.errors.any()) warn_about_fillets(answer, input, warnings, progress);
   return answer;
+}
+
+// Adds the warnings of the second half that differ from those of the first.
+void add_of_second(const std::vector<Warning>& second, std::vector<Warning>& warnings) {
+  for (Warning w : second) {
+    const bool same = std::any_of(warnings.begin(), warnings.end(), [&](const Warning& other) {
+      return other.code == w.code && other.message == w.message;
+    });
+    if (same) continue;
+    w.message = "Half at z < 0: " + w.message;
+    warnings.push_back(std::move(w));
+  }
+}
+
+// Both halves, and the whole gears.
+class HalvesAnswer {
+ public:
+  HalvesAnswer(SolvedJob& job, const ContactSetup& setup, Progress* progress)
+      : job_(job), progress_(progress), stagger_(job.halves[0]->given.stagger_pitches) {
+    const std::array middles{job.halves[0]->middle(), job.halves[1]->middle()};
+    for (const bool below : {false, true}) setup_[below] = setup.half_at(middles, below);
+  }
+
+  Result<ContactAnswer> answer() {
+    ContactInput input = job_.spec.contact;
+    const bool drives_2 = input.driver == 2;
+    const int per_pitch = input.rotations.empty() ? input.positions : 0;
+    const auto map = std::exchange(input.map, std::nullopt);
+    auto first = answer_of(job_, *setup_[0], input, job_.warnings, progress_);
+    if (!first) return first.error();
+    const Pairs driving(*this, setup_[0]->place().errors, drives_2);
+    const Pairs other(*this, setup_[0]->place().errors, !drives_2);
+    input.rotations =
+        second_rotations(driving.mesh, input.rotations, input.positions, input.pitches);
+    std::vector<Warning> of_second;
+    auto found = answer_of(job_, *setup_[1], input, of_second, progress_);
+    if (!found) return found.error();
+    ContactAnswer second = std::move(found).take();
+    add_of_second(of_second, job_.warnings);
+    std::vector<Influence> influences;
+    for (const NamedInfluence& i : influences_of(job_)) influences.push_back(i.influence);
+
+    ContactAnswer whole{*setup_[0], {}, {}, {}, {}, {}, {}};
+    for (const std::array<const ContactResult*, 2> halves{&first->driving, &second.driving};
+         const ContactResult* half : halves)
+      whole.on_halves.positions.insert(whole.on_halves.positions.end(), half->positions.begin(),
+                                       half->positions.end());
+    second.driving = second_half(driving.mesh, second.driving, influences, per_pitch);
+    second.other = second_half(other.mesh, second.other, {}, per_pitch);
+    if (second.pattern)
+      for (FlankRaster& raster : *second.pattern) raster = in_mirror(raster);
+    WholeContact both = whole_contact(driving.mesh, {&first->driving, &second.driving}, per_pitch);
+    whole.driving = std::move(both.result);
+    whole.float_axial = std::move(both.float_axial);
+    whole.other = whole_contact(other.mesh, {&first->other, &second.other}, per_pitch).result;
+    whole.min_play = least_play(whole, drives_2);
+    whole.continuous_span =
+        continuous_span(driving.mesh, std::max(kLeastPositions, input.positions));
+    if (map) {
+      const auto te_at = [&](double x, double y) {
+        const Pairs at(*this, errors_at(*setup_[0], *map, x, y), drives_2);
+        return transmission_error(at.mesh, input.positions);
+      };
+      whole.map = make_map(*map, te_at, progress_);
+    }
+    whole.halves.push_back(std::move(first).take());
+    whole.halves.push_back(std::move(second));
+    return whole;
+  }
+
+ private:
+  // Both halves under these errors.
+  struct Pairs {
+    ContactPair a, b;
+    HalvesMesh mesh;
+    Pairs(const HalvesAnswer& of, const ContactErrors& errors, bool gear2_drives)
+        : a(of.setup_[0]->pair(errors, gear2_drives)),
+          b(of.setup_[1]->pair(mirrored(errors), gear2_drives)),
+          mesh{&of.setup_[0]->gear(1), {&a, &b}, of.stagger_} {}
+    Pairs(const Pairs&) = delete;
+    Pairs& operator=(const Pairs&) = delete;
+  };
+
+  SolvedJob& job_;
+  Progress* progress_;
+  double stagger_;
+  std::array<std::optional<ContactSetup>, 2> setup_;
+};
+
+}  // namespace
+
+Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
+  auto setup = setup_of(job, errors_of(job));
+  if (!setup) return setup.error();
+  if (job.halves[0]) return HalvesAnswer(job, *setup, progress).answer();
+  return answer_of(job, std::move(setup).take(), job.spec.contact, job.warnings, progress);
 }
 
 }  // namespace gearwright

@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/contact/halves.hpp"
 
 namespace gearwright {
 
@@ -126,6 +127,67 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   parallel_for(list.size() + 1, make);
 }
 
+// The half at z > 0, or the half at z < 0 (`below`), whose setup is its mirror image.
+ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, Angle behind,
+                             bool below) {
+  const bool gear2_drives = job.spec.contact.driver == 2;
+  const ContactPair pair = half.setup.pair(gear2_drives);
+  const auto& gears = job.pair->mounted().gears;
+  ContactReport r;
+  static_cast<ContactScene&>(r) =
+      contact_scene({&gears[0], &gears[1]}, pair, job.spec.contact.marking, half.driving);
+  r.patterns = contact_pattern(pair, kFinePositions, job.pair->parallel() ? kLines : kPoints);
+  r.middle = middle_of(r.driving.positions);
+  if (r.middle)
+    r.middle_gap =
+        gap_map(pair, r.middle->rotation1 + (below ? behind : Angle()), r.middle->pair, kGap);
+  if (!below) return r;
+  r.part = "-2";
+  mirror_axes(r);
+  for (FlankRaster& raster : r.patterns) raster = in_mirror(raster);
+  r.middle_gap = in_mirror(r.middle_gap);
+  return r;
+}
+
+// The whole gears and their halves. A pitch of equal positions is computed again if the spec has
+// other rotations.
+Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer& given) {
+  SolvedJob again = job;  // its warnings have been reported
+  again.spec.contact.map.reset();
+  again.spec.contact.rotations.clear();
+  again.spec.contact.pitches = 1;
+  const ContactInput& input = job.spec.contact;
+  const bool fits = input.rotations.empty() && input.pitches == 1;
+  auto made = fits ? Result<ContactAnswer>(given) : answer_contact(again);
+  if (!made) return made.error();
+  const ContactAnswer& answer = *made;
+  const auto& gears = job.pair->mounted().gears;
+  ContactReport r;
+  static_cast<ContactScene&>(r) = contact_scene(
+      {&gears[0], &gears[1]}, answer.setup.pair(input.driver == 2), input.marking, answer.driving);
+  r.other = answer.other;
+  r.min_play = given.min_play;
+  const Angle behind = Angle::radians(-job.halves[0]->given.stagger_pitches * pitch_of(r));
+  r.halves.push_back(report_of_half(job, answer.halves[0], behind, false));
+  if (!alike_halves(job)) r.halves.push_back(report_of_half(job, answer.halves[1], behind, true));
+  return r;
+}
+
+// What the report states beside its pictures.
+void add_assumptions(ContactReport& r, const SolvedJob& job, const ContactAnswer& answer) {
+  for (std::size_t i = 0; i < kErrorCount; ++i)
+    if (job.spec.errors.value[i] != 0.0)
+      r.errors.push_back(named_error(i, job.spec.errors.value[i]));
+  r.modifications = modifications_of(job);
+  if (answer.map) {
+    const auto& key = job.spec.contact.map->key;
+    const auto& value = job.spec.errors.value;
+    r.map = ContactMap{*answer.map,
+                       {named_error(key[0], value[key[0]]), named_error(key[1], value[key[1]])}};
+  }
+  r.arc_pair = job.pair->arcs();
+}
+
 ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
@@ -145,17 +207,6 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   make_patterns(r, job, answer.setup);
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
-  for (std::size_t i = 0; i < kErrorCount; ++i)
-    if (job.spec.errors.value[i] != 0.0)
-      r.errors.push_back(named_error(i, job.spec.errors.value[i]));
-  r.modifications = modifications_of(job);
-  if (answer.map) {
-    const auto& key = input.map->key;
-    const auto& value = job.spec.errors.value;
-    r.map = ContactMap{*answer.map,
-                       {named_error(key[0], value[key[0]]), named_error(key[1], value[key[1]])}};
-  }
-  r.arc_pair = job.pair->arcs();
   return r;
 }
 
@@ -168,7 +219,7 @@ NamedAmount named_error(std::size_t index, double value) {
 }
 
 bool wants_contact(const SolvedJob& job) {
-  if (!job.pair || job.halves[0]) return false;
+  if (!job.pair) return false;
   // Circular arcs touch in points, and their ellipse and pattern are the reason for choosing such a
   // pair.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
@@ -189,7 +240,10 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
     return std::optional<ContactPart>();
   }
   ContactAnswer answer = std::move(made).take();
-  ContactReport report = report_of(job, answer);
+  auto pictures = job.halves[0] ? report_of_halves(job, answer) : Result(report_of(job, answer));
+  if (!pictures) return pictures.error();
+  ContactReport report = std::move(pictures).take();
+  add_assumptions(report, job, answer);
   const auto& positions = report.driving.positions;
   const bool any = std::any_of(positions.begin(), positions.end(),
                                [](const ContactPoint& p) { return p.kind != TouchKind::none; });

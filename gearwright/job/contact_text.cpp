@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -21,6 +22,8 @@ ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back({i.key, i.unit});
   view.continuous_span = answer.continuous_span;
   if (answer.pattern) view.pattern = &*answer.pattern;
+  for (const ContactAnswer& half : answer.halves) view.halves.push_back(view_of(job, half));
+  if (!answer.halves.empty()) view.float_axial = &answer.float_axial;
   if (answer.map) {
     view.map = &*answer.map;
     for (const std::size_t i : {0, 1})
@@ -62,6 +65,33 @@ std::string legend_of(const ContactResult& result) {
   return text + "major, minor: semi-axes of the contact ellipse";
 }
 
+// Transmission error and movement of the whole gears, and where each half touches.
+std::string halves_listing(const ContactAnswer& answer) {
+  const auto line = [](const auto&... cells) {
+    return fmt::format("  {:>11}{:>15}{:>13}  {:<9}{:>10}{:>10}  {:<9}{:>10}{:>10}\n", cells...);
+  };
+  std::string out =
+      "\n" +
+      line("rotation1", "TE", "axial float", "z > 0", "diam. 1", "z 1", "z < 0", "diam. 1", "z 1") +
+      line("°", "arcsec", "µm", "", "mm", "mm", "", "mm", "mm");
+  const auto& positions = answer.driving.positions;
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);
+  for (std::size_t i = 0; i < positions.size(); i += step) {
+    const ContactPoint& p = positions[i];
+    if (p.kind == TouchKind::none) {
+      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1.deg(), "no contact");
+      continue;
+    }
+    const ContactPoint& a = answer.halves[0].driving.positions[i];
+    const ContactPoint& b = answer.halves[1].driving.positions[i];
+    out += line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 5),
+                fixed_decimals(answer.float_axial[i] * kUmPerMm, 4), to_string(a.kind),
+                fixed_decimals(a.diameter[0], 4), fixed_decimals(a.height[0], 4), to_string(b.kind),
+                fixed_decimals(b.diameter[0], 4), fixed_decimals(b.height[0], 4));
+  }
+  return out + "\n  axial float: of gear 1 relative to gear 2; z 1: from the middle of the half\n";
+}
+
 }  // namespace
 
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
@@ -76,7 +106,14 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
   std::string out = title_listing(job.spec);
-  out += quantity_listing(contact_quantities().table(), {contact_record(job, answer)}, {});
+  std::vector<ValueRecord> records{contact_record(job, answer)};
+  std::vector<std::string> columns;
+  for (const ContactAnswer& half : answer.halves) {
+    if (columns.empty()) columns.emplace_back("whole");
+    columns.emplace_back(columns.size() == 1 ? "half z > 0" : "half z < 0");
+    records.push_back(contact_record(job, half));
+  }
+  out += quantity_listing(contact_quantities().table(), records, columns);
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
@@ -92,6 +129,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
       waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i].arcsec());
     row("Harmonics 1 to 5, amplitudes", waves + " arcsec");
   }
+  if (!answer.halves.empty()) return out + halves_listing(answer);
   out +=
       fmt::format("\n  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "rotation1",
                   "TE", "tooth", "kind", "diam. 1", "diam. 2", "z 1", "z 2", "major", "minor");

@@ -123,18 +123,17 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// Results that need two gears of one helix. A rack and its pinion have geometry, a report and files,
-// and double-helical gears have a rating too.
+// Results that need two gears of one helix. A rack and its pinion have geometry, a report and files;
+// double-helical gears lack corrections and scatter only.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair;
   if (!job.rack && !halves) return std::nullopt;
   const JobSpec& spec = job.spec;
-  const std::pair<const char*, bool> parts[] = {{"contact", spec.contact.given},
-                                                {"errors", spec.errors.given},
-                                                {"load", spec.load.given},
-                                                {"rating", spec.rating.given && job.rack},
-                                                {"compensate", spec.compensate.given},
-                                                {"scatter", spec.scatter.given}};
+  const bool rack = job.rack.has_value();
+  const std::pair<const char*, bool> parts[] = {
+      {"contact", spec.contact.given && rack}, {"errors", spec.errors.given && rack},
+      {"load", spec.load.given && rack},       {"rating", spec.rating.given && rack},
+      {"compensate", spec.compensate.given},   {"scatter", spec.scatter.given}};
   for (const auto& [table, given] : parts) {
     if (!given) continue;
     if (halves)
@@ -385,7 +384,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.measure_ends = measure_end_records(job);
   report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
-  report.verdict = judge(job, {*contact ? &contact.value()->answer.driving : nullptr, rated,
+  report.verdict = judge(job, {*contact ? &contact.value()->answer.judged() : nullptr, rated,
                                load.value().has_value()});
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;

@@ -28,6 +28,11 @@ ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::s
   return errors;
 }
 
+bool alike_halves(const SolvedJob& job) {
+  const ContactErrors errors = errors_of(job);
+  return job.halves[0]->given.stagger_pitches == 0.0 && errors == mirrored(errors);
+}
+
 std::vector<NamedInfluence> influences_of(const SolvedJob& job) {
   std::vector<NamedInfluence> list;
   for (const ErrorEntry& e : error_entries()) {

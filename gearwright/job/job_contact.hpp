@@ -20,6 +20,9 @@ Result<ContactSetup> setup_of(const SolvedJob& job);
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
+/// True if the halves of a double-helical pair are mirror images under its errors, at all rotations.
+bool alike_halves(const SolvedJob& job);
+
 /// A number whose influence is computed, with its key in results and its unit in rad or mm.
 struct NamedInfluence {
   std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"

@@ -45,12 +45,12 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
                   .errors = job.spec.errors.any(),
                   .halves = job.halves[0].has_value()};
   with.contact_again = [&](Arranged& changed) -> std::optional<ContactResult> {
-    SolvedJob again{std::move(changed), job.spec};
+    SolvedJob again{std::move(changed), job.spec, job.halves};
     again.spec.contact.map.reset();
     again.spec.contact.pattern = false;
     const auto answer = answer_contact(again);
     changed = std::move(again);
-    return answer ? std::optional(answer->driving) : std::nullopt;
+    return answer ? std::optional(answer->judged()) : std::nullopt;
   };
   if (parts.rating) {
     const RatingAnswer& r = *parts.rating;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright {
@@ -10,10 +9,16 @@ namespace gearwright {
 namespace {
 
 // The positions of the result, or a separate pitch if the spec has other rotations.
-Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
-                                   Progress* progress) {
-  if (job.spec.load.rotations.empty()) return *answer.contact;
+Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
+                                  Progress* progress) {
+  if (job.spec.load.rotations.empty()) return answer;
   SolvedJob again = job;  // its warnings have been reported
+  if (job.halves[0]) {
+    again.spec.load.rotations.clear();
+    auto made = answer_load(again, progress);
+    if (!made) return made.error();
+    return std::move(made).take();
+  }
   auto made = load_task(again);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
@@ -21,7 +26,18 @@ Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnalysis& ans
   task.request.progress = progress;
   auto contact = task.contact(*answer.compliance);
   if (auto error = judge_load(task, contact, again.warnings)) return *error;
-  return contact;
+  LoadAnalysis pitch = answer;
+  pitch.contact = std::move(contact);
+  return pitch;
+}
+
+LoadScene scene_of(const SolvedJob& job, const LoadedContact& contact,
+                   const std::vector<LoadStandard>& standard) {
+  return {{&job.gears[0], &job.gears[1]},
+          job.pair->parallel(),
+          job.spec.load.driver == 2,
+          contact,
+          standard};
 }
 
 }  // namespace
@@ -45,13 +61,15 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   }
   LoadPart part{std::move(made).take(), std::nullopt};
   if (part.answer.contact) {
-    auto contact = over_a_pitch(job, part.answer, progress);
-    if (!contact) return contact.error();
-    part.report = LoadScene{{&job.gears[0], &job.gears[1]},
-                            job.pair->parallel(),
-                            input.driver == 2,
-                            std::move(contact).take(),
-                            load_standard(job, part.answer)};
+    const auto pitch = over_a_pitch(job, part.answer, progress);
+    if (!pitch) return pitch.error();
+    const std::vector<LoadStandard> standard = load_view(job, part.answer).standard;
+    part.report = scene_of(job, *pitch->contact, standard);
+    for (const LoadAnalysis& half : pitch->halves)
+      part.report->halves.push_back(scene_of(job, *half.contact, standard));
+    if (pitch->halves.size() > 1) part.report->halves[1].part = "-2";
+    if (job.halves[0] && input.deflection_slope == 0.0 && alike_halves(job))
+      part.report->halves.resize(1);
   }
   return std::optional(std::move(part));
 }

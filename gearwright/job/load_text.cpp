@@ -35,6 +35,21 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
   return out;
 }
 
+// Both halves of a double-helical pair under torque i.
+std::string halves_listing(const LoadAnalysis& answer, std::size_t i) {
+  std::string out = fmt::format("\n  {:<11}{:>14}{:>12}{:>11}{:>11}{:>9}\n", "", "TE p-p",
+                                "pressure", "root 1", "root 2", "K_Hβ");
+  for (std::size_t h = 0; h < 2; ++h) {
+    const LoadedTorque& t = answer.halves[h].contact->torques[i];
+    out +=
+        fmt::format("  {:<11}{:>14}{:>12}{:>11}{:>11}{:>9}\n", h == 0 ? "half z > 0" : "half z < 0",
+                    fixed_decimals(t.peak_to_peak.arcsec(), 4), fixed_decimals(t.max_pressure, 1),
+                    fixed_decimals(t.max_root_stress[0], 1),
+                    fixed_decimals(t.max_root_stress[1], 1), fixed_decimals(t.face_load_factor, 3));
+  }
+  return out;
+}
+
 }  // namespace
 
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
@@ -53,19 +68,22 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
                          p.profile[k] * kUmPerMm);
   }
   if (!answer.contact) return out;
-  for (const LoadTorqueView& view :
-       torque_views(*answer.contact, load_view(job, answer).standard)) {
-    const LoadedTorque& t = *view.torque;
+  const LoadView whole = load_view(job, answer);
+  const auto views = torque_views(*answer.contact, whole.standard);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const LoadedTorque& t = *views[i].torque;
+    out += quantity_listing(load_torque_quantities().table(),
+                            {load_torque_quantities().of(views[i])}, {});
+    if (!answer.halves.empty()) out += halves_listing(answer, i);
     out +=
-        quantity_listing(load_torque_quantities().table(), {load_torque_quantities().of(view)}, {});
-    out += fmt::format("\n  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}  {}\n", "rotation1", "TE",
-                       "approach", "pressure", "root 1", "root 2", "shares");
+        fmt::format("\n  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}  {}\n", "rotation1", "TE", "approach",
+                    "pressure", "root 1", "root 2", whole.halves.empty() ? "shares" : "");
     out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",
                        "N/mm²", "N/mm²");
     // Rows for one page; --json has all.
     const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
-    for (std::size_t i = 0; i < t.positions.size(); i += step) {
-      const LoadedPosition& p = t.positions[i];
+    for (std::size_t at = 0; at < t.positions.size(); at += step) {
+      const LoadedPosition& p = t.positions[at];
       if (!p.solved()) {
         out += fmt::format("  {:>11}{:>14}\n", fixed_decimals(p.rotation1.deg(), 4),
                            p.unfinished ? "unfinished" : "no contact");

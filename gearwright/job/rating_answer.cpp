@@ -1,6 +1,6 @@
 #include "gearwright/job/rating_answer.hpp"
 
-#include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/arrange/loaded_halves.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/job_contact.hpp"
 
@@ -22,11 +22,21 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
   const Rating& r = answer.rating;
   const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
-  const auto made = contact_under(job, errors_of(job), job.spec.load, torque / answer.pair.halves,
-                                  job.warnings, progress);
+  const auto of = [torque](const LoadedTorque& t) {
+    return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
+  };
+  if (job.halves[0]) {
+    LoadInput input = job.spec.load;
+    input.torques = {torque};
+    input.probes.clear();
+    const auto both = loaded_halves(job, job.halves, errors_of(job), input, job.warnings, progress);
+    if (!both) return both.error();
+    return of(both->contact->torques.front());
+  }
+  const auto made =
+      contact_under(job, errors_of(job), job.spec.load, torque, job.warnings, progress);
   if (!made) return made.error();
-  const LoadedTorque& t = made->torques.front();
-  return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
+  return of(made->torques.front());
 }
 
 // Double-helical gears: the pair is that of one half, and the halves share the load.

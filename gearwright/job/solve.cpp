@@ -86,9 +86,9 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
 std::optional<Error> one_helix_error(const SolvedJob& job) {
   if (!job.halves[0]) return std::nullopt;
   return Error{"gear1.double_helical", "",
-               "makes double-helical gears, and contact, load and tolerances are computed for "
-               "single-helical "
-               "gears. To compute one half, give its face width and half of the torque, without "
+               "makes double-helical gears, which have contact and load by the verbs contact, load "
+               "and run; corrections, scatter and the interactive analysis are for single-helical "
+               "gears. For one half, give its face width and half of the torque, without "
                "`double_helical`"};
 }
 

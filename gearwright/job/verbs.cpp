@@ -118,7 +118,7 @@ Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::pair,
        .find = answer_contact,
        .judge = [](const SolvedJob& job,
-                   const ContactAnswer& a) { return judge(job, {.contact = &a.driving}); },
+                   const ContactAnswer& a) { return judge(job, {.contact = &a.judged()}); },
        .record = contact_json,
        .listing = contact_listing,
        .csv = contact_csv},

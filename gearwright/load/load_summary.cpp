@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMostWaves = 20;
+constexpr int kMostHarmonics = 20;
 
 using Solved = std::vector<const LoadedPosition*>;
 
@@ -31,21 +31,6 @@ LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yi
   }
   const auto n = static_cast<double>(positions.size());
   return {load / (sum / n), load / greatest, load / least};
-}
-
-std::vector<Angle> waves(const std::vector<LoadedPosition>& positions) {
-  const auto n = static_cast<int>(positions.size());
-  std::vector<Angle> amplitude;
-  const double mean = positions[0].te.rad();  // without influence except for rounding
-  for (int h = 1; h <= std::min(kMostWaves, (n - 1) / 2); ++h) {
-    std::complex<double> sum = 0.0;
-    for (int i = 0; i < n; ++i) {
-      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
-      sum += (positions[i].te.rad() - mean) * std::polar(1.0, -turn);
-    }
-    amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
-  }
-  return amplitude;
 }
 
 void summarise_lines(LoadedTorque& t, const Solved& solved, const SummaryBasis& basis) {
@@ -70,6 +55,21 @@ void summarise_points(LoadedTorque& t, const Solved& solved) {
 
 }  // namespace
 
+std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions) {
+  const auto n = static_cast<int>(positions.size());
+  std::vector<Angle> amplitude;
+  const double mean = positions[0].te.rad();  // without influence except for rounding
+  for (int h = 1; h <= std::min(kMostHarmonics, (n - 1) / 2); ++h) {
+    std::complex<double> sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
+      sum += (positions[i].te.rad() - mean) * std::polar(1.0, -turn);
+    }
+    amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
+  }
+  return amplitude;
+}
+
 double share_of(const LoadedPosition& p, int pair) {
   double sum = 0.0;
   for (const LoadedPair& k : p.pairs)
@@ -82,7 +82,8 @@ void summarise(LoadedTorque& t, const SummaryBasis& basis) {
   for (const LoadedPosition& p : t.positions)
     if (p.solved()) solved.push_back(&p);
   if (solved.empty()) return;
-  if (basis.whole_pitch && solved.size() == t.positions.size()) t.harmonics = waves(t.positions);
+  if (basis.whole_pitch && solved.size() == t.positions.size())
+    t.harmonics = harmonics(t.positions);
   double least = kInfinity;
   double greatest = -kInfinity;
   t.max_pressure = t.max_width_ratio = 0.0;

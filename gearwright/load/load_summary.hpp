@@ -28,6 +28,11 @@ struct SummaryBasis {
 /// Computes all members that follow from `torque` and `positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
+/// Amplitudes of orders 1, 2, … of the mesh frequency, at most 20, of the loaded TE.
+///
+/// Domain    solved positions, evenly spaced over one pitch
+std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
+
 /// The load share of a tooth pair, summed over its contact positions.
 double share_of(const LoadedPosition& position, int pair);
 

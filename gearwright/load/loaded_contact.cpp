@@ -47,7 +47,8 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
       perfect_(perfect),
       undeflected_(request),
       rotations_(request.rotations) {
-  undeflected_.deflection_slope = undeflected_.deflection_bow = 0.0;
+  undeflected_.deflection_slope = undeflected_.deflection_bow = undeflected_.deflection_offset =
+      0.0;
   found_.slices = compliance.slices;
   found_.regime = request.regime;
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};

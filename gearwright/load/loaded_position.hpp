@@ -58,7 +58,8 @@ class PositionSolver {
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * z / (s.hi - s.lo);
-    return request_.deflection_slope * x + request_.deflection_bow * (1 - 4 * x * x);
+    return request_.deflection_offset + request_.deflection_slope * x +
+           request_.deflection_bow * (1 - 4 * x * x);
   }
   Eigen::MatrixXd yields(const Position& at) const;
   void root_stress(const Position& at, const std::vector<Eigen::VectorXd>& load,

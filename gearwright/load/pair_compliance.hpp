@@ -31,9 +31,10 @@ struct LoadRequest {
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   std::array<ElasticBody, 2> bodies{};
   // Of lines only:
-  double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
-  double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
-  bool root_stress = true;        ///< if false, tables and positions have no root stress
+  double deflection_slope = 0.0;   ///< mm, further approach of the flanks over the common face
+  double deflection_bow = 0.0;     ///< mm, height of its parabola in the middle
+  double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
+  bool root_stress = true;         ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
 };
 

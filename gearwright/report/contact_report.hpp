@@ -31,6 +31,9 @@ struct ContactReport : ContactScene {
   std::vector<PatternUnder> under;         ///< may be empty
   std::optional<ContactMap> map;
   const ArcPair* arc_pair = nullptr;  ///< the pair, if its gears have circular-arc teeth
+  /// Of a double-helical pair, whose other members are those of the whole gears: at z > 0 and at
+  /// z < 0, or one if they are mirror images. They have patterns and the gap only.
+  std::vector<ContactReport> halves;
 };
 
 inline constexpr double kConjugate = 1e-6;  ///< arcsec; a smaller peak-to-peak value is a rounding

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
@@ -118,6 +119,26 @@ std::string root_part(const LoadScene& report, const std::array<std::string, 2>&
          figures;
 }
 
+std::string pictures_of(const LoadScene& report, const std::array<std::string, 2>& shapes) {
+  return share_part(report) + (at_points(report) ? ellipse_part(report) : pressure_part(report)) +
+         root_part(report, shapes);
+}
+
+// The halves of a double-helical pair, under half of the torque each.
+std::string halves_part(const LoadScene& report, const std::array<std::string, 2>& shapes) {
+  constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
+  std::string text =
+      "<p>The results above are those of the whole gears. One of them floats along its axis, so "
+      "each half carries half of the torque.";
+  if (report.halves.size() == 1)
+    text += " The halves are mirror images of each other, and the pictures show one of them.";
+  text += "</p>\n";
+  for (std::size_t i = 0; i < report.halves.size(); ++i)
+    text += fmt::format("<h3 class=\"half\">{}</h3>\n", kNames[i]) +
+            pictures_of(report.halves[i], shapes);
+  return text;
+}
+
 }  // namespace
 
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes) {
@@ -127,11 +148,10 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
       "<section class=\"loaded\">\n<h2>Under load</h2>\n<p>The same "
       "pair with elastic teeth: every tooth bends, its root deforms the body, and the flanks "
       "flatten where they touch. At each of {} positions of a pitch the load is shared so that no "
-      "flanks overlap and no force is tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
+      "flanks overlap and no force is tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}"
       "</section>\n",
       torques.front().positions.size(), finding(report), facts(report), te_part(report),
-      share_part(report), at_points(report) ? ellipse_part(report) : pressure_part(report),
-      root_part(report, shapes));
+      report.halves.empty() ? pictures_of(report, shapes) : halves_part(report, shapes));
 }
 
 }  // namespace gearwright

@@ -60,7 +60,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   // The side in tension is drawn on the right, which is the side y > 0 of the gear frame.
   const Vec2 worst = f.at[f.worst];
   const double half = 0.5 * kAspect * (hi - lo);
-  Figure figure = plane_figure(fmt::format("root-stress{}", which + 1),
+  Figure figure = plane_figure(fmt::format("root-stress{}{}", which + 1, report.part),
                                fmt::format("{}: {} N/mm²", name, fixed(most, 1)),
                                "The tooth in the transverse section; bars on the fillet in tension "
                                "show the greatest principal "

@@ -89,11 +89,64 @@ class TwoHalves(unittest.TestCase):
             self.assertIn(word, run.err)
 
     def test_verbs_for_one_helix_reject_it(self):
-        for verb in ("contact", "compensate"):
-            run = Run(verb, PAIR.format(""))
+        for verb, table in (("compensate", "[compensate]\n"), ("scatter", "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n")):
+            run = Run(verb, PAIR.format("") + table)
             self.assertEqual(run.status, 1)
             for words in ("gear1.double_helical", "one half"):
                 self.assertIn(words, run.err)
+
+    def contact(self, spec):
+        return json.loads(Run("contact", spec, "--json").out)["contact"]
+
+    def test_contact_is_the_mean_of_both_halves(self):
+        found = self.contact(PAIR.format("") + "[errors]\ncrossing_deg = 0.01\nintersecting_deg = 0.02\n"
+                             "[contact]\npattern = true\n[contact.map]\nx = \"crossing_deg\"\nx_range = [-0.02, 0.02]\n"
+                             "y = \"intersecting_deg\"\ny_range = [-0.02, 0.02]\npoints = [3, 3]\n")
+        first, second = found["halves"]
+        self.assertNotEqual(first["peak_to_peak_arcsec"], second["peak_to_peak_arcsec"])
+        for k, whole in enumerate(found["positions"]):
+            a, b = (half["positions"][k]["transmission_error_arcsec"] for half in (first, second))
+            self.assertAlmostEqual(whole["transmission_error_arcsec"], (a + b) / 2, 9)
+            self.assertIsNone(whole["point_mm"])
+            self.assertGreater(first["positions"][k]["point_mm"][2], 14.999)  # the half from 15 to 75 mm
+            self.assertLess(second["positions"][k]["point_mm"][2], -14.999)
+        self.assertEqual(len(found["axial_float_um"]), len(found["positions"]))
+        # The map has the errors of the spec between its points, and is symmetric under the mirror.
+        rows = found["map"]["peak_to_peak_arcsec"]
+        self.assertAlmostEqual(rows[0][0], rows[2][2], 6)
+        self.assertAlmostEqual(rows[0][2], rows[2][0], 6)
+
+    def test_contact_without_errors_is_that_of_a_half(self):
+        half = PAIR.format("").replace("face_width_mm = 150", "face_width_mm = 60")
+        half = "\n".join(line for line in half.splitlines() if "double_helical" not in line and "gap_mm" not in line)
+        alone, found = self.contact(half), self.contact(PAIR.format(""))
+        for key in ("peak_to_peak_arcsec", "least_play_deg", "contact_lost"):
+            self.assertEqual(alone[key], found[key])
+        self.assertEqual([p["transmission_error_arcsec"] for p in alone["positions"]],
+                         [p["transmission_error_arcsec"] for p in found["positions"]])
+
+    def test_load_is_shared_by_the_halves(self):
+        table = "[load]\ntorque_Nm = 2000\npositions = 4\naccuracy = \"draft\"\n[errors]\ncrossing_deg = 0.002\n"
+        load = json.loads(Run("load", PAIR.format("") + table, "--json").out)["load"]
+        whole = load["torques"][0]
+        halves = [half["torques"][0] for half in load["halves"]]
+        self.assertEqual([whole["torque_Nm"]] + [h["torque_Nm"] for h in halves], [2000, 1000, 1000])
+        self.assertEqual(whole["max_pressure_MPa"], max(h["max_pressure_MPa"] for h in halves))
+        for k, position in enumerate(whole["positions"]):
+            self.assertAlmostEqual(position["transmission_error_arcsec"],
+                                   sum(h["positions"][k]["transmission_error_arcsec"] for h in halves) / 2, 9)
+
+    def test_run_shows_both_halves(self):
+        table = ("[errors]\nintersecting_deg = 0.01\n[load]\ntorque_Nm = 2000\npositions = 4\naccuracy = \"draft\"\n")
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run("run", PAIR.format("") + table, "--out", folder)
+            self.assertEqual(run.status, 0, run.err)
+            report = (Path(folder) / "report.html").read_text()
+            ids = re.findall(r'\sid="([^"]+)"', report)
+            self.assertEqual(sorted(ids), sorted(set(ids)))
+            for heading in ("Half at z &gt; 0", "Half at z &lt; 0"):
+                self.assertEqual(report.count(heading), 2, heading)  # contact and load
+            self.assertNotIn("contact", json.loads((Path(folder) / "result.json").read_text())["verdict"].get("not_judged", []))
 
     def test_run_writes_the_whole_gears(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -110,9 +163,8 @@ class TwoHalves(unittest.TestCase):
                 self.assertFalse([z for z in heights if abs(z) < 15])
 
     def test_run_rejects_tables_for_one_helix(self):
-        for table in ("contact", "errors", "load", "compensate", "scatter"):
-            key = {"errors": "crossing_deg = 0.01", "load": "torque_Nm = 100"}.get(table, "")
-            run = Run("run", PAIR.format("") + f"[{table}]\n{key}\n")
+        for table in ("compensate", "scatter"):
+            run = Run("run", PAIR.format("") + f"[{table}]\n")
             self.assertEqual(run.status, 1, table)
             self.assertIn("single-helical", run.err)
 

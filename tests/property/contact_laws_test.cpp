@@ -382,14 +382,14 @@ TEST(ContactLaws, a_map_does_not_depend_on_threads) {
   const ContactSet set = contact_set(some_arcs());
   std::vector<double> x, y;
   for (int i = 0; i < 7; ++i) x.push_back(1e-4 * (i - 3)), y.push_back(0.01 * (i - 3));
-  const auto pair_at = [&set](double crossing, double d_center) {
+  const auto te_at = [&set](double crossing, double d_center) {
     ContactSet s = set;
     s.mount.errors.crossing = Angle::radians(crossing), s.mount.errors.center_distance = d_center;
-    return s.pair();
+    return transmission_error(s.pair(), 16);
   };
-  const ErrorMap one = map_of_errors(x, y, pair_at, 16, 1);
+  const ErrorMap one = map_of_errors(x, y, te_at, 1);
   for (const int threads : {2, 3, 0}) {
-    const ErrorMap other = map_of_errors(x, y, pair_at, 16, threads);
+    const ErrorMap other = map_of_errors(x, y, te_at, threads);
     for (std::size_t i = 0; i < y.size(); ++i)
       for (std::size_t k = 0; k < x.size(); ++k)
         EXPECT_TRUE(same_bits(one.value[i][k], other.value[i][k]));

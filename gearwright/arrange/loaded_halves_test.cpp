@@ -1,0 +1,128 @@
+// Laws: (1) without errors, a half is a helical pair of its own under half of the torque   (2) the
+// deflections of the halves are those of the whole face   (3) a stagger multiplies harmonic k of the
+// loaded TE by |cos πks|   (4) mirrored errors exchange the halves.
+#include "gearwright/arrange/loaded_halves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/torque.hpp"
+
+namespace gearwright {
+namespace {
+
+struct Sample {
+  Arranged half;
+  std::array<std::optional<Halves>, 2> halves;
+};
+
+// 17 : 29, m_n = 3, β = 25°, b = 50 with a gap of 6 mm.
+Sample sample(double stagger) {
+  GivenPair given;
+  for (const int which : {1, 2}) {
+    given.gears[static_cast<std::size_t>(which - 1)].emplace();
+    GearInput& g = given.gear(which);
+    g.cylindrical.teeth = which == 1 ? 17 : 29;
+    g.cylindrical.normal_module = 3.0;
+    g.cylindrical.helix_angle = Angle::degrees(which == 1 ? 25 : -25);
+    g.helix_given = true;
+    g.cylindrical.face_width = 50.0;
+    g.face_width_given = true;
+    g.cylindrical.rack = *iso53_rack("ISO53-A");
+    g.bore = Bore{.diameter = 20.0};
+  }
+  const DoubleHelicals halves{DoubleHelical{.gap = 6.0, .stagger_pitches = stagger},
+                              DoubleHelical{.gap = 6.0, .stagger_pitches = stagger}};
+  EXPECT_FALSE(halve(given, halves));
+  Sample s{std::move(arrange(given)).take(), {}};
+  for (const int which : {1, 2}) {
+    const auto i = static_cast<std::size_t>(which - 1);
+    s.halves[i] = std::move(halves_of(s.half.gear(which), *halves[i])).take();
+  }
+  return s;
+}
+
+LoadInput torque(double newton_metres) {
+  LoadInput input;
+  input.given = true;
+  input.torques = {newton_metres};
+  input.positions = 16;
+  input.accuracy = ComplianceAccuracy::draft;
+  return input;
+}
+
+LoadAnalysis analysed(const Sample& s, const ContactErrors& errors, const LoadInput& input) {
+  std::vector<Warning> warnings;
+  auto made = loaded_halves(s.half, s.halves, errors, input, warnings);
+  EXPECT_TRUE(made) << made.error().message();
+  return std::move(made).take();
+}
+
+TEST(LoadedHalves, AreHelicalPairsUnderHalfOfTheTorque) {
+  const Sample s = sample(0.0);
+  const LoadAnalysis whole = analysed(s, {}, torque(300));
+  std::vector<Warning> warnings;
+  const auto alone = loaded(s.half, {}, torque(150), warnings);
+  ASSERT_TRUE(alone);
+  const LoadedTorque& one = alone->contact->torques[0];
+  const LoadedTorque& both = whole.contact->torques[0];
+  EXPECT_EQ(newton_metres(both.torque), 300.0);
+  for (std::size_t i = 0; i < one.positions.size(); ++i) {
+    EXPECT_EQ(one.positions[i].te.rad(), whole.halves[0].contact->torques[0].positions[i].te.rad());
+    EXPECT_NEAR(one.positions[i].te.rad(), both.positions[i].te.rad(), 1e-15);
+  }
+  EXPECT_EQ(one.max_pressure, both.max_pressure);
+  EXPECT_NEAR(one.stiffness.mean, both.stiffness.mean, 1e-12 * both.stiffness.mean);
+  EXPECT_NEAR(one.tangent.mean, both.tangent.mean, 1e-12 * both.tangent.mean);
+}
+
+TEST(LoadedHalves, HaveTheDeflectionOfTheWholeFace) {
+  const Sample s = sample(0.0);
+  LoadInput input = torque(100);
+  input.deflection_slope = 7.0;
+  input.deflection_bow = 4.0;
+  const Halves& h = *s.halves[0];
+  const auto at = [](const LoadInput& i, double x) {
+    return i.deflection_offset + i.deflection_slope * x + i.deflection_bow * (1 - 4 * x * x);
+  };
+  for (const bool below : {false, true}) {
+    const LoadInput half = input_of_half(input, h, s.half.gear(1), below);
+    for (const double z : {-0.5, -0.1, 0.3, 0.5}) {
+      const double there = h.middle() + z * h.half_face_width;
+      EXPECT_NEAR(at(half, z), at(input, (below ? -there : there) / h.face_width), 1e-13);
+    }
+    EXPECT_EQ(half.torques[0], 50.0);
+  }
+}
+
+TEST(LoadedHalves, StaggeredHalvesCancelHarmonics) {
+  const LoadAnalysis whole = analysed(sample(0.5), {}, torque(300));
+  const auto& half = whole.halves[0].contact->torques[0].harmonics;
+  const auto& both = whole.contact->torques[0].harmonics;
+  ASSERT_GE(both.size(), 3u);
+  EXPECT_LT(both[0].rad(), 1e-3 * half[0].rad());
+  EXPECT_NEAR(both[1].rad(), half[1].rad(), 1e-3 * half[0].rad());
+  EXPECT_NEAR(whole.halves[1].contact->torques[0].harmonics[0].rad(), half[0].rad(),
+              1e-3 * half[0].rad());
+}
+
+TEST(LoadedHalves, AreExchangedByMirroredErrors) {
+  const Sample s = sample(0.0);
+  const ContactErrors errors{.crossing = Angle::degrees(0.01),
+                             .intersecting = Angle::degrees(0.02)};
+  const LoadAnalysis one = analysed(s, errors, torque(300));
+  const LoadAnalysis two = analysed(s, mirrored(errors), torque(300));
+  const auto load = [](const LoadAnalysis& a, std::size_t h) -> const LoadedTorque& {
+    return a.halves[h].contact->torques[0];
+  };
+  EXPECT_NE(load(one, 0).max_pressure, load(one, 1).max_pressure);
+  EXPECT_EQ(load(one, 0).max_pressure, load(two, 1).max_pressure);
+  EXPECT_EQ(load(one, 1).peak_to_peak.rad(), load(two, 0).peak_to_peak.rad());
+  const auto& along = load(one, 0).face_load;
+  EXPECT_EQ((along - load(two, 1).face_load.reverse()).norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,204 @@
+#include "gearwright/contact/halves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "gearwright/contact/continuous.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
+
+// The sign of an error in the mirror image.
+double mirror_sign(ErrorKind kind) {
+  const bool turns =
+      kind == ErrorKind::crossing || kind == ErrorKind::intersecting || kind == ErrorKind::axial;
+  return turns ? -1.0 : 1.0;
+}
+
+ContactPoint in_mirror(ContactPoint p, Angle behind, double ratio) {
+  p.rotation1 = p.rotation1 - behind;
+  p.rotation2 = p.rotation2 - ratio * behind;
+  p.point = in_mirror(p.point);
+  p.normal = in_mirror(p.normal);
+  for (double& z : p.height) z = -z;
+  if (p.ellipse) p.ellipse->angle = -p.ellipse->angle;
+  if (p.ridge && p.ridge->by_height) std::swap(p.ridge->side[0], p.ridge->side[1]);
+  if (p.line) p.line = std::array{in_mirror((*p.line)[1]), in_mirror((*p.line)[0])};
+  return p;
+}
+
+std::vector<Angle> harmonics_of(const ContactResult& result, int per_pitch) {
+  std::vector<double> te;
+  for (int i = 0; i < per_pitch; ++i)
+    te.push_back(result.positions[static_cast<std::size_t>(i)].te.rad());
+  return harmonics(te);
+}
+
+// The mean of the TE of both halves, rad; NaN if one of them does not touch.
+class MeanError {
+ public:
+  explicit MeanError(const HalvesMesh& mesh) : mesh_(mesh), a_(*mesh.half[0]), b_(*mesh.half[1]) {}
+
+  double at(double rotation1) {
+    return (of(a_, *mesh_.half[0], rotation1) +
+            of(b_, *mesh_.half[1], rotation1 + mesh_.behind().rad())) /
+           2;
+  }
+  /// The extreme of `sign` times the mean between two rotations, by golden section.
+  double extreme(double lo, double hi, double sign) {
+    constexpr double kGolden = 0.6180339887498949;
+    constexpr double kSame = 1e-10;  // of a rotation: TE is flat at a maximum, and at most as steep
+                                     // as 1e-2 at a handover
+    double x = hi - kGolden * (hi - lo), y = lo + kGolden * (hi - lo);
+    double at_x = sign * at(x), at_y = sign * at(y);
+    while (hi - lo > kSame) {
+      if (at_x > at_y) {
+        hi = y;
+        y = x;
+        at_y = at_x;
+        at_x = sign * at(x = hi - kGolden * (hi - lo));
+      } else {
+        lo = x;
+        x = y;
+        at_x = at_y;
+        at_y = sign * at(y = lo + kGolden * (hi - lo));
+      }
+    }
+    return sign * std::max(at_x, at_y);
+  }
+
+ private:
+  static double of(Transmission& transmission, const ContactPair& pair, double rotation1) {
+    const PairTouch t = transmission.at(pair.to_world(rotation1));
+    return t.found() ? pair.turned() * t.te() : kNone;
+  }
+  const HalvesMesh& mesh_;
+  Transmission a_, b_;
+};
+
+}  // namespace
+
+FlankRaster in_mirror(const FlankRaster& raster) {
+  FlankRaster r = raster;
+  const std::size_t columns = r.height.size();
+  for (std::size_t k = 0; k < columns; ++k) r.height[k] = -raster.height[columns - 1 - k];
+  for (std::size_t i = 0; i < r.diameter.size(); ++i)
+    std::reverse(r.gap.begin() + static_cast<std::ptrdiff_t>(i * columns),
+                 r.gap.begin() + static_cast<std::ptrdiff_t>((i + 1) * columns));
+  return r;
+}
+
+std::vector<Angle> second_rotations(const HalvesMesh& mesh, std::vector<Angle> rotations,
+                                    int positions, int pitches) {
+  if (mesh.stagger == 0.0) return rotations;
+  if (rotations.empty()) {
+    const double pitch = mesh.half[1]->pitch();
+    for (int i = 0; i < pitches * positions; ++i)
+      rotations.push_back(
+          Angle::radians(pitch * (static_cast<double>(i) / positions - 0.5 * pitches)));
+  }
+  for (Angle& r : rotations) r += mesh.behind();
+  return rotations;
+}
+
+ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
+                          const std::vector<Influence>& influences, int per_pitch) {
+  ContactResult result = image;
+  for (ContactPoint& p : result.positions) p = in_mirror(p, mesh.behind(), mesh.half[1]->ratio());
+  for (std::size_t i = 0; i < result.sensitivities.size(); ++i) {
+    const Influence& by = influences[i];
+    const double sign = by.modified_gear == 0 ? mirror_sign(by.error) : 1.0;
+    for (Sensitivity& s : result.sensitivities[i]) s = {sign * s.te, sign * in_mirror(s.point)};
+  }
+  if (per_pitch > 0 && !result.contact_lost) result.harmonics = harmonics_of(result, per_pitch);
+  return result;
+}
+
+WholeContact whole_contact(const HalvesMesh& mesh, const std::array<const ContactResult*, 2>& half,
+                           int per_pitch) {
+  const auto& [a, b] = half;
+  GW_EXPECTS(a->positions.size() == b->positions.size());
+  const double per_mm = mesh.half[0]->ratio() * mesh.gear_1->twist();
+  WholeContact whole;
+  std::vector<double> te;
+  for (std::size_t i = 0; i < a->positions.size(); ++i) {
+    const ContactPoint& p = a->positions[i];
+    const ContactPoint& q = b->positions[i];
+    ContactPoint both;
+    both.rotation1 = p.rotation1;
+    both.point = both.normal = Vec3::Constant(kNone);
+    both.diameter = both.height = {kNone, kNone};
+    if (p.kind == TouchKind::none || q.kind == TouchKind::none) {
+      whole.result.contact_lost = true;
+      whole.float_axial.push_back(kNone);
+    } else {
+      both.te = (p.te + q.te) / 2;
+      both.rotation2 = (p.rotation2 + q.rotation2) / 2;
+      both.pair = p.pair;
+      both.kind = is_edge(q.kind) && !is_edge(p.kind) ? q.kind : p.kind;
+      whole.float_axial.push_back((q.te - p.te).rad() / (2 * per_mm));
+      te.push_back(both.te.rad());
+    }
+    whole.result.positions.push_back(both);
+  }
+  if (te.empty()) return whole;
+  whole.result.peak_to_peak = Angle::radians(peak_to_peak(te));
+  whole.result.mean_slope = (a->mean_slope + b->mean_slope) / 2;
+  whole.result.unfinished = a->unfinished + b->unfinished;
+  if (per_pitch > 0 && !whole.result.contact_lost)
+    whole.result.harmonics = harmonics_of(whole.result, per_pitch);
+  return whole;
+}
+
+std::vector<double> transmission_error(const HalvesMesh& mesh, int positions) {
+  std::vector<double> te = transmission_error(*mesh.half[0], positions);
+  if (mesh.alike()) return te;
+  std::vector<double> second;
+  if (mesh.stagger == 0.0) {
+    second = transmission_error(*mesh.half[1], positions);
+  } else {
+    const ContactRequest at{.positions = positions,
+                            .rotations = second_rotations(mesh, {}, positions, 1)};
+    for (const ContactPoint& p : analyse_contact(*mesh.half[1], at).positions)
+      second.push_back(p.kind == TouchKind::none ? kNone : p.te.rad());
+  }
+  for (std::size_t i = 0; i < te.size(); ++i) te[i] = (te[i] + second[i]) / 2;
+  return te;
+}
+
+std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
+  if (mesh.alike()) return continuous_span(*mesh.half[0], positions);
+  MeanError mean(mesh);
+  const double step = mesh.half[0]->pitch() / positions;
+  std::vector<double> te;
+  for (int i = 0; i < positions; ++i) {
+    te.push_back(mean.at((i - positions / 2) * step));
+    if (std::isnan(te.back())) return std::nullopt;
+  }
+  double extreme[2];
+  for (const int which : {0, 1}) {
+    const double sign = which == 0 ? -1.0 : 1.0;
+    const auto value = [&](int i) { return sign * te[(i + positions) % positions]; };
+    double best = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
+    for (int i = 0; i < positions; ++i) {
+      if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
+      // The curve may exceed the best position where a neighbouring step reaches beyond it.
+      const double reach = value(i) - std::min(value(i - 1), value(i + 1));
+      if (value(i) + reach < best) continue;
+      const double middle = (i - positions / 2) * step;
+      best = std::max(best, sign * mean.extreme(middle - step, middle + step, sign));
+    }
+    extreme[which] = sign * best;
+  }
+  return Angle::radians(extreme[1] - extreme[0]);
+}
+
+}  // namespace gearwright
