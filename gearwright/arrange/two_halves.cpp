@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gearwright/gear/gear_field.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double kSameLength = 1e-9;  // relative, for two ways to compute one length
 
-std::optional<Error> check_half(const GivenPair& given, int which, const DoubleHelical& halves) {
-  const GearInput& gear = given.gear(which);
+std::optional<Error> check_half(const GearInput& gear, int which) {
+  const DoubleHelical& halves = *gear.double_helical;
   const CylindricalSpec& c = gear.cylindrical;
   if (!gear.face_width_given) {
     return absent_input(gear_field(which, "face_width"),
@@ -29,7 +30,8 @@ std::optional<Error> check_half(const GivenPair& given, int which, const DoubleH
 }
 
 // The halves of a pair must have equal faces up to the width of the narrower one.
-std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& halves) {
+std::optional<Error> check_mates(const GivenPair& given) {
+  const std::array halves{given.gear(1).double_helical, given.gear(2).double_helical};
   if (halves[0].has_value() != halves[1].has_value()) {
     const int lacking = halves[0] ? 2 : 1;
     return absent_input(
@@ -58,23 +60,28 @@ std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& h
 
 }  // namespace
 
-std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves) {
-  if (!halves[0] && !halves[1]) return std::nullopt;
+std::optional<Error> halve(GivenPair& given) {
+  bool any = false;
   for (const int which : {1, 2}) {
-    const auto& half = halves[static_cast<std::size_t>(which - 1)];
-    if (!half || !given.has(which)) continue;
-    if (auto error = check_half(given, which, *half)) return error;
+    if (!given.has(which) || !given.gear(which).double_helical) continue;
+    if (auto error = check_half(given.gear(which), which)) return error;
+    any = true;
   }
-  if (given.has(1) && given.has(2)) {
-    if (auto error = check_mates(given, halves)) return error;
+  if (any && given.has(1) && given.has(2)) {
+    if (auto error = check_mates(given)) return error;
   }
-  for (const int which : {1, 2}) {
-    const auto& half = halves[static_cast<std::size_t>(which - 1)];
-    if (!half || !given.has(which)) continue;
-    double& face = given.gear(which).cylindrical.face_width;
-    face = (face - half->gap) / 2;
+  for (auto& gear : given.gears) {
+    if (!gear || !gear->double_helical) continue;
+    double& face = gear->cylindrical.face_width;
+    face = (face - gear->double_helical->gap) / 2;
   }
   return std::nullopt;
+}
+
+std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given) {
+  if (!(given.gap > 0.0)) return std::nullopt;
+  const double deeper = (half.internal() ? 0.5 : -0.5) * half.spec.normal_module;
+  return given.groove_diameter.value_or(half.root_diameter + deeper);
 }
 
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
@@ -89,11 +96,10 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   made.half_face_width = half.spec.face_width;
   made.face_width = 2 * half.spec.face_width + given.gap;
   made.axial_shift_per_index_error = 1 / (2 * std::tan(beta));
-  if (given.gap > 0.0) {
+  made.groove_diameter = groove_diameter(half, given);
+  if (made.groove_diameter) {
     const bool ring = half.internal();
     const double root = half.root_diameter;
-    made.groove_diameter =
-        given.groove_diameter.value_or(root + (ring ? 0.5 : -0.5) * half.spec.normal_module);
     if (ring ? !(*made.groove_diameter > root) : !(*made.groove_diameter < root)) {
       return refused(
           "double_helical.groove_diameter", *made.groove_diameter, {root},
@@ -120,6 +126,16 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   }
   made.hob_run_out = run_out;
   return made;
+}
+
+std::optional<Warning> stagger_warning(const Halves& halves, int which) {
+  if (halves.given.stagger_pitches == 0.0 || halves.given.gap > 0.0) return std::nullopt;
+  return Warning{WarningCode::stagger_without_gap,
+                 fmt::format("The halves are staggered by {} pitches without a gap, so their teeth "
+                             "do not meet in the middle plane, and there are no files of the gear. "
+                             "A `double_helical.gap` greater than 0 separates the halves.",
+                             format_number(halves.given.stagger_pitches)),
+                 which};
 }
 
 std::optional<Warning> run_out_warning(const Halves& halves, int which) {

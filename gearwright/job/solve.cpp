@@ -29,13 +29,14 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
 // Adds the data of double-helical gears, of which `job` contains a half each.
 std::optional<Error> find_halves(SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    const auto& given = job.spec.double_helical[i];
-    if (!given) continue;
     const int which = static_cast<int>(i) + 1;
+    const auto& given = job.spec.gear(which).double_helical;
+    if (!given) continue;
     auto halves = halves_of(job.gears[i], *given);
     if (!halves) return of_gear(which, halves.error());
     job.halves[i] = std::move(halves).take();
-    if (auto warning = run_out_warning(*job.halves[i], which)) job.warnings.push_back(*warning);
+    for (const auto& warning : {run_out_warning, stagger_warning})
+      if (auto w = warning(*job.halves[i], which)) job.warnings.push_back(*w);
   }
   const bool any = job.halves[0] || job.halves[1];
   if (!any || !job.pair || !job.pair->crossed()) return std::nullopt;
@@ -63,7 +64,7 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
-  if (auto error = halve(given, spec.double_helical)) return *error;
+  if (auto error = halve(given)) return *error;
   auto arranged = arrange(given, scope);
   if (!arranged) {
     Error error = arranged.error();

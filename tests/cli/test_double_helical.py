@@ -144,8 +144,18 @@ class TwoHalves(unittest.TestCase):
             for words in ("gear1.bore.diameter_mm", "groove between the halves"):
                 self.assertIn(words, run.err)
 
+        verdict = Run("pair", PAIR.format(f"[gear1.bore]\ndiameter_mm = {bore}"), "--json").json["verdict"]
+        self.assertEqual((verdict["level"], verdict["findings"][0]["code"]), ("red", "no_body"))
+        self.assertIn("groove between the halves", verdict["findings"][0]["message"])
+        remedy = verdict["findings"][0]["change"]["gear1.bore.diameter_mm"]
+        self.assertEqual(Run("pair", PAIR.format(f"[gear1.bore]\ndiameter_mm = {remedy}"), "--json").json["verdict"]["level"],
+                         Run("pair", PAIR.format(""), "--json").json["verdict"]["level"])
+
     def test_staggered_halves_without_a_gap_have_no_files(self):
         spec = PAIR.format("").replace("gap_mm = 30", "stagger_pitches = 0.5")
+        verdict = Run("pair", spec, "--json").json["verdict"]
+        self.assertEqual(verdict["level"], "amber")
+        self.assertIn("stagger_without_gap", [f["code"] for f in verdict["findings"]])
         run = Run("export", spec, "--step", "x.step")
         self.assertEqual(run.status, 1)
         self.assertIn("gear1.double_helical.gap_mm = 0", run.err)
