@@ -102,7 +102,7 @@ class Views {
 
   std::vector<double> radii_to_the_right() const {
     std::vector<double> radii{input_.reference_diameter / 2, tip_};
-    if (ring() && input_.bore_given) radii.push_back(body_);
+    if (ring()) radii.push_back(body_);
     std::sort(radii.begin(), radii.end());
     return radii;
   }

@@ -29,7 +29,6 @@ struct DataGroup {
 struct GearSheetInput {
   ToothedBody body;
   double reference_diameter;  ///< d    mm
-  bool bore_given;            ///< if false, the rim of an internal gear is not part of the drawing
   std::vector<DataGroup> data;  ///< in their order
   DrawingInput words;           ///< text of the title block, and the fits of bore and keyway
   std::string mass;             ///< "0.41 kg", empty if unknown

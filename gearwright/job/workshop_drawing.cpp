@@ -310,7 +310,6 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
     if (!body) return body.error();
     GearSheetInput input{*body,
                          job.gear(which).reference_diameter,
-                         job.gear(which).bore.has_value(),
                          drawing_data(job, which),
                          words,
                          mass_of(job, which, *body),
