@@ -153,6 +153,7 @@ Result<Arranged> arrange(const GivenPair& given, Scope scope) {
   auto nominal = arrange_nominal(*allowed, scope);
   if (!nominal) return nominal;
   Arranged arranged = std::move(nominal).take();
+  if (auto error = apply_tip_fits(arranged)) return *error;
   auto ends = arrange_ends(arranged, scope);
   if (!ends) return ends.error();
   arranged.ends = std::move(ends).take();

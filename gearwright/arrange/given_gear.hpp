@@ -53,6 +53,7 @@ struct ToleranceInput {
   /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, or for an
   /// internal gear the shorter tooth.
   std::optional<Ends> tip_deviations;
+  std::optional<std::string> tip_fit;  ///< of ISO 286, "h9", which gives the deviations
 
   bool says_thickness() const { return series || span || over_balls; }
 };

@@ -312,6 +312,7 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
                          job.gear(which).reference_diameter,
                          drawing_data(job, which),
                          words,
+                         job.spec.gear(which).tolerance.tip_fit.value_or(""),
                          mass_of(job, which, *body),
                          fmt::format("{}/{}", i + 1, gears.size())};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);
