@@ -129,6 +129,8 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
     if (!gear) return gear.error();
     arranged.gears.push_back(std::move(gear).take());
     arranged.gears.back().bore = given.gear(which).bore;
+    if (const auto& halves = given.gear(which).double_helical)
+      arranged.gears.back().gap = halves->gap;
   }
   const bool starts_follow = lacks_relief_start(given);
   if (starts_follow && !two) return missing_relief_start(given);
