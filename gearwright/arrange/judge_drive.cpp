@@ -179,6 +179,14 @@ std::string running(const Drive& drive) {
       distance = pair->center_distance();
     }
   }
+  const auto& gears = drive.graph.gears;
+  const bool racks =
+      std::any_of(gears.begin(), gears.end(), [](const DriveGear& gear) { return gear.rack; });
+  if (racks)
+    text +=
+        " Meshes with a rack are not checked; the verb drive with --take prints each mesh as a "
+        "pair.";
+  if (!least && racks) return text;
   if (!least) return text + " Without a module, the teeth are not checked.";
   std::vector<const Rating*> ratings;
   for (const auto& rating : drive.ratings)

@@ -208,7 +208,10 @@ const KeyTable& drive_gear_keys() {
                      "required, unless `form` is `\"rack\"`",
                      "number of teeth, negative for a ring"),
          Key::word("form", {"gear", "rack"}, KeyPlace::unused(), "\"gear\"",
-                   "if `\"rack\"`, the gear is a rack, whose body moves")}};
+                   "if `\"rack\"`, the gear is a rack, whose body moves"),
+         Key::positive("height_mm", "", KeyPlace::unused(), "no mounting distance",
+                       "height of a rack from its back to its datum line")
+             .with_also({"height", "back"})}};
     for (const Key& key : stage_gear_keys().keys)
       if (!t.find(key.key)) t.keys.push_back(key);
     return t;

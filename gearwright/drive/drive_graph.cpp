@@ -79,6 +79,11 @@ std::optional<std::size_t> DriveGraph::frame(const DriveMesh& mesh) const {
 bool DriveGraph::is_fixed(std::size_t body) const { return holds(fixed, body); }
 bool DriveGraph::is_input(std::size_t body) const { return holds(inputs, body); }
 
+bool DriveGraph::moves(std::size_t body) const {
+  return std::any_of(gears.begin(), gears.end(),
+                     [body](const DriveGear& gear) { return gear.rack && gear.body == body; });
+}
+
 std::optional<Error> check_graph(const DriveGraph& graph) {
   if (graph.bodies.empty() || graph.meshes.empty())
     return absent_input("drive.mesh", "; a drive has bodies, gears on them and meshes of gears");

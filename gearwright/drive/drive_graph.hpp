@@ -86,6 +86,8 @@ struct DriveGraph {
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;
+  /// True if a rack is on the body, which then moves instead of turning.
+  bool moves(std::size_t body) const;
 };
 
 /// Checks that the graph can be computed: names, indices, teeth, frames.

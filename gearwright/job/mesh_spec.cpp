@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 
 namespace gearwright {
@@ -18,6 +19,12 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
   table.erase("name");
   table.erase("body");
+  if (job.drive.graph.gears[gear].rack) {  // its pinion gives the other data
+    Json bar = Json::object();
+    for (const auto& [key, value] : table.items())
+      if (rack_bar_keys().find(key)) bar[key] = value;
+    return bar;
+  }
   // 0, and not −0.
   if (table.contains("helix_angle_deg"))
     table["helix_angle_deg"] = table["helix_angle_deg"].get<double>() + 0.0;

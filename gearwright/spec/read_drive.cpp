@@ -307,6 +307,8 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   gear.rack = own.word("form").value_or("gear") == "rack";
   if (!gear.rack && !own.has("teeth"))
     own.fail_absent("teeth", ": number of teeth, negative for a ring");
+  if (!gear.rack)
+    own.refuse("height_mm", "is the height of a rack; form = \"rack\" makes the gear a rack");
   refuse_in_drive(node, path);
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));

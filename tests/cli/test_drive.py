@@ -1,6 +1,7 @@
 """Tests run and export on drives: every example is green and has its files, and errors of drives
 contain a remedy."""
 import json
+import math
 import re
 import unittest
 import zipfile
@@ -96,6 +97,47 @@ mesh = [{ gears = ["r", "p"] }]
         pair = Run("pair", spec.out, "--json")
         self.assertEqual(pair.status, 0, pair.err)
         self.assertEqual(pair.json["pair"]["kind"], "rack_and_pinion")
+
+    LIFT = """
+[drive]
+input = "shaft"
+output = "bar"
+speed_rpm = 60
+torque_Nm = 10
+body = [{ name = "shaft" }, { name = "bar" }]
+gear = [{ name = "p", body = "shaft", teeth = 20, normal_module_mm = 2, helix_angle_deg = 10 },
+        { name = "r", body = "bar", form = "rack", teeth = 30, height_mm = 18, normal_module_mm = 2 }]
+mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
+"""
+
+    def test_a_rack_moves(self):
+        """In a turn per second the rack moves by the pitch circle of its pinion, and its force has the arm of d/2."""
+        drive = Run("drive", self.LIFT, "--json").json
+        d = 20 * 2 / math.cos(math.radians(10))
+        bar = drive["drive"]["bodies"]["bar"]
+        self.assertAlmostEqual(bar["speed_m_per_s"], math.pi * d / 1000, 12)
+        self.assertAlmostEqual(abs(bar["force_N"]), 0.98 * 10 / (d / 2000), 9)
+        self.assertAlmostEqual(bar["power_kW"] * 1000, bar["force_N"] * bar["speed_m_per_s"], 9)
+        self.assertEqual([bar[key] for key in ("speed_rpm", "torque_Nm")], [None, None])
+        shaft = drive["drive"]["bodies"]["shaft"]
+        self.assertEqual([shaft[key] for key in ("speed_m_per_s", "force_N")], [None, None])
+        self.assertIn("Meshes with a rack are not checked", drive["verdict"]["headline"])
+        text = Run("drive", self.LIFT).out
+        for words in ("0.1276 m/s", "482.56 N", "pitches per turn"):
+            self.assertIn(words, text)
+        page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
+        self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
+
+    def test_the_height_of_a_rack_reaches_its_pair(self):
+        pair = Run("pair", Run("drive", self.LIFT, "--take", "1").out, "--json")
+        self.assertEqual(pair.status, 0, pair.err)
+        self.assertAlmostEqual(pair.json["pair"]["mounting_distance_mm"], pair.json["pair"]["center_distance_mm"] + 18, 9)
+        for height, word in (("height_mm = -1", "greater than 0"), ("form = \"gear\", teeth = 30, height_mm = 18", "form")):
+            run = Run("drive", self.LIFT.replace('form = "rack", teeth = 30, height_mm = 18',
+                                                 height if "form" in height else 'form = "rack", ' + height + ", teeth = 30"))
+            self.assertEqual(run.status, 1)
+            for words in ("drive.gear[2].height_mm", word):
+                self.assertIn(words, run.err)
 
     def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
         run = Run("contact", SET)
