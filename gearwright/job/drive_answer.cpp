@@ -55,7 +55,7 @@ std::string body_listing(const Drive& drive) {
     const std::string speed = !rack ? number(drive.speed_rpm(b), 2)
                               : v   ? fmt::format("{:.4f} m/s", *v)
                                     : kAbsent;
-    const std::string load = rack                 ? force ? fmt::format("{:.2f} N", *force) : kAbsent
+    const std::string load = rack ? force ? fmt::format("{:.2f} N", *force) : kAbsent
                              : powered && t != 0.0 ? fixed_decimals(t, 4)
                                                    : kAbsent;
     out += fmt::format("  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n",
@@ -110,7 +110,8 @@ std::string set_listing(const PlanetSet& set) {
 }
 
 std::string drive_csv(const Drive& drive) {
-  std::string out = "body,speed_ratio,relative_speed_ratio,speed_rpm,torque_ratio,speed_m_per_s\r\n";
+  std::string out =
+      "body,speed_ratio,relative_speed_ratio,speed_rpm,torque_ratio,speed_m_per_s\r\n";
   const auto cell = [](const std::optional<double>& x) { return x ? fmt::format("{}", *x) : ""; };
   const bool powered = drive.flow && !drive.flow->self_locking();
   for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b)
@@ -179,8 +180,11 @@ Result<Answer> answer_drive(const JobSpec& spec) {
   Answer whole = std::move(answer).take();
   if (spec.rating.given) whole.verdict->not_judged.emplace_back("rating");
   whole.expanded = expanded_spec(spec.tree->tables, *spec.drive);
-  for (std::size_t m = 0; m < solved->drive.graph.meshes.size(); ++m)
-    whole.specs.push_back(mesh_spec(*solved, whole.expanded, m));
+  for (std::size_t m = 0; m < solved->drive.graph.meshes.size(); ++m) {
+    MeshSpec mesh = mesh_spec(*solved, whole.expanded, m);
+    whole.specs.push_back(std::move(mesh.tables));
+    whole.notes.push_back(std::move(mesh.notes));
+  }
   return whole;
 }
 

@@ -12,7 +12,6 @@
 #include "gearwright/cad/gear_body.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/drive/drive_error.hpp"
-#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -67,33 +66,6 @@ double reach(const ToothedBody& body) {
   return radius;
 }
 
-// The load, which [rating] or the drive may give.
-Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
-  DriveLoad load;
-  load.common = spec.rating.input;
-  load.common.speed.reset();
-  const auto& own = drive.graph.torque_Nm;
-  const auto& rated = spec.rating.torque;
-  if (!own && !rated)
-    return absent_input("rating.torque_Nm",
-                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
-                        "[rating] torque_Nm, or power_kW with speed_rpm");
-  constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
-  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
-    return Error{"rating.torque_Nm", format_number(*rated),
-                 fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
-                             "out",
-                             format_number(*own))};
-  load.torque = std::abs(rated.value_or(own.value_or(0.0)));
-  if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
-  if (spec.rating.input.speed) {
-    load.speed = spec.rating.input.speed;
-  } else if (!drive.graph.speeds_rpm.empty()) {
-    load.speed = std::abs(drive.graph.speeds_rpm.front());
-  }
-  return load;
-}
-
 }  // namespace
 
 Result<DriveJob> solve_drive(const JobSpec& spec) {
@@ -128,8 +100,34 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   return job;
 }
 
+Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
+  DriveLoad load;
+  load.common = spec.rating.input;
+  load.common.speed.reset();
+  const auto& own = drive.graph.torque_Nm;
+  const auto& rated = spec.rating.torque;
+  if (!own && !rated)
+    return absent_input("rating.torque_Nm",
+                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
+                        "[rating] torque_Nm, or power_kW with speed_rpm");
+  constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
+  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
+    return Error{"rating.torque_Nm", format_number(*rated),
+                 fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
+                             "out",
+                             format_number(*own))};
+  load.torque = std::abs(rated.value_or(own.value_or(0.0)));
+  if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
+  if (spec.rating.input.speed) {
+    load.speed = spec.rating.input.speed;
+  } else if (!drive.graph.speeds_rpm.empty()) {
+    load.speed = std::abs(drive.graph.speeds_rpm.front());
+  }
+  return load;
+}
+
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
-  const auto load = load_of(spec, drive);
+  const auto load = rating_load(spec, drive);
   if (!load) return load.error();
   const auto materials = drive_materials(spec.tree->tables);
   auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {

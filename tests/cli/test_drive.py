@@ -54,7 +54,8 @@ class Meshes(unittest.TestCase):
                 with self.subTest(example=example.name, mesh=name):
                     spec = Run("drive", text, "--take", str(number))
                     self.assertEqual(spec.status, 0, spec.err)
-                    self.assertIn(name, spec.out.splitlines()[0])
+                    title = next(line for line in spec.out.splitlines() if line.startswith("title"))
+                    self.assertIn(name, title)
                     pair = Run("pair", spec.out, "--json").json["pair"]
                     self.assertEqual({key: pair[key] for key in mesh["pair"]}, mesh["pair"])
                     compared += 1
@@ -76,6 +77,57 @@ class Meshes(unittest.TestCase):
         still = Run("drive", SET + "torque_Nm = 0\n", "--take", "1")
         self.assertEqual(still.status, 0, still.err)
         self.assertNotIn("[load]", still.out)
+
+    def test_the_head_of_a_mesh_gives_faults_of_the_drive(self):
+        """A Wolfrom set with a high ratio locks itself backwards; with its ring driving it locks."""
+        locked = """
+[planetary]
+sun = 12
+planet = 30
+planet2 = 29
+ring = 72
+ring2 = 71
+planets = 3
+normal_module_mm = 1
+friction_coefficient = 0.3
+input = "ring2"
+output = "sun"
+torque_Nm = 5
+"""
+        drive = Run("drive", locked, "--json").json
+        self.assertTrue(drive["drive"]["self_locking"])
+        head = [line for line in Run("drive", locked, "--take", "1").out.splitlines() if line.startswith("#")]
+        self.assertIn("locks itself", " ".join(head))
+        thick = SET + "thickness_allowance_mm = 0.4\n"
+        self.assertEqual(Run("drive", thick, "--json").json["verdict"]["level"], "red")
+        spec = Run("drive", thick, "--take", "1")
+        self.assertIn("does not run as specified", spec.out.split("title")[0].replace("\n# ", " "))
+        self.assertIn("does not run as specified", Run("drive", thick, "--take", "1", "--json").err)
+        self.assertEqual(Run("drive", SET, "--take", "1", "--json").err, "")
+        self.assertTrue(all(line.startswith("# ") and len(line) <= 80 for line in spec.out.split("title")[0].splitlines()))
+
+    def test_a_mesh_carries_its_rating(self):
+        """The safeties of a mesh are those of the drive; of the gear with the fewer engagements they are lower."""
+        rating = ('\n[rating]\ntorque_Nm = 40\nspeed_rpm = 1450\nlife_h = 20000\nquality = 6\nface_load_factor = 1.3\n'
+                  'lubricant_viscosity_40C_mm2_s = 220\nmaterial = { name = "16MnCr5" }\n')
+        train = (SOURCE / "examples/drives/two_stage_gearbox.toml").read_text() + rating
+        for drive, meshes in ((train, 2), (SET + rating, 2)):
+            rated = list(Run("rate", drive, "--json").json["drive"]["meshes"].values())
+            for number in range(1, meshes + 1):
+                spec = Run("drive", drive, "--take", str(number))
+                pair = Run("rate", spec.out, "--json")
+                self.assertEqual(pair.status, 0, pair.err + spec.out)
+                of_drive, of_pair = rated[number - 1]["rating"], pair.json["rating"]
+                self.assertEqual(of_pair["F_t_N"], of_drive["F_t_N"])
+                if "engage" not in spec.out:
+                    for key in ("S_H", "S_F", "K_v"):
+                        self.assertEqual(of_pair[key], of_drive[key])
+                else:
+                    for key in ("S_H", "S_F"):
+                        for a, b in zip(of_pair[key], of_drive[key]):
+                            self.assertLessEqual(a, b)
+        idle = (SOURCE / "examples/drives/ravigneaux.toml").read_text() + rating.replace("torque_Nm = 40\nspeed_rpm = 1450\n", "")
+        self.assertIn("The table [rating] is left out", Run("drive", idle, "--take", "3").out)
 
     def test_the_driving_gear_is_that_of_the_drive(self):
         back = SET + 'torque_Nm = 60\ninput = "carrier"\noutput = "sun"\n'
