@@ -14,6 +14,7 @@
 #include "gearwright/compliance/shaft.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/bore.hpp"
+#include "gearwright/gear/double_helical.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
 #include "gearwright/inspection/flank_tolerances.hpp"
@@ -56,17 +57,6 @@ struct ToleranceInput {
   std::optional<std::string> tip_fit;  ///< of ISO 286, "h9", which gives the deviations
 
   bool says_thickness() const { return series || span || over_balls; }
-};
-
-/// Two halves of opposite hands on one body, arrange/two_halves.hpp. The face width of the gear includes
-/// both halves and the gap.
-struct DoubleHelical {
-  double gap = 0.0;                         ///< mm, between the halves
-  double stagger_pitches = 0.0;             ///< s, of the half at z < 0 relative to the other one
-  std::optional<double> groove_diameter{};  ///< mm, of the gear within the gap
-  std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
-  Angle hob_lead_angle{};                   ///< γ_0
-  double hob_half_length = 0.0;             ///< l_0   mm
 };
 
 /// The gear's numbers; `cylindrical.profile_shift` is used once `profile_shift` is known.

@@ -3,72 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
-namespace {
-
-constexpr double kSameLength = 1e-9;  // relative, for two ways to compute one length
-
-std::optional<Error> check_half(const GearInput& gear, int which) {
-  const DoubleHelical& halves = *gear.double_helical;
-  const CylindricalSpec& c = gear.cylindrical;
-  if (!gear.face_width_given) {
-    return absent_input(gear_field(which, "face_width"),
-                        "; for a double-helical gear it includes both halves and the gap");
-  }
-  if (!(halves.gap < c.face_width)) {
-    return refused(
-        gear_field(which, "double_helical.gap"), halves.gap, {c.face_width},
-        "must be less than the face width {} mm, which includes both halves and the gap");
-  }
-  return std::nullopt;
-}
-
-// The halves of a pair must have equal faces up to the width of the narrower one.
-std::optional<Error> check_mates(const GivenPair& given) {
-  const std::array halves{given.gear(1).double_helical, given.gear(2).double_helical};
-  if (halves[0].has_value() != halves[1].has_value()) {
-    const int lacking = halves[0] ? 2 : 1;
-    return absent_input(
-        gear_field(lacking, "double_helical"),
-        fmt::format("; gear {} is double-helical, so its mating gear must be double-helical too",
-                    3 - lacking));
-  }
-  const auto& [one, two] = halves;
-  if (one->stagger_pitches != two->stagger_pitches) {
-    return refused(
-        gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
-        fmt::format("must be {}, as for gear 1, because both gears have the same stagger",
-                    format_number(one->stagger_pitches)));
-  }
-  const double b_1 = given.gear(1).cylindrical.face_width;
-  const double b_2 = given.gear(2).cylindrical.face_width;
-  const double common = (std::min(b_1, b_2) - std::max(one->gap, two->gap)) / 2;
-  const double narrower = std::min(b_1 - one->gap, b_2 - two->gap) / 2;
-  if (common >= narrower * (1 - kSameLength)) return std::nullopt;
-  return refused(
-      gear_field(2, "double_helical.gap"), two->gap,
-      fmt::format("the halves are not opposite each other, because only {:.6g} mm of the {:.6g} mm "
-                  "of the narrower half touch; the wider gap must be on the narrower gear",
-                  common, narrower));
-}
-
-}  // namespace
-
 std::optional<Error> halve(GivenPair& given) {
   bool any = false;
   for (const int which : {1, 2}) {
     if (!given.has(which) || !given.gear(which).double_helical) continue;
-    if (auto error = check_half(given.gear(which), which)) return error;
+    const GearInput& gear = given.gear(which);
+    if (!gear.face_width_given) return absent_input(gear_field(which, "face_width"), kWholeFace);
+    if (auto error = half_error(*gear.double_helical, gear.cylindrical.face_width))
+      return of_gear(which, *error);
     any = true;
   }
   if (any && given.has(1) && given.has(2)) {
-    if (auto error = check_mates(given)) return error;
+    const auto& [one, two] = given.gears;
+    if (auto error = mates_error({one->double_helical, two->double_helical},
+                                 {one->cylindrical.face_width, two->cylindrical.face_width}))
+      return error;
   }
   for (auto& gear : given.gears) {
     if (!gear || !gear->double_helical) continue;

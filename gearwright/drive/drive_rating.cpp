@@ -105,6 +105,7 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
     if (!rated) return of_mesh(rated.error());
     MeshRating made;
     made.pair = *rated;
+    if (pair->gear(1).gap) made.pair.halves = 2;
     made.input = mesh_load(drive, m, load);
     for (const std::size_t i : {0, 1}) {
       auto steel = material(drive.graph.meshes[m].gears[i]);

@@ -148,7 +148,8 @@ DriveGraph pair_graph(const PairStage& stage) {
     const std::string name = i == 0 ? "gear1" : "gear2";
     graph.bodies.push_back({name, std::nullopt, 1, {}});
     graph.gears.push_back(
-        {name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i], stage.modifications[i]});
+        {name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i], stage.modifications[i],
+         stage.bores[i], stage.double_helical[i]});
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
   graph.inputs = {0};

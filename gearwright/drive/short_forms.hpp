@@ -76,6 +76,8 @@ struct PairStage {
   std::array<std::optional<CylindricalSpec>, 2> specs;
   std::array<std::optional<double>, 2> shifts;
   std::array<std::array<FlankModifications, 2>, 2> modifications{};
+  std::array<std::optional<Bore>, 2> bores{};
+  std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance;
 };
 

@@ -7,6 +7,7 @@
 
 #include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/gear_body.hpp"
@@ -52,11 +53,36 @@ Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear) : gear.bore,
                    Eigen::Isometry3d::Identity()};
+  if (named.double_helical) {
+    const auto halves = halves_of(gear, *named.double_helical);
+    if (!halves) return within(named.name, halves.error());
+    body.face_width = halves->face_width;
+    auto helices = two_helices_of(gear, *halves, 1);
+    if (!helices) return within(named.name, helices.error());
+    body.two_helices = *helices;
+  }
   if (auto error = modify(body, gear, named.modifications)) return within(named.name, *error);
   body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
   body.pose.rotate(Eigen::AngleAxisd(placed.angle, Vec3::UnitZ()));
   body.colour = named.body;
   return body;
+}
+
+// Checks double-helical gears and adds their warnings.
+std::optional<Error> find_halves(Drive& drive) {
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+    const DriveGear& named = drive.graph.gears[g];
+    const auto& gear = drive.geometry.gears[g];
+    if (!named.double_helical || !gear) continue;
+    const auto halves = halves_of(*gear, *named.double_helical);
+    if (!halves)
+      return Error{"drive.gear", named.name, halves.error().field + " " + halves.error().rule};
+    if (auto warning = run_out_warning(*halves, 0)) {
+      warning->message = named.name + ": " + warning->message;
+      drive.findings.push_back(std::move(*warning));
+    }
+  }
+  return std::nullopt;
 }
 
 double reach(const ToothedBody& body) {
@@ -78,6 +104,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   auto made = make_drive(*spec.drive);
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
+  if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
   if (spec.errors.any()) {
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, [&](std::size_t mesh) {
       ContactErrors errors;

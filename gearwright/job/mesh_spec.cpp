@@ -52,7 +52,8 @@ struct RatedLoad {
 // gear that engages more.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
-  for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"}) table.erase(key);
+  for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})
+    table.erase(key);
   table["torque_Nm"] = load.input.torque;
   if (load.input.speed) table["speed_rpm"] = *load.input.speed;
   if (load.input.mesh_load_factor != 1.0) table["mesh_load_factor"] = load.input.mesh_load_factor;
@@ -76,6 +77,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
   Json& pair = spec["pair"] = Json::object();
   if (const auto& distance = drive.geometry.distance[mesh]) pair["center_distance_mm"] = *distance;
   if (!rack && drive.graph.friction > 0.0) pair["friction_coefficient"] = drive.graph.friction;
+  // The tables of contact are for gears of one helix.
+  const bool halves = drive.graph.gear(m, 0).double_helical.has_value();
   const bool locks = drive.flow && drive.flow->self_locking();
   const bool carries = drive.flow && !locks && drive.flow->driver[mesh] >= 0 && !rack;
   if (carries && drive.graph.torque_Nm.value_or(0.0) != 0.0) {
@@ -83,10 +86,10 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
         drive, mesh,
         {std::abs(*drive.graph.torque_Nm), drive.speed_rpm(drive.graph.inputs.front()), {}});
     if (load.speed) pair["speed_rpm"] = *load.speed;
-    spec["load"]["torque_Nm"] = load.torque;
+    if (!halves) spec["load"]["torque_Nm"] = load.torque;
   }
-  for (const char* name : kShared)
-    if (expanded.contains(name)) spec[name] = expanded[name];
+  for (const std::string name : kShared)
+    if (expanded.contains(name) && (!halves || name == "drawing")) spec[name] = expanded[name];
   if (spec.contains("load") && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
 
   std::vector<std::string> notes{fmt::format(

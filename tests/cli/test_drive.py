@@ -202,6 +202,88 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertIn("must be 1 to 2", run.err)
 
 
+GEAR = "teeth = {}, normal_module_mm = 2, helix_angle_deg = {}, face_width_mm = 50"
+HALVES = ", double_helical = { gap_mm = 10 }"
+STAGE = "[[stage]]\ngears = [{{ {}{} }}, {{ {}{} }}]\nspeed_rpm = 1500\ntorque_Nm = 60\n"
+
+
+class DoubleHelical(unittest.TestCase):
+    """A half of a double-helical gear is a helical gear of its own face under half of the torque."""
+
+    def stage(self, pinion=HALVES, wheel=HALVES):
+        return STAGE.format(GEAR.format(21, 25), pinion, GEAR.format(64, -25), wheel)
+
+    def test_a_mesh_has_the_numbers_of_one_half(self):
+        both = Run("drive", self.stage(), "--json")
+        self.assertEqual(both.status, 0, both.err)
+        one = Run("drive", self.stage("", "").replace("= 50", "= 20"), "--json")
+        pairs = [next(iter(run.json["drive"]["meshes"].values()))["pair"] for run in (both, one)]
+        self.assertEqual(pairs[0]["overlap_ratio"], pairs[1]["overlap_ratio"])
+        whole, face = [pair.pop("needed_face_width_mm") for pair in pairs]
+        self.assertAlmostEqual(whole["whole_overlap_1"], 2 * face["overlap_1"] + 10, 9)
+        self.assertEqual(*pairs)
+        pair = Run("pair", Run("drive", self.stage(), "--take", "1").out, "--json").json["pair"]
+        self.assertEqual(pair["overlap_ratio"], pairs[0]["overlap_ratio"])
+
+    def test_the_halves_share_the_load(self):
+        rating = "[rating]\nquality = 6\nface_load_factor = 1.2\nmaterial = \"16MnCr5\"\n"
+        both = Run("rate", self.stage() + rating, "--json")
+        self.assertEqual(both.status, 0, both.err)
+        one = Run("rate", self.stage("", "").replace("= 50", "= 20").replace("= 60", "= 30") + rating, "--json")
+        safeties = [next(iter(run.json["drive"]["meshes"].values()))["rating"] for run in (both, one)]
+        for key in ("S_H", "S_F"):
+            self.assertEqual(safeties[0][key], safeties[1][key])
+        mounted = rating.replace("face_load_factor = 1.2\n", "") + ("[rating.mounting]\nbearing_span_mm = 300\n"
+                                                                    "shaft_diameter_mm = 60\n")
+        run = Run("rate", self.stage() + mounted)
+        self.assertEqual(run.status, 1)
+        self.assertIn("rating.face_load_factor", run.err)
+
+    def test_the_spec_of_a_mesh_runs(self):
+        spec = Run("drive", self.stage() + "[errors]\ncrossing_deg = 0.01\n", "--take", "1").out
+        self.assertEqual([table in spec for table in ("[load]", "[errors]", "[gear2.double_helical]")], [False, False, True])
+        run = Run("run", spec, "--out", "o")
+        self.assertEqual(run.status, 0, run.err)
+
+    def test_the_files_have_both_halves(self):
+        run = Run("run", self.stage(), "--out", "o", "--json")
+        self.assertEqual(run.status, 0, run.err)
+        step = (run.folder / "o/drive.step").read_text()
+        self.assertEqual(step.count("MANIFOLD_SOLID_BREP"), 2)
+        expanded = Run("drive", self.stage(), "--expand").out
+        self.assertEqual(expanded.count("double_helical"), 2)
+        again = Run("drive", expanded, "--json").json["drive"]["meshes"]
+        self.assertEqual(again, Run("drive", self.stage(), "--json").json["drive"]["meshes"])
+
+    def test_halves_that_do_not_mesh_are_errors(self):
+        lift = Meshes.LIFT.replace("helix_angle_deg = 10", "helix_angle_deg = 10, face_width_mm = 50" + HALVES)
+        for spec, *words in (
+                (SET + "double_helical = { gap_mm = 5 }\n", "planetary.double_helical", "--expand"),
+                ("[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\ndouble_helical = { gap_mm = 5 }\n",
+                 "stage[1].double_helical", "gears = ["),
+                (self.stage(HALVES.replace("10", "50")), "less than the face width 50"),
+                (self.stage(HALVES.replace("}", ", stagger_pitches = 0.5 }")), "staggered halves"),
+                (self.stage().replace(", face_width_mm = 50", ""), "stage[1].gears[1].face_width_mm"),
+                (self.stage().replace(", helix_angle_deg = 25", "").replace(", helix_angle_deg = -25", ""), "helix_angle"),
+                (lift, "its pinion is double-helical")):
+            run = Run("drive", spec)
+            self.assertEqual(run.status, 1, spec)
+            for word in words:
+                self.assertIn(word, run.err)
+
+    def test_a_bore_of_a_drive_is_in_its_files_and_its_verdict(self):
+        bore = ", bore = { diameter_mm = %s }"
+        good = Run("drive", self.stage(HALVES + bore % 20), "--json")
+        self.assertNotEqual(good.json["verdict"]["level"], "red", good.json["verdict"]["headline"])
+        meshed = Run("export", self.stage(HALVES + bore % 20), "--stl", "a.stl")
+        self.assertEqual(meshed.status, 0, meshed.err)
+        solid = Run("export", self.stage(), "--stl", "a.stl")
+        self.assertGreater((meshed.folder / "a.stl").stat().st_size, (solid.folder / "a.stl").stat().st_size)
+        wide = Run("drive", self.stage(HALVES + bore % 41), "--json")
+        self.assertEqual(wide.json["verdict"]["level"], "red")
+        self.assertIn("bore", wide.json["verdict"]["headline"])
+
+
 class Files(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
