@@ -46,6 +46,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"scatter.correlations", "",
      "correlated inputs are not supported, except bores, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},
+    {"gear#.double_helical", "true", kTwoHalves},
     {"*.units", "", kUnits},
     {"*.unit", "", kUnits},
 });
