@@ -403,7 +403,7 @@ DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
 
 template <class T>
 T taken(Result<T> made, const Json& tree) {
-  if (!made) throw SpecError{of_drive_table(made.error(), tree)};
+  if (!made) throw SpecError{spelled(of_drive_table(made.error(), tree))};
   return std::move(made).take();
 }
 

@@ -284,6 +284,19 @@ class DoubleHelical(unittest.TestCase):
         self.assertIn("bore", wide.json["verdict"]["headline"])
 
 
+class Stages(unittest.TestCase):
+    def test_keys_that_a_stage_does_not_have_lead_to_their_place(self):
+        two = "[[stage]]\nteeth = [19, 58]\n[[stage]]\nteeth = [17, 61]\n"
+        for spec, *words in ((two + "speed_rpm = 1000\n", "stage.speed_rpm = 1000", "first stage"),
+                             (two + "torque_Nm = 5\n", "stage.torque_Nm = 5", "stage 2"),
+                             ('[[stage]]\ngears = [{ teeth = 20, normal_module_mm = 3 }, { form = "rack" }]\n',
+                              "stage[1].gears[2].form", "[[drive.gear]]")):
+            run = Run("drive", spec)
+            self.assertEqual(run.status, 1)
+            for word in words:
+                self.assertIn(word, run.err)
+
+
 class Files(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
