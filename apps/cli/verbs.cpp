@@ -75,7 +75,12 @@ int answering_verb(const Verb& verb, const Options& o) {
   }
   if (o.take || o.expand) {
     const Json& spec = o.expand ? answer->expanded : answer->specs[number - 1];
-    o.json ? print_json(spec) : print(toml_text(spec));
+    const bool noted = !o.expand && number <= answer->notes.size();
+    const std::vector<std::string> notes =
+        noted ? answer->notes[number - 1] : std::vector<std::string>();
+    o.json ? print_json(spec) : print(toml_comment(notes) + toml_text(spec));
+    for (std::size_t i = 1; o.json && i < notes.size(); ++i)
+      std::fprintf(stderr, "gearwright: %s\n", notes[i].c_str());
   } else if (o.csv) {
     print(answer->csv());
   } else if (o.json) {

@@ -14,6 +14,7 @@
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/relief_start.hpp"
 #include "gearwright/arrange/tolerance_ends.hpp"
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 
@@ -23,7 +24,10 @@ namespace {
 
 void add_gear_warnings(Arranged& arranged, int which) {
   const GearInput& input = arranged.completed.gear(which);
-  if (auto w = body_warning(arranged.gear(which), which)) arranged.warnings.push_back(*w);
+  const Gear& gear = arranged.gear(which);
+  const auto groove =
+      input.double_helical ? groove_diameter(gear, *input.double_helical) : std::nullopt;
+  if (auto w = body_warning(gear, groove, which)) arranged.warnings.push_back(*w);
   if (!input.face_width_given) {
     arranged.warnings.push_back({WarningCode::default_face_width,
                                  fmt::format("`face_width` is not given; {} mm (10 modules) is "
@@ -125,6 +129,8 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
     if (!gear) return gear.error();
     arranged.gears.push_back(std::move(gear).take());
     arranged.gears.back().bore = given.gear(which).bore;
+    if (const auto& halves = given.gear(which).double_helical)
+      arranged.gears.back().gap = halves->gap;
   }
   const bool starts_follow = lacks_relief_start(given);
   if (starts_follow && !two) return missing_relief_start(given);
@@ -149,6 +155,7 @@ Result<Arranged> arrange(const GivenPair& given, Scope scope) {
   auto nominal = arrange_nominal(*allowed, scope);
   if (!nominal) return nominal;
   Arranged arranged = std::move(nominal).take();
+  if (auto error = apply_tip_fits(arranged)) return *error;
   auto ends = arrange_ends(arranged, scope);
   if (!ends) return ends.error();
   arranged.ends = std::move(ends).take();

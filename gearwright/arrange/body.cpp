@@ -8,22 +8,17 @@ Bore rim(const Gear& ring) {
   return ring.bore.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
 }
 
-std::optional<Warning> body_warning(const Gear& gear, int which) {
+std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which) {
   const std::optional<Bore>& bore = gear.bore;
   if (!bore || !gear.exists()) return std::nullopt;
-  const auto warning = [&](const std::string& why) {
-    return Warning{
-        WarningCode::no_body,
-        fmt::format("A bore of {} mm leaves no body: {}.", format_number(bore->diameter), why),
-        which};
-  };
-  if (!gear.internal()) {
-    const auto error = bore_error(*bore, gear.root_diameter / 2);
-    return error ? std::optional(warning(error->rule)) : std::nullopt;
-  }
-  if (bore->diameter > gear.root_diameter) return std::nullopt;
-  return warning(fmt::format("the rim of an internal gear must lie outside its roots, beyond {} mm",
-                             format_number(gear.root_diameter)));
+  if (groove) *groove /= 2;
+  const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove}, 0.0);
+  if (!error) return std::nullopt;
+  const bool keyway = error->field == "bore.keyway_width";
+  return Warning{WarningCode::no_body,
+                 fmt::format("A {} of {} mm {}: {}.", keyway ? "keyway" : "bore", error->value,
+                             keyway ? "is not possible" : "leaves no body", error->rule),
+                 which};
 }
 
 }  // namespace gearwright

@@ -11,7 +11,7 @@ namespace gearwright {
 Bore rim(const Gear& ring);
 
 /// A warning if there is no material between bore and roots, or between roots and rim of an
-/// internal gear.
-std::optional<Warning> body_warning(const Gear& gear, int which);
+/// internal gear. A groove of the diameter `groove` mm, of a double-helical gear, is a limit too.
+std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 }  // namespace gearwright

@@ -21,8 +21,10 @@ bool set_helix(GearInput& gear, double degrees) {
   return true;
 }
 
+// The halves of a double-helical gear are without the gap.
 void set_face(GearInput& gear, double value) {
-  gear.cylindrical.face_width = value;
+  gear.cylindrical.face_width =
+      gear.double_helical ? (value - gear.double_helical->gap) / 2 : value;
   gear.face_width_given = true;
 }
 

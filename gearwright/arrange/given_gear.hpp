@@ -14,6 +14,7 @@
 #include "gearwright/compliance/shaft.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/bore.hpp"
+#include "gearwright/gear/double_helical.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
 #include "gearwright/inspection/flank_tolerances.hpp"
@@ -53,6 +54,7 @@ struct ToleranceInput {
   /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, or for an
   /// internal gear the shorter tooth.
   std::optional<Ends> tip_deviations;
+  std::optional<std::string> tip_fit;  ///< of ISO 286, "h9", which gives the deviations
 
   bool says_thickness() const { return series || span || over_balls; }
 };
@@ -73,6 +75,7 @@ struct GearInput {
   MeasureInput measure;
   ToleranceInput tolerance;
   std::optional<Bore> bore;
+  std::optional<DoubleHelical> double_helical;
   MaterialInput material;
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank

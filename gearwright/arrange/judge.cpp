@@ -18,7 +18,6 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   judged.warnings = &arranged.warnings;
   judged.contact = with.contact;
   judged.errors = with.errors;
-  judged.halves = with.halves;
   judged.tolerances = arranged.ends != nullptr;
   if (arranged.pair) {
     const auto& gears = arranged.given->gears;

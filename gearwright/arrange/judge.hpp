@@ -19,7 +19,6 @@ namespace gearwright {
 struct JudgedWith {
   const ContactResult* contact = nullptr;  ///< of the working flanks; null if not computed
   bool errors = false;                     ///< true if the contact is under errors
-  bool halves = false;                     ///< true if the gears are halves of double-helical ones
   std::optional<JudgedRating> rating{};    ///< none if not computed
   /// The contact of a changed pair under the same errors; it may add warnings. None if there is no
   /// contact. Without this function, findings about the contact have no remedy.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/arrange/body.hpp"
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
@@ -27,11 +29,16 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wa
   const Pair& pair = *drive.geometry.pairs[m];
   JudgedMesh made;
   made.warnings = pair.warnings();
-  for (const int which : {1, 2})
-    for (Warning w : pair.gear(which).warnings) {
+  for (const int which : {1, 2}) {
+    const Gear& gear = pair.gear(which);
+    const auto& halves = drive.graph.gear(drive.graph.meshes[m], which - 1).double_helical;
+    const auto groove = halves ? groove_diameter(gear, *halves) : std::nullopt;
+    if (auto w = body_warning(gear, groove, which)) made.warnings.push_back(*w);
+    for (Warning w : gear.warnings) {
       w.gear = which;
       made.warnings.push_back(std::move(w));
     }
+  }
   made.judged.gears = {&pair.gear(1), &pair.gear(2)};
   made.judged.pair = &pair;
   if (!drive.ratings.empty() && drive.ratings[m]) {
@@ -179,6 +186,14 @@ std::string running(const Drive& drive) {
       distance = pair->center_distance();
     }
   }
+  const auto& gears = drive.graph.gears;
+  const bool racks =
+      std::any_of(gears.begin(), gears.end(), [](const DriveGear& gear) { return gear.rack; });
+  if (racks)
+    text +=
+        " Meshes with a rack are not checked; the verb drive with --take prints each mesh as a "
+        "pair.";
+  if (!least && racks) return text;
   if (!least) return text + " Without a module, the teeth are not checked.";
   std::vector<const Rating*> ratings;
   for (const auto& rating : drive.ratings)

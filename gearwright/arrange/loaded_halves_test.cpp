@@ -32,14 +32,14 @@ Sample sample(double stagger) {
     g.face_width_given = true;
     g.cylindrical.rack = *iso53_rack("ISO53-A");
     g.bore = Bore{.diameter = 20.0};
+    g.double_helical = DoubleHelical{.gap = 6.0, .stagger_pitches = stagger};
   }
-  const DoubleHelicals halves{DoubleHelical{.gap = 6.0, .stagger_pitches = stagger},
-                              DoubleHelical{.gap = 6.0, .stagger_pitches = stagger}};
-  EXPECT_FALSE(halve(given, halves));
+  EXPECT_FALSE(halve(given));
   Sample s{std::move(arrange(given)).take(), {}};
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
-    s.halves[i] = std::move(halves_of(s.half.gear(which), *halves[i])).take();
+    s.halves[i] =
+        std::move(halves_of(s.half.gear(which), *given.gear(which).double_helical)).take();
   }
   return s;
 }

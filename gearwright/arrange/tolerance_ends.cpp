@@ -96,8 +96,9 @@ std::optional<Error> check_tips(const GivenPair& given) {
     const GearInput* const gear = given.find(which);
     if (!gear || !gear->tolerance.tip_deviations) continue;
     if (gear->cylindrical.tip_fillet || gear->tip_clearance || gear->tip_clearance_by_rule)
-      return Error{gear_field(which, "tolerance.tip_deviations"), "",
-                   "cannot be combined with `tip_fillet`, which determines the tip"};
+      return Error{gear_field(which, gear->tolerance.tip_fit ? "tolerance.tip_fit"
+                                                             : "tolerance.tip_deviations"),
+                   "", "cannot be combined with `tip_fillet`, which determines the tip"};
   }
   return std::nullopt;
 }
@@ -185,6 +186,22 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
     gear->cylindrical.thickness_allowance = ((*ends)[0] + (*ends)[1]) / 2;
   }
   return given;
+}
+
+std::optional<Error> apply_tip_fits(Arranged& nominal) {
+  for (int which = 1; which <= static_cast<int>(nominal.gears.size()); ++which) {
+    ToleranceInput& tolerance = nominal.completed.gear(which).tolerance;
+    if (!tolerance.tip_fit) continue;
+    const Gear& gear = nominal.gear(which);
+    const auto deviations = tip_deviations(*tolerance.tip_fit, gear.tip_diameter, gear.internal());
+    if (!deviations) {
+      Error error = deviations.error();
+      error.field = error.field == "fit" ? "tolerance.tip_fit" : "tip_diameter";
+      return of_gear(which, error);
+    }
+    tolerance.tip_deviations = *deviations;
+  }
+  return std::nullopt;
 }
 
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope) {

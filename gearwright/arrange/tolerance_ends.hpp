@@ -21,6 +21,11 @@ namespace gearwright {
 /// Errors    `gearN.tolerance.…`: no such series; a reading that no tooth has; no tool to read it
 Result<GivenPair> with_allowances(const GivenPair& given);
 
+/// Computes the deviations of tip diameters that are given by a fit.
+///
+/// Errors    `gearN.tolerance.tip_fit` of no such name; `gearN.tip_diameter` beyond the table
+std::optional<Error> apply_tip_fits(Arranged& nominal);
+
 /// Gears and pair at both ends; none if there are no tolerances.
 ///
 /// Errors    as arrange() at that end; `pair.backlash` if the tolerance of the centre distance

@@ -9,72 +9,34 @@
 
 namespace gearwright {
 
-namespace {
-
-constexpr double kSameLength = 1e-9;  // relative, for two ways to compute one length
-
-std::optional<Error> check_half(const GivenPair& given, int which, const DoubleHelical& halves) {
-  const GearInput& gear = given.gear(which);
-  const CylindricalSpec& c = gear.cylindrical;
-  if (!gear.face_width_given) {
-    return absent_input(gear_field(which, "face_width"),
-                        "; for a double-helical gear it includes both halves and the gap");
+std::optional<Error> halve(GivenPair& given) {
+  bool any = false;
+  for (const int which : {1, 2}) {
+    if (!given.has(which) || !given.gear(which).double_helical) continue;
+    const GearInput& gear = given.gear(which);
+    if (!gear.face_width_given) return absent_input(gear_field(which, "face_width"), kWholeFace);
+    if (auto error = half_error(*gear.double_helical, gear.cylindrical.face_width))
+      return of_gear(which, *error);
+    any = true;
   }
-  if (!(halves.gap < c.face_width)) {
-    return refused(
-        gear_field(which, "double_helical.gap"), halves.gap, {c.face_width},
-        "must be less than the face width {} mm, which includes both halves and the gap");
+  if (any && given.has(1) && given.has(2)) {
+    const auto& [one, two] = given.gears;
+    if (auto error = mates_error({one->double_helical, two->double_helical},
+                                 {one->cylindrical.face_width, two->cylindrical.face_width}))
+      return error;
+  }
+  for (auto& gear : given.gears) {
+    if (!gear || !gear->double_helical) continue;
+    double& face = gear->cylindrical.face_width;
+    face = (face - gear->double_helical->gap) / 2;
   }
   return std::nullopt;
 }
 
-// The halves of a pair must have equal faces up to the width of the narrower one.
-std::optional<Error> check_mates(const GivenPair& given, const DoubleHelicals& halves) {
-  if (halves[0].has_value() != halves[1].has_value()) {
-    const int lacking = halves[0] ? 2 : 1;
-    return absent_input(
-        gear_field(lacking, "double_helical"),
-        fmt::format("; gear {} is double-helical, so its mating gear must be double-helical too",
-                    3 - lacking));
-  }
-  const auto& [one, two] = halves;
-  if (one->stagger_pitches != two->stagger_pitches) {
-    return refused(
-        gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
-        fmt::format("must be {}, as for gear 1, because both gears have the same stagger",
-                    format_number(one->stagger_pitches)));
-  }
-  const double b_1 = given.gear(1).cylindrical.face_width;
-  const double b_2 = given.gear(2).cylindrical.face_width;
-  const double common = (std::min(b_1, b_2) - std::max(one->gap, two->gap)) / 2;
-  const double narrower = std::min(b_1 - one->gap, b_2 - two->gap) / 2;
-  if (common >= narrower * (1 - kSameLength)) return std::nullopt;
-  return refused(
-      gear_field(2, "double_helical.gap"), two->gap,
-      fmt::format("the halves are not opposite each other, because only {:.6g} mm of the {:.6g} mm "
-                  "of the narrower half touch; the wider gap must be on the narrower gear",
-                  common, narrower));
-}
-
-}  // namespace
-
-std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves) {
-  if (!halves[0] && !halves[1]) return std::nullopt;
-  for (const int which : {1, 2}) {
-    const auto& half = halves[static_cast<std::size_t>(which - 1)];
-    if (!half || !given.has(which)) continue;
-    if (auto error = check_half(given, which, *half)) return error;
-  }
-  if (given.has(1) && given.has(2)) {
-    if (auto error = check_mates(given, halves)) return error;
-  }
-  for (const int which : {1, 2}) {
-    const auto& half = halves[static_cast<std::size_t>(which - 1)];
-    if (!half || !given.has(which)) continue;
-    double& face = given.gear(which).cylindrical.face_width;
-    face = (face - half->gap) / 2;
-  }
-  return std::nullopt;
+std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given) {
+  if (!(given.gap > 0.0)) return std::nullopt;
+  const double deeper = (half.internal() ? 0.5 : -0.5) * half.spec.normal_module;
+  return given.groove_diameter.value_or(half.root_diameter + deeper);
 }
 
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
@@ -89,11 +51,10 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   made.half_face_width = half.spec.face_width;
   made.face_width = 2 * half.spec.face_width + given.gap;
   made.axial_shift_per_index_error = 1 / (2 * std::tan(beta));
-  if (given.gap > 0.0) {
+  made.groove_diameter = groove_diameter(half, given);
+  if (made.groove_diameter) {
     const bool ring = half.internal();
     const double root = half.root_diameter;
-    made.groove_diameter =
-        given.groove_diameter.value_or(root + (ring ? 0.5 : -0.5) * half.spec.normal_module);
     if (ring ? !(*made.groove_diameter > root) : !(*made.groove_diameter < root)) {
       return refused(
           "double_helical.groove_diameter", *made.groove_diameter, {root},
@@ -120,6 +81,16 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   }
   made.hob_run_out = run_out;
   return made;
+}
+
+std::optional<Warning> stagger_warning(const Halves& halves, int which) {
+  if (halves.given.stagger_pitches == 0.0 || halves.given.gap > 0.0) return std::nullopt;
+  return Warning{WarningCode::stagger_without_gap,
+                 fmt::format("The halves are staggered by {} pitches without a gap, so their teeth "
+                             "do not meet in the middle plane, and there are no files of the gear. "
+                             "A `double_helical.gap` greater than 0 separates the halves.",
+                             format_number(halves.given.stagger_pitches)),
+                 which};
 }
 
 std::optional<Warning> run_out_warning(const Halves& halves, int which) {

@@ -8,25 +8,11 @@
 //   h      depth of the teeth, mm          theory: docs/theory/02-involute-and-pair.md, 2.11
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "gearwright/arrange/arrange.hpp"
 
 namespace gearwright {
-
-/// The input as a drawing gives it. Its whole face width is that of the gear.
-struct DoubleHelical {
-  double gap = 0.0;                         ///< mm, between the halves
-  double stagger_pitches = 0.0;             ///< s, of the half at z < 0 relative to the other one
-  std::optional<double> groove_diameter{};  ///< mm, of the gear within the gap
-  std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
-  Angle hob_lead_angle{};                   ///< γ_0
-  double hob_half_length = 0.0;             ///< l_0   mm
-};
-
-/// The inputs of double-helical gears, one for each gear.
-using DoubleHelicals = std::array<std::optional<DoubleHelical>, 2>;
 
 /// A double-helical gear, and the values derived from its input.
 struct Halves {
@@ -49,7 +35,7 @@ struct Halves {
 ///           `gearN.double_helical` that is absent while the mating gear has one,
 ///           `gear2.double_helical.gap` if the halves are not opposite each other,
 ///           `gear2.double_helical.stagger_pitches` that differ
-std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves);
+std::optional<Error> halve(GivenPair& given);
 
 /// Formula   [T2.43], [T2.44]
 /// Domain    `half` has the face of one half
@@ -57,6 +43,12 @@ std::optional<Error> halve(GivenPair& given, const DoubleHelicals& halves);
 ///           the teeth, `double_helical.hob_diameter` of a hob that is less than twice as thick
 ///           as the teeth are deep
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
+
+/// The diameter of the groove between two halves, mm: as given, or d_f ∓ m_n/2; none without a gap.
+std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given);
+
+/// A warning that staggered halves have no gap between them.
+std::optional<Warning> stagger_warning(const Halves& halves, int which);
 
 /// A warning that the hob's run-out needs a wider gap; none if it does not, or if no hob is given.
 std::optional<Warning> run_out_warning(const Halves& halves, int which);

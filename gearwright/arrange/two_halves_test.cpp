@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +37,8 @@ Gear half_gear() {
 
 TEST(TwoHalves, a_half_is_a_helical_gear) {
   GivenPair given = pair_of(150, 150);
-  ASSERT_FALSE(halve(given, {DoubleHelical{.gap = 30}, DoubleHelical{.gap = 30}}));
+  for (auto& gear : given.gears) gear->double_helical = DoubleHelical{.gap = 30};
+  ASSERT_FALSE(halve(given));
   EXPECT_EQ(given.gear(1).cylindrical.face_width, 60);  // (1)
   const auto arranged = arrange(given, Scope::pair);
   ASSERT_TRUE(arranged);
@@ -49,13 +52,15 @@ TEST(TwoHalves, a_half_is_a_helical_gear) {
 
 TEST(TwoHalves, nothing_happens_without_the_table) {
   GivenPair given = pair_of(150, 150);
-  ASSERT_FALSE(halve(given, {}));
+  ASSERT_FALSE(halve(given));
   EXPECT_EQ(given.gear(2).cylindrical.face_width, 150);
 }
 
 TEST(TwoHalves, what_makes_no_pair_of_halves_is_an_error) {
-  const auto field = [](GivenPair given, const DoubleHelicals& halves) {
-    const auto error = halve(given, halves);
+  using Halves = std::array<std::optional<DoubleHelical>, 2>;
+  const auto field = [](GivenPair given, const Halves& halves) {
+    for (const std::size_t i : {0, 1}) given.gears[i]->double_helical = halves[i];
+    const auto error = halve(given);
     return error ? error->field : std::string();
   };
   const DoubleHelical gap_30{.gap = 30}, gap_10{.gap = 10};
@@ -70,6 +75,31 @@ TEST(TwoHalves, what_makes_no_pair_of_halves_is_an_error) {
   GivenPair open = pair_of(150, 150);
   open.gear(2).face_width_given = false;
   EXPECT_EQ(field(open, {gap_30, gap_30}), "gear2.face_width");
+}
+
+TEST(TwoHalves, a_groove_limits_the_bore) {
+  const auto codes = [](double bore, double gap) {
+    GivenPair given = pair_of(150, 150);
+    for (auto& gear : given.gears) gear->double_helical = DoubleHelical{.gap = gap};
+    given.gear(1).bore = Bore{bore};
+    EXPECT_FALSE(halve(given));
+    const auto arranged = arrange(given, Scope::pair);
+    return std::count_if(arranged->warnings.begin(), arranged->warnings.end(),
+                         [](const Warning& w) { return w.code == WarningCode::no_body; });
+  };
+  const double root = half_gear().root_diameter;
+  EXPECT_EQ(codes(root - 1.4, 30), 1);
+  EXPECT_EQ(codes(root - 1.6, 30), 0);
+  EXPECT_EQ(codes(root - 1.4, 0), 0);
+}
+
+TEST(TwoHalves, staggered_halves_need_a_gap) {
+  const auto warns = [](const DoubleHelical& given) {
+    return stagger_warning(*halves_of(half_gear(), given), 1).has_value();
+  };
+  EXPECT_TRUE(warns({.stagger_pitches = 0.5}));
+  EXPECT_FALSE(warns({.gap = 30, .stagger_pitches = 0.5}));
+  EXPECT_FALSE(warns({}));
 }
 
 TEST(TwoHalves, the_gap_serves_the_hob) {

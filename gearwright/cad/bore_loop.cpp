@@ -49,38 +49,7 @@ WallLoop circle_with_keyway(double radius, double half, double bottom) {
   return loop;
 }
 
-// Of an internal gear, whose rim must reach the radius `room`, mm.
-std::optional<Error> rim_error(const ToothedBody& body, double room) {
-  // The value is rounded up so that the outline fits.
-  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
-  const std::string need = fmt::format(
-      "the bore of an internal gear is the outside of its rim and must lie outside its roots; at "
-      "least {:.3f} mm",
-      smallest);
-  if (!body.bore) return Error{"bore.diameter", "", need};
-  if (body.bore->keyway_width > 0.0) {
-    return refused("bore.keyway_width", body.bore->keyway_width,
-                   "an internal gear has no keyway; leave it out");
-  }
-  if (!(body.bore->diameter / 2.0 >= room)) {
-    return refused("bore.diameter", body.bore->diameter, need);
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-std::optional<Error> hole_error(const ToothedBody& body, double root, double wall) {
-  const auto at = [&](double limit) {
-    return body.outline.teeth < 0 ? rim_error(body, limit + wall)
-           : body.bore            ? bore_error(*body.bore, limit - wall)
-                                  : std::nullopt;
-  };
-  auto error = at(body.limit_within(root));
-  if (error && !at(root))
-    error->rule += ", because the groove between the halves is deeper than the teeth";
-  return error;
-}
 
 WallLoop circle_loop(double radius) {
   const Complex top(0.0, radius);
@@ -123,8 +92,8 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) {
   const bool ring = body.outline.teeth < 0;
-  if (auto error = hole_error(body, ring ? outer : inner, kShortestArc_mm))
-    return *std::move(error);
+  const HoleLimits limits = body.hole_limits(ring ? outer : inner);
+  if (auto error = hole_error(body.bore, limits, kShortestArc_mm)) return *std::move(error);
   const Bore& bore = *body.bore;
   if (ring) return circle_loop(bore.diameter / 2.0);
   const double radius = bore.diameter / 2.0;

@@ -18,10 +18,6 @@
 
 namespace gearwright {
 
-/// The error of a bore or a rim with less than `wall` mm to the roots, at the radius `root` mm, or to
-/// the groove of a double-helical gear. The rim of an internal gear must exist and has no keyway.
-std::optional<Error> hole_error(const ToothedBody& body, double root, double wall);
-
 /// The columns of the wall, counter-clockwise from the lowest point (0, −r), which is on the
 /// circle. They are symmetric about the y axis bit for bit. Normals point into the hole.
 ///

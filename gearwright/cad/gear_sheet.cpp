@@ -102,7 +102,7 @@ class Views {
 
   std::vector<double> radii_to_the_right() const {
     std::vector<double> radii{input_.reference_diameter / 2, tip_};
-    if (ring() && input_.bore_given) radii.push_back(body_);
+    if (ring()) radii.push_back(body_);
     std::sort(radii.begin(), radii.end());
     return radii;
   }
@@ -182,7 +182,8 @@ class Views {
     double place = x1 + kFirst;
     for (const double r : radii_to_the_right()) {
       const bool reference = r == input_.reference_diameter / 2;
-      vertical(-r, r, reference ? x1 + kAxis : x1, place, diameter(r));
+      const std::string fit = r == tip_ ? input_.tip_fit : "";
+      vertical(-r, r, reference ? x1 + kAxis : x1, place, with_fit(diameter(r), fit));
       place += kNext;
     }
     const double y = -k_ * body_;

@@ -28,10 +28,10 @@ struct DataGroup {
 
 struct GearSheetInput {
   ToothedBody body;
-  double reference_diameter;  ///< d    mm
-  bool bore_given;            ///< if false, the rim of an internal gear is not part of the drawing
+  double reference_diameter;    ///< d    mm
   std::vector<DataGroup> data;  ///< in their order
   DrawingInput words;           ///< text of the title block, and the fits of bore and keyway
+  std::string tip_fit;          ///< of the tip diameter, empty if it has none
   std::string mass;             ///< "0.41 kg", empty if unknown
   std::string number;           ///< of the sheet, "1/2"
 };

@@ -108,7 +108,8 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   }
 
   const double limit = body.limit_within(root.norm());
-  if (auto error = hole_error(body, root.norm(), kWallMin_mm)) return *std::move(error);
+  if (auto error = hole_error(body.bore, body.hole_limits(root.norm()), kWallMin_mm))
+    return *std::move(error);
   const double reach = body.bore ? bore_reach(*body.bore) : 0.0;
   double given = std::min(options.chord_tolerance_mm, kWallShare * std::abs(limit - reach));
   if (body.grooved()) given = std::min(given, kWallShare * std::abs(root.norm() - limit));

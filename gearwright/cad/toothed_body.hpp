@@ -82,6 +82,12 @@ struct ToothedBody {
   /// The screws of the teeth, from below: one, or two of a double-helical gear.
   std::vector<Band> bands() const;
 
+  /// The limits of the bore or the rim; `root` mm is the radius of the roots.
+  HoleLimits hole_limits(double root) const {
+    return {outline.teeth < 0, root,
+            grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
+  }
+
   /// The groove's radius, or that of the roots if there is no groove: the limit of a bore or a rim, mm.
   double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };

@@ -150,12 +150,9 @@ const KeyTable& stage_keys() {
 const KeyTable& stage_gear_keys() {
   static const KeyTable table = [] {
     KeyTable t{"stage_gear", "A gear of a drive, with the keys of [gear1]", {}};
-    // Gears of a drive have no pair cutter, no shaft of their own and no readings, and both halves
-    // have the same hand.
+    // Gears of a drive have no pair cutter, no shaft of their own and no readings.
     for (const Key& key : gear_keys().keys) {
-      if (key.key == "cut_by" || key.key == "profile_shift_pair" || key.key == "double_helical" ||
-          key.key == "shaft")
-        continue;
+      if (key.key == "cut_by" || key.key == "profile_shift_pair" || key.key == "shaft") continue;
       Key copy = key;
       copy.in_documents = false;
       t.keys.push_back(std::move(copy));
@@ -208,7 +205,10 @@ const KeyTable& drive_gear_keys() {
                      "required, unless `form` is `\"rack\"`",
                      "number of teeth, negative for a ring"),
          Key::word("form", {"gear", "rack"}, KeyPlace::unused(), "\"gear\"",
-                   "if `\"rack\"`, the gear is a rack, whose body moves")}};
+                   "if `\"rack\"`, the gear is a rack, whose body moves"),
+         Key::positive("height_mm", "", KeyPlace::unused(), "no mounting distance",
+                       "height of a rack from its back to its datum line")
+             .with_also({"height", "back"})}};
     for (const Key& key : stage_gear_keys().keys)
       if (!t.find(key.key)) t.keys.push_back(key);
     return t;

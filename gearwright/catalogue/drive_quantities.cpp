@@ -248,7 +248,8 @@ void say(Quantities<Drive>& q) {
 const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;
   static const Quantities<V> kAll("drive.body", [](Quantities<V>& q) {
-    q.number("speed_ratio", "speed ratio", "", "absolute speed per turn of the first input",
+    q.number("speed_ratio", "speed ratio", "",
+             "absolute speed per turn of the first input; of a rack in pitches",
              [](const V& v) { return v.drive->speed_ratio(v.body); });
     q.whole("speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
             [](const V& v) -> Value {
@@ -260,15 +261,23 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
     q.number("relative_speed_ratio", "speed ratio to the frame", "",
              "speed minus the speed of the carrier in whose frame the body meshes",
              [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
-    q.term("speed_rpm", "absolute", [](const V& v) { return v.drive->speed_rpm(v.body); });
-    q.number("torque_ratio", "torque ratio", "", "external torque per torque of the first input",
-             [](const V& v) {
+    const auto turns = [](const V& v) { return !v.drive->graph.moves(v.body); };
+    q.term("speed_rpm", "absolute; null for a rack", [turns](const V& v) -> Value {
+      return turns(v) ? Value(v.drive->speed_rpm(v.body)) : Value();
+    });
+    q.number("speed_m_per_s", "speed of the rack", "v",
+             "for the module of its pinion; null for a body that turns",
+             [](const V& v) { return v.drive->linear_speed(v.body); });
+    q.number("torque_ratio", "torque ratio", "",
+             "external torque per torque of the first input; of a rack F p_t/2π", [](const V& v) {
                return flows(*v.drive) ? Value(v.drive->flow->torque[v.body]) : Value();
              });
-    q.number("torque_Nm", "external torque", "T", "", [](const V& v) -> Value {
-      if (!flows(*v.drive) || !v.drive->graph.torque_Nm) return {};
+    q.number("torque_Nm", "external torque", "T", "null for a rack", [turns](const V& v) -> Value {
+      if (!turns(v) || !flows(*v.drive) || !v.drive->graph.torque_Nm) return {};
       return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm;
     });
+    q.number("force_N", "external force on the rack", "F", "null for a body that turns",
+             [](const V& v) { return v.drive->force(v.body); });
     q.term("power_kW", "> 0 flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
       if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};

@@ -178,7 +178,7 @@ const KeyTable& gear_keys() {
                  "shaft and bearings, whose deflection determines K_Hβ of `rate`"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; for an internal gear its rim"),
-       Key::part("double_helical", double_helical_keys, {},
+       Key::part("double_helical", double_helical_keys, &GearInput::double_helical,
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
                  "positions and tools of the measurements"),

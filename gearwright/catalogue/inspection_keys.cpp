@@ -64,7 +64,14 @@ const KeyTable& tolerance_keys() {
                    "them gets an interval")
            .with_list(kLowerAndUpper)
            .with_fields({"tip_deviations"})
-           .with_also({"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"})}};
+           .with_also({"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"}),
+       Key::text("tip_diameter_fit", &ToleranceInput::tip_fit, "",
+                 "deviations of the tip diameter by ISO 286, h1 to h12 or js1 to js12, for an "
+                 "internal gear H1 to H12 or JS1 to JS12; the drawing has the fit and the limits")
+           .with_form("a fit such as \"h9\"")
+           .with_fields({"tip_fit"})
+           .with_excludes({"tip_diameter_deviations_mm"})
+           .with_also({"tip_fit"})}};
   return table;
 }
 

@@ -49,7 +49,7 @@ std::string KeyRange::sentence(double value) const {
     text = lo_open == hi_open ? fmt::format("must lie between {} and {}", lo, hi)
            : lo_open          ? fmt::format("must be greater than {} and at most {}", lo, hi)
                               : fmt::format("must be {} or greater and less than {}", lo, hi);
-    if (lo_open && hi_open && (value == lo || value == hi)) text += ", the ends excluded";
+    if (lo_open && hi_open) text += ", the ends excluded";
   } else if (std::isfinite(lo)) {
     text = lo_open     ? fmt::format("must be greater than {}", lo)
            : lo == 0.0 ? std::string("must not be negative")

@@ -126,8 +126,9 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 // Searches the tables below this table, then all other tables; "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  const auto named = [](const Key& key, const std::string& where) {
-    return fmt::format("{} in [{}]", key.key, where);
+  // A key of the same name in this table needs no place.
+  const auto named = [&](const Key& key, const std::string& where) {
+    return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };
   for (const Place& p : tables_below(table, path)) {
     if (p.table == &measured_keys())

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
@@ -51,6 +52,12 @@ TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
 TEST(KeyHint, a_table_of_the_spec_is_no_key_of_a_gear) {
   EXPECT_EQ(key_hint(gear_keys(), "gear2", "pair"),
             "[pair] is a separate table, not a part of [gear2]");
+}
+
+TEST(KeyHint, a_key_of_this_table_needs_no_place) {
+  for (const char* key : {"module", "pressure_angle", "width", "torque"})
+    EXPECT_EQ(key_hint(planetary_keys(), "planetary", key).find(" in ["), std::string::npos) << key;
+  EXPECT_EQ(key_hint(planetary_keys(), "planetary", "module"), nearest("normal_module_mm"));
 }
 
 TEST(KeyHint, micrometres_are_no_diametral_pitch) {

@@ -207,9 +207,9 @@ TEST(Keys, the_limits_of_a_rack_are_its_own) {
 TEST(Keys, ranges_in_words) {
   EXPECT_EQ(KeyRange::between(1, 60, ", usually 20").sentence(70),
             "must lie between 1 and 60, usually 20");
-  EXPECT_EQ(KeyRange::inside(-90, 90).sentence(95), "must lie between -90 and 90");
-  EXPECT_EQ(KeyRange::inside(-90, 90).sentence(90),
+  EXPECT_EQ(KeyRange::inside(-90, 90).sentence(95),
             "must lie between -90 and 90, the ends excluded");
+  EXPECT_EQ(KeyRange::between(0, 12).sentence(13), "must lie between 0 and 12");
   EXPECT_EQ(KeyRange::above(0, 90).sentence(0), "must be greater than 0 and at most 90");
   EXPECT_EQ(KeyRange::positive().sentence(0), "must be greater than 0");
   EXPECT_EQ(KeyRange::not_negative().sentence(-1), "must not be negative");

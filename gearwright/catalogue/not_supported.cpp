@@ -46,6 +46,10 @@ constexpr auto kRows = std::to_array<Row>({
     {"scatter.correlations", "",
      "correlated inputs are not supported, except bores, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},
+    {"gear#.double_helical", "true", kTwoHalves},
+    {"stage[#].gears[#].form", "\"rack\"",
+     "a rack is a gear of [drive]: [[drive.gear]] with form = \"rack\". Both gears of a stage "
+     "turn"},
     {"*.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

@@ -89,7 +89,7 @@ const KeyTable& rack_bar_keys() {
       {Key::word("form", {"rack"}, KeyPlace::unused(), kRequired, "makes gear 2 a rack"),
        Key::number("teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
                    "as many as needed", "number of teeth, which determines the length of the rack")
-           .with_also({"number_of_teeth"}),
+           .with_also({"number_of_teeth", "length"}),
        Key::positive("face_width_mm", "b", &RackBar::face_width, "face width of gear 1",
                      "face width")
            .with_also({"width", "face"}),

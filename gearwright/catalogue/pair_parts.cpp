@@ -214,27 +214,34 @@ const Quantities<PairBacklash>& backlash_quantities() {
 }
 
 const Quantities<ParallelPair>& needed_face_quantities() {
-  static const Quantities<ParallelPair> kAll(
-      "pair.needed face width", [](Quantities<ParallelPair>& q) {
-        const auto positive = [](double total) {
-          return [total](const ParallelPair& p) {
-            return face_width_for_total(p, total).value_or(0.0) > 0.0;
-          };
-        };
-        q.number("total_1", "face width for a total contact ratio of 1", "b",
-                 "null for a spur pair with a lower transverse contact ratio",
-                 [](const ParallelPair& p) { return face_width_for_total(p, 1.0); })
-            .unit(Unit::mm)
-            .shown(positive(1.0));
-        q.number("total_1_2", "face width for a total contact ratio of 1.2", "b",
-                 "null for a spur pair with a lower transverse contact ratio",
-                 [](const ParallelPair& p) { return face_width_for_total(p, 1.2); })
-            .unit(Unit::mm)
-            .shown(positive(1.2));
-        q.number("overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
-                 [](const ParallelPair& p) { return face_width_for_overlap(p); })
-            .unit(Unit::mm);
+  using P = ParallelPair;
+  using Face = std::optional<double> (*)(const P&);
+  static const Quantities<P> kAll("pair.needed face width", [](Quantities<P>& q) {
+    // The face width of the teeth, and of double-helical gears that of the gear in addition.
+    const auto add = [&q](const char* key, const char* whole_key, const char* words,
+                          const char* meaning, Face face) {
+      const auto worth = [face](const P& p) { return face(p).value_or(0.0) > 0.0; };
+      q.number(key, words, "b", meaning, face).unit(Unit::mm).shown([worth](const P& p) {
+        return worth(p) && !p.gears[0].gap;
       });
+      q.number(whole_key, words, "b", "the same with both halves and the gap",
+               [face](const P& p) {
+                 const auto half = face(p);
+                 return half && *half > 0.0 ? std::optional(p.whole_face(*half)) : half;
+               })
+          .unit(Unit::mm)
+          .when([](const P& p) { return p.gears[0].gap.has_value(); })
+          .shown(worth);
+    };
+    add("total_1", "whole_total_1", "face width for a total contact ratio of 1",
+        "null for a spur pair with a lower transverse contact ratio",
+        [](const P& p) { return face_width_for_total(p, 1.0); });
+    add("total_1_2", "whole_total_1_2", "face width for a total contact ratio of 1.2",
+        "null for a spur pair with a lower transverse contact ratio",
+        [](const P& p) { return face_width_for_total(p, 1.2); });
+    add("overlap_1", "whole_overlap_1", "face width for an overlap ratio of 1",
+        "null for spur pairs", [](const P& p) { return face_width_for_overlap(p); });
+  });
   return kAll;
 }
 

@@ -26,6 +26,7 @@ template <class Kind>
 bool is(const V& v) {
   return v.as<Kind>() != nullptr;
 }
+bool double_helical(const V& v) { return v.gear(1).gap.has_value(); }
 const InternalMargins* margins_of(const V& v) {
   const ParallelPair* p = v.parallel();
   return p && p->margins ? &*p->margins : nullptr;
@@ -235,9 +236,16 @@ void say_contact(Quantities<V>& q) {
   q.part(as<ArcPair>)
       .number(
           "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-          "smallest common face width with a contact point at all times; only for circular arcs",
+          "smallest common face width with a contact point at all times, of double-helical gears "
+          "that of one half; only for circular arcs",
           [](const ArcPair& p) { return p.face_for_contact; })
-      .when();
+      .when()
+      .shown([](const V& v) { return !double_helical(v); });
+  q.part(as<ArcPair>)
+      .number("whole_face_width_for_contact_mm", "minimum face width for continuous contact", "b",
+              "the same of double-helical gears, with both halves and the gap",
+              [](const ArcPair& p) { return p.whole_face(p.face_for_contact); })
+      .when([](const V& v) { return is<ArcPair>(v) && double_helical(v); });
   q.under(kContact);
   q.record<line_quantities>("line_of_action",
                             "line of action, or for circular arcs the path of the contact point "
@@ -344,7 +352,10 @@ void say_parallel(Quantities<V>& all) {
   q.record<needed_face_quantities>(
        "needed_face_width_mm",
        "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
-       "null on crossed axes",
+       "of "
+       "double-helical gears those of one half, and in addition with both halves and the gap; null "
+       "on "
+       "crossed axes",
        [](const ParallelPair& p) { return needed_face_quantities().of(p); })
       .when(is<InvolutePair>);
   all.under(kContact);
@@ -356,8 +367,8 @@ void say_parallel(Quantities<V>& all) {
          [](const ParallelPair& p) { return approach_and_recess(p)[1]; })
       .when(is<InvolutePair>);
   q.number("axial_force_ratio", "axial over tangential force", "F_z/F_t",
-           "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; null on crossed "
-           "axes",
+           "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; of "
+           "double-helical gears for one half, because the halves balance; null on crossed axes",
            [](const ParallelPair& p) { return axial_force(p); })
       .per_gear()
       .when(is<InvolutePair>)

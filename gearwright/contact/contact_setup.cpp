@@ -217,7 +217,8 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
   if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;
   return refused(
       field, delta,
-      fmt::format("makes the lead angle {} degrees; it must stay between {} and {}",
+      fmt::format("makes the lead angle {} degrees; it must stay between {} and {}, the ends "
+                  "excluded",
                   format_number(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
 }
 

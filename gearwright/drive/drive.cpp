@@ -222,6 +222,31 @@ std::optional<double> Drive::speed_ratio(std::size_t body) const {
   return *rpm / graph.speeds_rpm.front();
 }
 
+std::optional<double> Drive::rack_pitch(std::size_t body) const {
+  for (const DriveMesh& mesh : graph.meshes)
+    for (const int side : {0, 1}) {
+      const DriveGear& rack = graph.gear(mesh, side);
+      const DriveGear& pinion = graph.gear(mesh, 1 - side);
+      if (rack.rack && rack.body == body && pinion.spec)
+        return std::numbers::pi * pinion.spec->normal_module /
+               std::cos(pinion.spec->helix_angle.rad());
+    }
+  return std::nullopt;
+}
+
+std::optional<double> Drive::linear_speed(std::size_t body) const {
+  const auto pitches = speed_rpm(body);
+  const auto pitch = rack_pitch(body);
+  if (!pitches || !pitch) return std::nullopt;
+  return *pitches / 60.0 * *pitch / kMmPerM;
+}
+
+std::optional<double> Drive::force(std::size_t body) const {
+  const auto pitch = rack_pitch(body);
+  if (!pitch || !graph.torque_Nm || !flow || flow->self_locking()) return std::nullopt;
+  return 2 * std::numbers::pi * flow->torque[body] * *graph.torque_Nm / (*pitch / kMmPerM);
+}
+
 std::optional<std::size_t> Drive::frame_of_body(std::size_t body) const {
   for (const DriveMesh& mesh : graph.meshes)
     for (const int side : {0, 1})

@@ -72,11 +72,19 @@ struct Drive {
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< of a train, each as a separate drive
 
-  /// Speeds of all bodies in 1/min; none if those of the inputs are not given.
+  /// Speeds of all bodies in 1/min, of a rack's body in pitches per minute; none if those of the
+  /// inputs are not given.
   std::optional<double> speed_rpm(std::size_t body) const;
   /// ω relative to that of the first input; none if it depends on the speeds of all inputs, and
   /// they are not given.
   std::optional<double> speed_ratio(std::size_t body) const;
+  /// p_t of the rack on a body, mm, which its pinion determines; none if no rack is on the body, or
+  /// without a module.
+  std::optional<double> rack_pitch(std::size_t body) const;
+  /// v = n p_t of a rack's body, m/s; none as above.
+  std::optional<double> linear_speed(std::size_t body) const;
+  /// The external force on a rack's body, N: F = 2π T/p_t. None without a flow, and as above.
+  std::optional<double> force(std::size_t body) const;
   /// ω of a body relative to the frame of its first mesh, likewise; none if no gear is on it.
   std::optional<double> relative_speed_ratio(std::size_t body) const;
   /// |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]

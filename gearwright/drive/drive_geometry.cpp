@@ -115,6 +115,7 @@ class Completion {
   DriveGeometry& made_;
 };
 
+// Of a double-helical gear, one half.
 std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
                                     std::optional<double> tip_diameter,
                                     std::vector<Fault>& faults) {
@@ -123,6 +124,7 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   spec.profile_shift = shift;
   if (tip_diameter) spec.tip_diameter = tip_diameter;
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
+  if (gear.double_helical) spec.face_width = (spec.face_width - gear.double_helical->gap) / 2;
   auto made = make_gear(spec);
   if (!made) {
     faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} are impossible: {}.",
@@ -130,7 +132,10 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
     return std::nullopt;
   }
   auto cut = made->internal() ? cut_by_default(*made) : std::nullopt;
-  return cut ? std::move(*cut) : std::move(made).take();
+  Gear finished = cut ? std::move(*cut) : std::move(made).take();
+  finished.bore = gear.bore;
+  if (gear.double_helical) finished.gap = gear.double_helical->gap;
+  return finished;
 }
 
 void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {

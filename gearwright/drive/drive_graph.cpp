@@ -62,6 +62,17 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
     return wrong("its planets have different numbers of copies; meshed planets need equal numbers");
   if (b.rack && carrier_a)
     return wrong("its pinion is on a carrier; a rack can only mesh with a gear on a fixed axis");
+  if (b.rack && a.double_helical)
+    return wrong("its pinion is double-helical; a rack meshes with a spur or helical pinion");
+  if ((a.double_helical || b.double_helical) && a.spec && b.spec) {
+    const auto error =
+        mates_error({a.double_helical, b.double_helical}, {a.spec->face_width, b.spec->face_width});
+    if (error) {
+      const bool first = error->field.starts_with("gear1");
+      return wrong(fmt::format("the halves do not fit: {}{} {}", first ? a.name : b.name,
+                               error->field.substr(error->field.find('.')), error->rule));
+    }
+  }
   if (mesh.efficiency && !(*mesh.efficiency > 0.0 && *mesh.efficiency <= 1.0))
     return refused(
         "drive.mesh", *mesh.efficiency,
@@ -79,6 +90,11 @@ std::optional<std::size_t> DriveGraph::frame(const DriveMesh& mesh) const {
 bool DriveGraph::is_fixed(std::size_t body) const { return holds(fixed, body); }
 bool DriveGraph::is_input(std::size_t body) const { return holds(inputs, body); }
 
+bool DriveGraph::moves(std::size_t body) const {
+  return std::any_of(gears.begin(), gears.end(),
+                     [body](const DriveGear& gear) { return gear.rack && gear.body == body; });
+}
+
 std::optional<Error> check_graph(const DriveGraph& graph) {
   if (graph.bodies.empty() || graph.meshes.empty())
     return absent_input("drive.mesh", "; a drive has bodies, gears on them and meshes of gears");
@@ -90,6 +106,12 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
     if (gear.rack && graph.body(gear).carrier)
       return Error{"drive.gear", gear.name,
                    "is a rack on a planet; the body of a rack must not have a carrier"};
+    if (!gear.double_helical || !gear.spec) continue;
+    if (gear.double_helical->stagger_pitches != 0.0)
+      return Error{"drive.gear", gear.name,
+                   "has staggered halves, which the gears of a drive cannot have"};
+    if (auto error = half_error(*gear.double_helical, gear.spec->face_width))
+      return Error{"drive.gear", gear.name, "has a gap that " + error->rule};
   }
   for (const DriveMesh& mesh : graph.meshes)
     if (auto error = check_mesh(graph, mesh)) return error;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/gear/double_helical.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
 
@@ -47,6 +48,8 @@ struct DriveGear {
   std::optional<CylindricalSpec> spec;  ///< all but the shift; its teeth are `teeth`
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
+  std::optional<Bore> bore{};                         ///< of the body (internal: rim)
+  std::optional<DoubleHelical> double_helical{};      ///< the face width of `spec` is the whole one
 
   /// The factor in [T13.1]: z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
@@ -86,6 +89,8 @@ struct DriveGraph {
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;
+  /// True if a rack is on the body, which then moves instead of turning.
+  bool moves(std::size_t body) const;
 };
 
 /// Checks that the graph can be computed: names, indices, teeth, frames.

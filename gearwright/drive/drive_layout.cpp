@@ -181,7 +181,8 @@ class Layout {
       double alone = 0.0, any = 0.0;
       for (std::size_t g = 0; g < slots.size(); ++g) {
         if (!drive_.geometry.gears[g] || slots[g].first > slot || slots[g].last < slot) continue;
-        const double face = drive_.geometry.gears[g]->spec.face_width;
+        const Gear& gear = *drive_.geometry.gears[g];
+        const double face = gear.whole_face(gear.spec.face_width);
         any = std::max(any, face);
         if (slots[g].first == slots[g].last) alone = std::max(alone, face);
       }

@@ -23,31 +23,6 @@ int copies(const Drive& drive, std::size_t mesh) {
                   drive.graph.body(drive.graph.gear(m, 1)).count);
 }
 
-// Engagements of one flank of a gear per turn, and whether the other flank carries load too.
-struct FlankUse {
-  int engagements = 0;
-  bool both = false;
-};
-
-FlankUse use_of(const Drive& drive, std::size_t mesh, int side) {
-  const DriveGraph& graph = drive.graph;
-  const std::size_t gear = graph.meshes[mesh].gears[static_cast<std::size_t>(side)];
-  const bool rides = graph.body(graph.gears[gear]).carrier.has_value();
-  FlankUse use;
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-    for (const int s : {0, 1}) {
-      if (graph.meshes[m].gears[static_cast<std::size_t>(s)] != gear || !carries(drive, m))
-        continue;
-      if (drives(drive, m, s) == drives(drive, mesh, side)) {
-        use.engagements += rides ? 1 : copies(drive, m);
-      } else {
-        use.both = true;
-      }
-    }
-  }
-  return use;
-}
-
 // A flank with several engagements per turn is rated for a life that is longer in proportion.
 RatingInput of_gear_use(RatingInput input, const FlankUse& use) {
   if (input.life_h) *input.life_h *= use.engagements;
@@ -71,6 +46,26 @@ Rating joined(Rating one, const Rating& two) {
 }
 
 }  // namespace
+
+FlankUse flank_use(const Drive& drive, std::size_t mesh, int side) {
+  GW_EXPECTS(drive.flow && !drive.flow->self_locking());
+  const DriveGraph& graph = drive.graph;
+  const std::size_t gear = graph.meshes[mesh].gears[static_cast<std::size_t>(side)];
+  const bool rides = graph.body(graph.gears[gear]).carrier.has_value();
+  FlankUse use;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    for (const int s : {0, 1}) {
+      if (graph.meshes[m].gears[static_cast<std::size_t>(s)] != gear || !carries(drive, m))
+        continue;
+      if (drives(drive, m, s) == drives(drive, mesh, side)) {
+        use.engagements += rides ? 1 : copies(drive, m);
+      } else {
+        use.both = true;
+      }
+    }
+  }
+  return use;
+}
 
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load) {
   GW_EXPECTS(drive.flow && !drive.flow->self_locking() && load.torque > 0.0);
@@ -110,13 +105,14 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
     if (!rated) return of_mesh(rated.error());
     MeshRating made;
     made.pair = *rated;
+    if (pair->gear(1).gap) made.pair.halves = 2;
     made.input = mesh_load(drive, m, load);
     for (const std::size_t i : {0, 1}) {
       auto steel = material(drive.graph.meshes[m].gears[i]);
       if (!steel) return steel.error();
       made.input.materials[i] = std::move(steel).take();
     }
-    const std::array<FlankUse, 2> use{use_of(drive, m, 0), use_of(drive, m, 1)};
+    const std::array<FlankUse, 2> use{flank_use(drive, m, 0), flank_use(drive, m, 1)};
     auto one = rate(made.pair, of_gear_use(made.input, use[0]));
     auto two = rate(made.pair, of_gear_use(made.input, use[1]));
     if (!one) return of_mesh(one.error());

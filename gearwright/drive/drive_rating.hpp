@@ -30,6 +30,17 @@ using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
 /// Domain    a drive with a flow that does not lock itself (contract)
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
 
+/// Engagements of one flank of a gear per turn, and whether the other flank carries load too.
+struct FlankUse {
+  int engagements = 0;
+  bool both = false;
+};
+
+/// The use of the flanks of gear a (side 0) or b (side 1) of a mesh.
+///
+/// Domain    a drive with a flow that does not lock itself (contract)
+FlankUse flank_use(const Drive& drive, std::size_t mesh, int side);
+
 /// The ratings of all meshes; none for a mesh that carries no load or has no pair.
 ///
 /// Errors    `drive.mesh` without a flow, or that locks itself; as rate(), with the mesh in the rule

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "gearwright/base/number_text.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -147,8 +149,8 @@ DriveGraph pair_graph(const PairStage& stage) {
   for (const std::size_t i : {0, 1}) {
     const std::string name = i == 0 ? "gear1" : "gear2";
     graph.bodies.push_back({name, std::nullopt, 1, {}});
-    graph.gears.push_back(
-        {name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i], stage.modifications[i]});
+    graph.gears.push_back({name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i],
+                           stage.modifications[i], stage.bores[i], stage.double_helical[i]});
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
   graph.inputs = {0};
@@ -282,6 +284,14 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
       return Error{
           "drive.input", std::to_string(own.inputs.size()),
           fmt::format("stage {} must have one input, the output of the stage before it", k + 1)};
+    if (k > 0 && (!own.speeds_rpm.empty() || own.torque_Nm)) {
+      const bool speed = !own.speeds_rpm.empty();
+      return Error{speed ? "drive.speed" : "drive.torque",
+                   format_number(speed ? own.speeds_rpm.front() : *own.torque_Nm),
+                   fmt::format("of stage {} follows from the first stage, which is the input; give "
+                               "it there",
+                               k + 1)};
+    }
     append(made.graph, own, fmt::format("s{}_", k + 1), joined);
     joined = made.graph.output;
     made.stages.push_back(std::move(own));

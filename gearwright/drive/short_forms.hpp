@@ -76,6 +76,8 @@ struct PairStage {
   std::array<std::optional<CylindricalSpec>, 2> specs;
   std::array<std::optional<double>, 2> shifts;
   std::array<std::array<FlankModifications, 2>, 2> modifications{};
+  std::array<std::optional<Bore>, 2> bores{};
+  std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance;
 };
 
@@ -100,6 +102,9 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
 /// The whole train, and its stages as separate drives. Bodies are s1_sun, s2_gear1 and so on. The
 /// body that joins two stages has the name that it has in the first of them.
+///
+/// Errors    as graph_of; `drive.input` of a later stage with several inputs; `drive.speed` and
+///           `drive.torque` of a later stage
 Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
 
 }  // namespace gearwright

@@ -269,11 +269,17 @@ class Scheme {
     f_.text(at, fmt::format("{} {}", escaped(graph_.bodies[body].name), part), anchor, "panel halo",
             {0.0, -7.0});
     std::vector<std::string> lines;
-    if (const auto n = drive_.speed_rpm(body); n && !graph_.is_fixed(body))
+    const bool rack = graph_.moves(body);
+    if (const auto v = drive_.linear_speed(body); v && !graph_.is_fixed(body))
+      lines.push_back(fmt::format("{:.4g} m/s", *v));
+    else if (const auto n = drive_.speed_rpm(body); n && !rack && !graph_.is_fixed(body))
       lines.push_back(fmt::format("{:.5g} /min", *n));
     else if (const auto ratio = drive_.speed_ratio(body); ratio && !graph_.is_fixed(body))
-      lines.push_back(fmt::format("n {:.4g} n_in", *ratio));
-    if (drive_.flow && !drive_.flow->self_locking()) {
+      lines.push_back(rack ? fmt::format("{:.4g} pitches per turn", *ratio)
+                           : fmt::format("n {:.4g} n_in", *ratio));
+    if (rack) {
+      if (const auto force = drive_.force(body)) lines.push_back(fmt::format("{:.5g} N", *force));
+    } else if (drive_.flow && !drive_.flow->self_locking()) {
       const double t = drive_.flow->torque[body];
       const auto& given = graph_.torque_Nm;
       lines.push_back(given ? fmt::format("{:.5g} N m", t * *given)

@@ -6,6 +6,29 @@
 
 namespace gearwright {
 
+namespace {
+
+// Of an internal gear, whose rim must reach the radius `room`, mm.
+std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
+  // The value is rounded up so that the outline fits.
+  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
+  const std::string need = fmt::format(
+      "the bore of an internal gear is the outside of its rim and must lie outside its roots; at "
+      "least {:.3f} mm",
+      smallest);
+  if (!bore) return Error{"bore.diameter", "", need};
+  if (bore->keyway_width > 0.0) {
+    return refused("bore.keyway_width", bore->keyway_width,
+                   "an internal gear has no keyway; leave it out");
+  }
+  if (!(bore->diameter / 2.0 >= room)) {
+    return refused("bore.diameter", bore->diameter, need);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 double bore_reach(const Bore& bore) {
   const double r = bore.diameter / 2.0;
   return bore.has_keyway() ? std::hypot(bore.keyway_width / 2.0, r + bore.keyway_depth) : r;
@@ -38,6 +61,19 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
       printed > bore.keyway_width
           ? fmt::format("the bore{} must stay inside the root: at most {:.3f} mm", with, printed)
           : fmt::format("no bore{} stays inside the root", with));
+}
+
+std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,
+                                double wall) {
+  const auto at = [&](double limit) {
+    return limits.internal ? rim_error(bore, limit + wall)
+           : bore          ? bore_error(*bore, limit - wall)
+                           : std::nullopt;
+  };
+  auto error = at(limits.groove.value_or(limits.root));
+  if (error && limits.groove && !at(limits.root))
+    error->rule += ", because the groove between the halves is deeper than the teeth";
+  return error;
 }
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The bore of a gear's body and its keyway.
+// The bore of a gear's body and its keyway. The bore of an internal gear is the outside of its rim.
 //
 //   r  bore radius     w, t  keyway width and depth     all mm
 //
@@ -26,5 +26,17 @@ double bore_reach(const Bore& bore);
 ///
 /// Domain    `room` mm: the radius that the bore and its keyway must not exceed
 std::optional<Error> bore_error(const Bore& bore, double room);
+
+/// The cylinders of a gear that limit its bore or its rim.
+struct HoleLimits {
+  bool internal;                   ///< true if the bore is the rim of an internal gear
+  double root;                     ///< mm, the radius of the roots
+  std::optional<double> groove{};  ///< mm, the radius of the groove of a double-helical gear
+};
+
+/// The error of a bore or a rim with less than `wall` mm to the roots or to the groove. The rim of an
+/// internal gear must exist and has no keyway.
+std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,
+                                double wall);
 
 }  // namespace gearwright

@@ -82,7 +82,8 @@ struct Gear {
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<TipBulge> tip_bulge;                 ///< none if the tip does not project
-  std::optional<Bore> bore;             ///< of the body (internal: rim); independent of the teeth
+  std::optional<Bore> bore;   ///< of the body (internal: rim); independent of the teeth
+  std::optional<double> gap;  ///< mm, between the halves of a double-helical gear; this is one half
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 
@@ -103,6 +104,9 @@ struct Gear {
   double tip_form_radius() const;
   /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
   double actual_tip_radius() const;
+  /// The face width, mm, of a gear whose teeth are `face` mm wide: that, or of a double-helical gear
+  /// both halves and the gap.
+  double whole_face(double face) const { return gap ? 2.0 * face + *gap : face; }
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
 

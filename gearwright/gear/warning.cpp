@@ -24,7 +24,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the root fillets of both sides meet below the tip; no outline",
      "the teeth are cut off at their roots"},
     {C::no_body, "no_body", kProblem,
-     "the bore or its keyway reaches the roots, or the rim of an internal gear lies inside them",
+     "the bore or its keyway reaches the roots or the groove of a double-helical gear, or the rim "
+     "of "
+     "an internal gear lies inside them",
      "a bore leaves no body of its gear"},
     {C::no_flank, "no_flank", kProblem, "no usable involute is left between root fillet and tip",
      "a gear has no usable flank"},
@@ -143,6 +145,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the gap between the halves of a double-helical gear is less than the run-out of the hob "
      "needs [T2.43]",
      "a gap too narrow for the hob"},
+    {C::stagger_without_gap, "stagger_without_gap", kCaution,
+     "the halves of a double-helical gear are staggered, and no gap separates them; there are no "
+     "files of the gear",
+     "staggered halves without a gap"},
     // The user should check numbers of the result or of the spec.
     {C::no_outline, "no_outline", kCaution,
      "a gear without an outline has no CAD files (teeth cut off, cutter through the axis, internal "

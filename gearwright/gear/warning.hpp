@@ -62,7 +62,8 @@ enum class WarningCode {
   fillet_margin,
   contact_place,
   thickened_for_backlash,
-  hob_run_out,  ///< of a double-helical gear
+  hob_run_out,          ///< of a double-helical gear
+  stagger_without_gap,  ///< of a double-helical gear
   // The user should check numbers of the result or of the spec.
   no_outline,
   no_corrections,

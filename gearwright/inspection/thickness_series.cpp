@@ -156,6 +156,22 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
   return std::array{upper - *it, upper};
 }
 
+Result<std::array<double, 2>> tip_deviations(std::string_view fit, double size, bool internal) {
+  const std::string_view zone =
+      fit.substr(0, std::min(fit.find_first_of("0123456789"), fit.size()));
+  const bool known = internal ? zone == "H" || zone == "JS" : zone == "h" || zone == "js";
+  const auto hole = hole_deviations(
+      std::string(zone.size() == 1 ? "H" : "JS") + std::string(fit.substr(zone.size())), size);
+  if (!known || (!hole && hole.error().field == "fit"))
+    return Error{"fit", std::string(fit),
+                 internal ? "must be H1 to H12 or JS1 to JS12 of ISO 286, because the tip of an "
+                            "internal gear is a hole; H9 for example"
+                          : "must be h1 to h12 or js1 to js12 of ISO 286, because the tip of an "
+                            "external gear is a shaft; h9 for example"};
+  if (!hole || internal) return hole;
+  return std::array{-(*hole)[1], -(*hole)[0] + 0.0};
+}
+
 double keyway_depth_deviation(double width) {
   constexpr double kNarrow = 6.0, kMedium = 32.0;  // widths of keys 6 x 6 and 32 x 18, mm
   return width <= kNarrow ? 0.1 : width <= kMedium ? 0.2 : 0.3;

@@ -1,5 +1,5 @@
-// Named allowances and tolerances: tooth thickness by DIN 3967, centre distances, bores and keyways
-// by ISO 286 and DIN 6885.
+// Named allowances and tolerances: tooth thickness by DIN 3967, centre distances, tips, bores and
+// keyways by ISO 286 and DIN 6885.
 //
 //   E_sns, T_sn   upper allowance and tolerance of the normal tooth thickness, µm
 //   JS7           ± half of the tolerance grade IT7
@@ -31,6 +31,14 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance);
 /// Errors    `fit`: not H1 to H12, JS1 to JS12, N9 or P9; `size`: the table ends at 3150 mm, and of N9
 ///           and P9 at 120 mm
 Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size);
+
+/// Deviations of the tip diameter, lower and upper, mm. The tip of an external gear is a shaft, with
+/// the deviations of the hole of the same name in the opposite direction; that of an internal gear is
+/// a hole.
+///
+/// Errors    `fit`: not h1 to h12 or js1 to js12, for an internal gear H1 to H12 or JS1 to JS12;
+///           `size`: the table ends at 3150 mm
+Result<std::array<double, 2>> tip_deviations(std::string_view fit, double size, bool internal);
 
 /// Upper deviation of the depth of a keyway in a hub, mm; the lower one is 0.
 ///

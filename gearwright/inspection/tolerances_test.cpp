@@ -161,6 +161,17 @@ TEST(Tolerances, HolesAndKeyways) {
     EXPECT_FALSE(hole_deviations(fit, 20)) << fit;
   EXPECT_FALSE(hole_deviations("P9", 130));
   EXPECT_FALSE(hole_deviations("H7", 4000));
+  const auto tip = [](const char* fit, double size, bool internal = false) {
+    const auto mm = testing::taken(tip_deviations(fit, size, internal));
+    return std::array{std::round(1e4 * mm[0]) / 10, std::round(1e4 * mm[1]) / 10};
+  };
+  EXPECT_EQ(tip("h9", 50.5), (std::array{-74.0, 0.0}));
+  EXPECT_EQ(tip("js9", 6), (std::array{-15.0, 15.0}));
+  EXPECT_EQ(tip("H9", 50.5, true), (std::array{0.0, 74.0}));
+  for (const char* fit : {"", "h", "h13", "H9", "JS9", "k6", "9"})
+    EXPECT_FALSE(tip_deviations(fit, 50, false)) << fit;
+  EXPECT_FALSE(tip_deviations("h9", 50, true));
+  EXPECT_EQ(tip_deviations("h9", 4000, false).error().field, "size");
   EXPECT_EQ(keyway_depth_deviation(6), 0.1);
   EXPECT_EQ(keyway_depth_deviation(8), 0.2);
   EXPECT_EQ(keyway_depth_deviation(36), 0.3);

@@ -43,19 +43,29 @@ std::string part_of(const Drive& drive, std::size_t body) {
 std::string body_listing(const Drive& drive) {
   const bool powered = drive.flow && !drive.flow->self_locking();
   const auto& torque = drive.graph.torque_Nm;
+  bool racks = false;
   std::string out =
       fmt::format("\nBodies\n  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n", "", "", "speed ratio",
                   "", "to its frame", "1/min", torque ? "torque N m" : "torque ratio");
   for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b) {
     const bool one = drive.graph.inputs.size() == 1;
     const double t = powered ? drive.flow->torque[b] * torque.value_or(1.0) : 0.0;
+    const bool rack = drive.graph.moves(b);
+    const auto v = drive.linear_speed(b), force = drive.force(b);
+    const std::string speed = !rack ? number(drive.speed_rpm(b), 2)
+                              : v   ? fmt::format("{:.4f} m/s", *v)
+                                    : kAbsent;
+    const std::string load = rack ? force ? fmt::format("{:.2f} N", *force) : kAbsent
+                             : powered && t != 0.0 ? fixed_decimals(t, 4)
+                                                   : kAbsent;
     out += fmt::format("  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n",
                        printable(drive.graph.bodies[b].name, 13), part_of(drive, b),
                        number(drive.speed_ratio(b), 6),
                        one ? fraction(drive.motion.speeds[b][0]) : kAbsent,
-                       number(drive.relative_speed_ratio(b), 6), number(drive.speed_rpm(b), 2),
-                       powered && t != 0.0 ? fixed_decimals(t, 4) : kAbsent);
+                       number(drive.relative_speed_ratio(b), 6), speed, load);
+    racks = racks || rack;
   }
+  if (racks) out += "  The speed ratio of a rack is in pitches per turn of the input.\n";
   return out;
 }
 
@@ -100,14 +110,16 @@ std::string set_listing(const PlanetSet& set) {
 }
 
 std::string drive_csv(const Drive& drive) {
-  std::string out = "body,speed_ratio,relative_speed_ratio,speed_rpm,torque_ratio\r\n";
+  std::string out =
+      "body,speed_ratio,relative_speed_ratio,speed_rpm,torque_ratio,speed_m_per_s\r\n";
   const auto cell = [](const std::optional<double>& x) { return x ? fmt::format("{}", *x) : ""; };
   const bool powered = drive.flow && !drive.flow->self_locking();
   for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b)
-    out += fmt::format("{},{},{},{},{}\r\n", csv_cell(Value(drive.graph.bodies[b].name)),
+    out += fmt::format("{},{},{},{},{},{}\r\n", csv_cell(Value(drive.graph.bodies[b].name)),
                        cell(drive.speed_ratio(b)), cell(drive.relative_speed_ratio(b)),
-                       cell(drive.speed_rpm(b)),
-                       powered ? fmt::format("{}", drive.flow->torque[b]) : "");
+                       drive.graph.moves(b) ? "" : cell(drive.speed_rpm(b)),
+                       powered ? fmt::format("{}", drive.flow->torque[b]) : "",
+                       cell(drive.linear_speed(b)));
   return out;
 }
 
@@ -168,8 +180,11 @@ Result<Answer> answer_drive(const JobSpec& spec) {
   Answer whole = std::move(answer).take();
   if (spec.rating.given) whole.verdict->not_judged.emplace_back("rating");
   whole.expanded = expanded_spec(spec.tree->tables, *spec.drive);
-  for (std::size_t m = 0; m < solved->drive.graph.meshes.size(); ++m)
-    whole.specs.push_back(mesh_spec(*solved, whole.expanded, m));
+  for (std::size_t m = 0; m < solved->drive.graph.meshes.size(); ++m) {
+    MeshSpec mesh = mesh_spec(*solved, whole.expanded, m);
+    whole.specs.push_back(std::move(mesh.tables));
+    whole.notes.push_back(std::move(mesh.notes));
+  }
   return whole;
 }
 

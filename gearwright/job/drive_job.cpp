@@ -7,12 +7,12 @@
 
 #include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/gear_body.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/drive/drive_error.hpp"
-#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -53,11 +53,36 @@ Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear) : gear.bore,
                    Eigen::Isometry3d::Identity()};
+  if (named.double_helical) {
+    const auto halves = halves_of(gear, *named.double_helical);
+    if (!halves) return within(named.name, halves.error());
+    body.face_width = halves->face_width;
+    auto helices = two_helices_of(gear, *halves, 1);
+    if (!helices) return within(named.name, helices.error());
+    body.two_helices = *helices;
+  }
   if (auto error = modify(body, gear, named.modifications)) return within(named.name, *error);
   body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
   body.pose.rotate(Eigen::AngleAxisd(placed.angle, Vec3::UnitZ()));
   body.colour = named.body;
   return body;
+}
+
+// Checks double-helical gears and adds their warnings.
+std::optional<Error> find_halves(Drive& drive) {
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+    const DriveGear& named = drive.graph.gears[g];
+    const auto& gear = drive.geometry.gears[g];
+    if (!named.double_helical || !gear) continue;
+    const auto halves = halves_of(*gear, *named.double_helical);
+    if (!halves)
+      return Error{"drive.gear", named.name, halves.error().field + " " + halves.error().rule};
+    if (auto warning = run_out_warning(*halves, 0)) {
+      warning->message = named.name + ": " + warning->message;
+      drive.findings.push_back(std::move(*warning));
+    }
+  }
+  return std::nullopt;
 }
 
 double reach(const ToothedBody& body) {
@@ -67,8 +92,42 @@ double reach(const ToothedBody& body) {
   return radius;
 }
 
-// The load, which [rating] or the drive may give.
-Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
+}  // namespace
+
+Result<DriveJob> solve_drive(const JobSpec& spec) {
+  if (!spec.drive) {
+    return absent_input(
+        "planetary",
+        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
+        "planet = 25, ring = 70 and planets = 3 for example");
+  }
+  auto made = make_drive(*spec.drive);
+  if (!made) return of_drive_table(made.error(), spec.tree->tables);
+  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
+  if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
+  if (spec.errors.any()) {
+    job.drive.error = transmission_error(job.drive, spec.drive->harmonics, [&](std::size_t mesh) {
+      ContactErrors errors;
+      const auto& pair = *job.drive.geometry.pairs[mesh];
+      const std::array<const Gear*, 2> gears{&pair.gear(1), &pair.gear(2)};
+      for (std::size_t i = 0; i < kErrorCount; ++i)
+        error_entries()[i].set(errors, gears, spec.errors.value[i]);
+      return errors;
+    });
+  }
+  if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
+  if (auto layout = drive_layout(job.drive)) {
+    job.layout = std::move(layout).take();
+  } else {
+    const Error& why = layout.error();
+    job.why_no_layout = fmt::format("The drive cannot be assembled here: {}{}.",
+                                    why.value.empty() ? "" : why.value + " ", why.rule);
+  }
+  job.verdict = judge(job);
+  return job;
+}
+
+Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   DriveLoad load;
   load.common = spec.rating.input;
   load.common.speed.reset();
@@ -94,42 +153,8 @@ Result<DriveLoad> load_of(const JobSpec& spec, const Drive& drive) {
   return load;
 }
 
-}  // namespace
-
-Result<DriveJob> solve_drive(const JobSpec& spec) {
-  if (!spec.drive) {
-    return absent_input(
-        "planetary",
-        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
-        "planet = 25, ring = 70 and planets = 3 for example");
-  }
-  auto made = make_drive(*spec.drive);
-  if (!made) return of_drive_table(made.error(), spec.tree->tables);
-  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
-  if (spec.errors.any()) {
-    job.drive.error = transmission_error(job.drive, spec.drive->harmonics, [&](std::size_t mesh) {
-      ContactErrors errors;
-      const auto& pair = *job.drive.geometry.pairs[mesh];
-      const std::array<const Gear*, 2> gears{&pair.gear(1), &pair.gear(2)};
-      for (std::size_t i = 0; i < kErrorCount; ++i)
-        error_entries()[i].set(errors, gears, spec.errors.value[i]);
-      return errors;
-    });
-  }
-  if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
-  if (auto layout = drive_layout(job.drive)) {
-    job.layout = std::move(layout).take();
-  } else {
-    const Error& why = layout.error();
-    job.why_no_layout = fmt::format("The drive cannot be assembled here: {}{}.",
-                                    why.value.empty() ? "" : why.value + " ", why.rule);
-  }
-  job.verdict = judge(job);
-  return job;
-}
-
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
-  const auto load = load_of(spec, drive);
+  const auto load = rating_load(spec, drive);
   if (!load) return load.error();
   const auto materials = drive_materials(spec.tree->tables);
   auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {

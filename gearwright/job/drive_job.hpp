@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/drive/drive_layout.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/spec/spec.hpp"
 
@@ -25,6 +26,11 @@ struct DriveJob {
 ///
 /// Errors    a spec without a drive; as make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
+
+/// The load of a rating, which [rating] or the drive gives.
+///
+/// Errors    `rating.…` for a load that is missing, 0 or contradictory
+Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
 /// Rates each mesh under the load of [rating], or under the drive's own torque.
 ///

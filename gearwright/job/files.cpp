@@ -224,7 +224,6 @@ Error of_body(Error error, const std::string& name) {
   return {name, "", error.rule};
 }
 
-// The mating gears are staggered alike, so gear 2 is turned the other way unless it is internal.
 Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int which) {
   const auto& [gap, stagger, groove, hob, lead, length] = halves.given;
   if (stagger != 0.0 && gap == 0.0) {

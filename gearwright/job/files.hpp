@@ -64,6 +64,12 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
+/// The two halves of a gear's body. The mating gears are staggered alike, so gear 2 is turned the
+/// other way unless it is internal.
+///
+/// Errors    `double_helical.gap` of staggered halves without a gap
+Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int which);
+
 /// CAD errors name a member of a body, which is replaced by that of the gear. A spec has no
 /// tolerance or number of faces, so those errors are about the gear.
 Error of_body(Error error, const std::string& name);

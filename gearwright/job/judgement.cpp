@@ -41,9 +41,7 @@ Verdict rack_verdict(const SolvedJob& job) {
 
 Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
   if (job.rack) return rack_verdict(job);
-  JudgedWith with{.contact = parts.contact,
-                  .errors = job.spec.errors.any(),
-                  .halves = job.halves[0].has_value()};
+  JudgedWith with{.contact = parts.contact, .errors = job.spec.errors.any()};
   with.contact_again = [&](Arranged& changed) -> std::optional<ContactResult> {
     SolvedJob again{std::move(changed), job.spec, job.halves};
     again.spec.contact.map.reset();

@@ -135,7 +135,9 @@ std::string pair_listing(const Pair& pair) {
                               return p.margins ? "Internal pair, parallel axes"
                                                : "External pair, parallel axes";
                             }});
-  return fmt::format("\n{}\n", kind) +
+  const bool halves = pair.gear(1).gap.has_value();
+  return fmt::format("\n{}{}\n", kind,
+                     halves ? "; contact ratios and axial force are those of one half" : "") +
          quantity_listing(pair_quantities().table(), {pair_quantities().of(pair)}, {});
 }
 

@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
+#include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 
 namespace gearwright {
@@ -18,6 +24,12 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
   table.erase("name");
   table.erase("body");
+  if (job.drive.graph.gears[gear].rack) {  // its pinion gives the other data
+    Json bar = Json::object();
+    for (const auto& [key, value] : table.items())
+      if (rack_bar_keys().find(key)) bar[key] = value;
+    return bar;
+  }
   // 0, and not −0.
   if (table.contains("helix_angle_deg"))
     table["helix_angle_deg"] = table["helix_angle_deg"].get<double>() + 0.0;
@@ -30,9 +42,30 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   return table;
 }
 
+// The load of the mesh in a rating of the drive; none if the mesh carries no load.
+struct RatedLoad {
+  RatingInput input;
+  std::array<FlankUse, 2> use;
+};
+
+// [rating] for one mesh. The load is that of one copy, and the life and the bending are those of the
+// gear that engages more.
+Json rating_table(const Json& of_drive, const RatedLoad& load) {
+  Json table = of_drive;
+  for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})
+    table.erase(key);
+  table["torque_Nm"] = load.input.torque;
+  if (load.input.speed) table["speed_rpm"] = *load.input.speed;
+  if (load.input.mesh_load_factor != 1.0) table["mesh_load_factor"] = load.input.mesh_load_factor;
+  const int engagements = std::max(load.use[0].engagements, load.use[1].engagements);
+  if (load.input.life_h && engagements > 1) table["life_h"] = *load.input.life_h * engagements;
+  if (load.use[0].both || load.use[1].both) table["reversed"] = true;
+  return table;
+}
+
 }  // namespace
 
-Json mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) {
+MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) {
   const Drive& drive = job.drive;
   const DriveMesh& m = drive.graph.meshes[mesh];
   Json spec = Json::object();
@@ -44,20 +77,56 @@ Json mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) {
   Json& pair = spec["pair"] = Json::object();
   if (const auto& distance = drive.geometry.distance[mesh]) pair["center_distance_mm"] = *distance;
   if (!rack && drive.graph.friction > 0.0) pair["friction_coefficient"] = drive.graph.friction;
-  const bool loaded = drive.flow && !drive.flow->self_locking() && drive.flow->driver[mesh] >= 0 &&
-                      drive.graph.torque_Nm.value_or(0.0) != 0.0;
-  if (loaded && !rack) {
+  // The tables of contact are for gears of one helix.
+  const bool halves = drive.graph.gear(m, 0).double_helical.has_value();
+  const bool locks = drive.flow && drive.flow->self_locking();
+  const bool carries = drive.flow && !locks && drive.flow->driver[mesh] >= 0 && !rack;
+  if (carries && drive.graph.torque_Nm.value_or(0.0) != 0.0) {
     const RatingInput load = mesh_load(
         drive, mesh,
         {std::abs(*drive.graph.torque_Nm), drive.speed_rpm(drive.graph.inputs.front()), {}});
     if (load.speed) pair["speed_rpm"] = *load.speed;
-    spec["load"]["torque_Nm"] = load.torque;
+    if (!halves) spec["load"]["torque_Nm"] = load.torque;
   }
-  for (const char* name : kShared)
-    if (expanded.contains(name)) spec[name] = expanded[name];
-  if (loaded && !rack && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
+  for (const std::string name : kShared)
+    if (expanded.contains(name) && (!halves || name == "drawing")) spec[name] = expanded[name];
+  if (spec.contains("load") && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
+
+  std::vector<std::string> notes{fmt::format(
+      "Mesh {} of the drive as a pair. Numbers have all their digits, so that the results of the "
+      "pair and of the drive agree to the last bit.",
+      printable(m.name))};
+  if (job.verdict.level == Level::red) notes.push_back(job.verdict.headline);
+  if (locks) {
+    for (const Warning& w : drive.findings)
+      if (w.code == WarningCode::self_locking && notes.back() != w.message) {
+        notes.push_back(w.message + " The pair has no load.");
+        break;
+      }
+  }
+  if (job.spec.rating.given) {
+    const auto load = rating_load(job.spec, drive);
+    if (carries && load) {
+      const RatedLoad rated{mesh_load(drive, mesh, *load),
+                            {flank_use(drive, mesh, 0), flank_use(drive, mesh, 1)}};
+      spec["rating"] = rating_table(expanded["rating"], rated);
+      if (rated.use[0].engagements != rated.use[1].engagements ||
+          rated.use[0].both != rated.use[1].both)
+        notes.push_back(fmt::format(
+            "The flanks of the gears engage {} and {} times per turn; life_h and reversed of "
+            "[rating] are those of the gear with the more severe use.",
+            rated.use[0].engagements, rated.use[1].engagements));
+      if (expanded["rating"].contains("spectrum"))
+        notes.push_back("The spectrum of [rating] is left out, because it is that of the drive.");
+    } else {
+      const char* why = rack      ? "a rack is not rated"
+                        : carries ? "the drive has no load"
+                                  : "the mesh carries no load";
+      notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
+    }
+  }
   if (pair.empty()) spec.erase("pair");
-  return spec;
+  return {std::move(spec), std::move(notes)};
 }
 
 }  // namespace gearwright

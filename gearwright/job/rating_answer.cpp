@@ -1,7 +1,6 @@
 #include "gearwright/job/rating_answer.hpp"
 
 #include "gearwright/arrange/loaded_halves.hpp"
-#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/job_contact.hpp"
 
 namespace gearwright {
@@ -39,20 +38,6 @@ Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, P
   return of(made->torques.front());
 }
 
-// Double-helical gears: the pair is that of one half, and the halves share the load.
-std::optional<Error> two_halves(const SolvedJob& job, RatingAnswer& answer) {
-  if (!job.halves[0]) return std::nullopt;
-  const RatingInput& in = answer.input;
-  if (!in.face_load_factor && (in.mounting || in.shafts)) {
-    return Error{in.mounting ? "rating.mounting" : gear_field(in.shafts->of[0] ? 1 : 2, "shaft"),
-                 "",
-                 "gives the face load factor of single-helical gears; for double-helical gears "
-                 "give rating.face_load_factor"};
-  }
-  answer.pair.halves = 2;
-  return std::nullopt;
-}
-
 }  // namespace
 
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
@@ -63,7 +48,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   auto rated = rated_pair(*job.pair);
   if (!rated) return rated.error();
   answer.pair = *rated;
-  if (auto error = two_halves(job, answer)) return *error;
+  if (job.halves[0]) answer.pair.halves = 2;
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
     auto material = material_of(job.spec.gears[i]->material, material_table(job.spec, which),

@@ -26,16 +26,40 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
 }
 
+// Fits of the drawing that apply to no gear of the spec.
+std::vector<Warning> note_unused_fits(const JobSpec& spec) {
+  bool bore = false, keyway = false;
+  for (const auto& gear : spec.gears) {
+    if (!gear || !gear->bore || gear->cylindrical.teeth < 0) continue;
+    bore = true;
+    keyway = keyway || gear->bore->has_keyway();
+  }
+  std::vector<Warning> notes;
+  const auto note = [&](const std::string& fit, const char* key, const char* of, const char* with) {
+    if (fit.empty()) return;
+    notes.push_back({WarningCode::not_read,
+                     fmt::format("`drawing.{}` = {} has no effect, because no external gear of the "
+                                 "spec has a {}; `gear1.bore` with {} gives one.",
+                                 key, printable(fit), of, with),
+                     0});
+  };
+  if (!bore) note(spec.drawing.bore_fit, "bore_fit", "bore", "diameter_mm");
+  if (!keyway)
+    note(spec.drawing.keyway_fit, "keyway_fit", "keyway", "keyway_width_mm and keyway_depth_mm");
+  return notes;
+}
+
 // Adds the data of double-helical gears, of which `job` contains a half each.
 std::optional<Error> find_halves(SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    const auto& given = job.spec.double_helical[i];
-    if (!given) continue;
     const int which = static_cast<int>(i) + 1;
+    const auto& given = job.spec.gear(which).double_helical;
+    if (!given) continue;
     auto halves = halves_of(job.gears[i], *given);
     if (!halves) return of_gear(which, halves.error());
     job.halves[i] = std::move(halves).take();
-    if (auto warning = run_out_warning(*job.halves[i], which)) job.warnings.push_back(*warning);
+    for (const auto& warning : {run_out_warning, stagger_warning})
+      if (auto w = warning(*job.halves[i], which)) job.warnings.push_back(*w);
   }
   const bool any = job.halves[0] || job.halves[1];
   if (!any || !job.pair || !job.pair->crossed()) return std::nullopt;
@@ -63,7 +87,8 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
-  if (auto error = halve(given, spec.double_helical)) return *error;
+  for (Warning& note : note_unused_fits(spec)) given.notes.push_back(std::move(note));
+  if (auto error = halve(given)) return *error;
   auto arranged = arrange(given, scope);
   if (!arranged) {
     Error error = arranged.error();

@@ -27,8 +27,10 @@ struct Answer {
   std::vector<Warning> warnings;   ///< of the gears and of the results
   std::optional<Verdict> verdict;  ///< none if the verb judges no gears
   std::vector<Json> specs;  ///< proposals: branches, candidates, corrections; the meshes of a drive
-  Json expanded;            ///< of a drive, the spec with its graph; otherwise null
-  std::string why_none;     ///< reason if `specs` is empty, for verbs that propose specs
+  /// Sentences about each of the specs: its origin, then what the user should know. Or none.
+  std::vector<std::vector<std::string>> notes;
+  Json expanded;         ///< of a drive, the spec with its graph; otherwise null
+  std::string why_none;  ///< reason if `specs` is empty, for verbs that propose specs
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
 };

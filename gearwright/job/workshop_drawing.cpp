@@ -310,9 +310,9 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
     if (!body) return body.error();
     GearSheetInput input{*body,
                          job.gear(which).reference_diameter,
-                         job.gear(which).bore.has_value(),
                          drawing_data(job, which),
                          words,
+                         job.spec.gear(which).tolerance.tip_fit.value_or(""),
                          mass_of(job, which, *body),
                          fmt::format("{}/{}", i + 1, gears.size())};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);

@@ -188,6 +188,25 @@ TEST(WorkshopDrawing, has_the_limits_of_bore_and_keyway) {
   EXPECT_FALSE(contains(kFull, "H7"));
 }
 
+// IT9 is 62 µm up to 50 mm and 74 µm up to 80 mm.
+TEST(WorkshopDrawing, has_the_limits_of_the_tip_diameter) {
+  const std::string tip = "\n[gear1.tolerance]\ntip_diameter_fit = ";
+  const std::string pinion = gear("teeth = 18\nnormal_module_mm = 2.5\nface_width_mm = 20");
+  for (const char* words : {"Ø50 h9", "49.938 … 50"})
+    EXPECT_TRUE(contains(pinion + tip + "\"h9\"", words)) << words;
+  const std::string ring = gear("teeth = -60\nnormal_module_mm = 1\nface_width_mm = 20");
+  for (const char* words : {"Ø58 H9", "58 … 58.074"})
+    EXPECT_TRUE(contains(ring + tip + "\"H9\"", words)) << words;
+  expect_clear(pinion + tip + "\"js10\"", "tip with a fit");
+}
+
+// Without [gear1.bore] the rim is 2.5 modules thick: d_f = 62.5, so its outside is 62.5 + 5.
+TEST(WorkshopDrawing, has_the_outside_of_every_rim) {
+  const std::string ring = "teeth = -60\nnormal_module_mm = 1\nface_width_mm = 20\n";
+  EXPECT_TRUE(contains(gear(ring), "Ø67.5"));
+  EXPECT_TRUE(contains(gear(ring + "[gear1.bore]\ndiameter_mm = 80"), "Ø80"));
+}
+
 // A disc with the diameter of the pitch circle has nearly the mass of the gear.
 TEST(WorkshopDrawing, has_the_mass_of_a_gear_with_a_material) {
   const std::string disc = "teeth = 60\nnormal_module_mm = 2\nface_width_mm = 20\n";

@@ -251,7 +251,7 @@ void warn_about_pair(ArcPair& pair) {
     warn(pair, WarningCode::contact_ratio,
          fmt::format("Contact is not continuous: the common face width is {:.4f} mm, less than the "
                      "spacing of the contact points, {:.4f} mm.",
-                     face, pair.face_for_contact));
+                     pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
   constexpr double kRounding = 1e-9;  // modules: rounding of a given backlash-free distance
   if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {

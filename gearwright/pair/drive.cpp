@@ -28,7 +28,7 @@ std::optional<double> face_width_needed(const ParallelPair& pair) {
   const auto face = face_width_for_total(pair, 1.0);
   if (!face) return std::nullopt;
   constexpr double kWhole = 1e-9;  // relative to 0.01 mm: whole hundredths are not rounded up
-  return std::ceil(*face * 100 - kWhole) / 100;
+  return std::ceil(pair.whole_face(*face) * 100 - kWhole) / 100;
 }
 
 std::optional<double> face_width_for_overlap(const ParallelPair& pair) {

@@ -1,5 +1,6 @@
 // Requirements of a pair on parallel axes on its housing: face widths, axial force, and the effect
-// of a change of the centre distance.
+// of a change of the centre distance. Contact ratios and face widths of double-helical gears are those
+// of one half.
 //
 //   ε_α, ε_β   of the clipped path; ε_β = b |tan β_b|/p_bt
 //                                              theory: docs/theory/06-few-teeth.md, 6.6
@@ -19,7 +20,8 @@ namespace gearwright {
 std::optional<double> face_width_for_total(const ParallelPair& pair, double total);
 
 /// The least face width with continuous contact of a helical pair whose contact is not continuous
-/// in a transverse section; mm, rounded up to 0.01. None if the transverse contact is continuous,
+/// in a transverse section; mm, rounded up to 0.01, of double-helical gears with both halves and the
+/// gap. None if the transverse contact is continuous,
 /// if there is no contact, or if no face width is enough.
 std::optional<double> face_width_needed(const ParallelPair& pair);
 

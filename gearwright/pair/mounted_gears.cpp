@@ -1,9 +1,14 @@
 #include "gearwright/pair/mounted_gears.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 namespace gearwright {
+
+double MountedGears::whole_face(double face) const {
+  return std::max(gears[0].whole_face(face), gears[1].whole_face(face));
+}
 
 double MountedGears::gear_ratio() const {
   return static_cast<double>(gears[1].spec.teeth) / gears[0].spec.teeth;

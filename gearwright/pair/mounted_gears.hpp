@@ -34,7 +34,10 @@ struct MountedGears {
 
   bool crossed() const { return shaft_angle.rad() != 0.0; }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
-  double gear_ratio() const;                       ///< z2/z1, negative for internal pairs
+  /// The face width, mm, of gears whose teeth are `face` mm wide: that, or of double-helical gears
+  /// both halves and the wider gap.
+  double whole_face(double face) const;
+  double gear_ratio() const;  ///< z2/z1, negative for internal pairs
   /// Gear frames in the housing at rotation 0. [T1.5]
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;

@@ -276,8 +276,20 @@ Result<Rating> rate_by_iso(const RatedPair& pair, const RatingInput& input) {
 
 }  // namespace
 
+namespace {
+
+std::optional<Error> two_halves_error(const RatedPair& pair, const RatingInput& in) {
+  if (pair.halves == 1 || in.face_load_factor || !(in.mounting || in.shafts)) return std::nullopt;
+  return Error{in.mounting ? "rating.mounting" : gear_field(in.shafts->of[0] ? 1 : 2, "shaft"), "",
+               "gives the face load factor of single-helical gears; for double-helical gears give "
+               "rating.face_load_factor"};
+}
+
+}  // namespace
+
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
   GW_EXPECTS(input.torque > 0.0);
+  if (auto error = two_halves_error(pair, input)) return *error;
   if (auto error = missing_input(input)) return *error;
   auto made = input.edition == RatingEdition::vdi_2736 ? rate_plastic(pair, input)
                                                        : rate_by_iso(pair, input);

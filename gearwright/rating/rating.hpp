@@ -84,7 +84,8 @@ std::optional<Error> missing_input(const RatingInput& input);
 
 /// Formula   [T11.1], [T11.22], [T11.40]
 /// Errors    `rating.speed` where K_v or the lives need it, `rating.quality`, `rating.face_load_factor`
-///           where neither it nor a mounting nor a shaft is given, `gearN.rack` where no tangent touches the root
+///           where neither it nor a mounting nor a shaft is given, `rating.mounting` or `gearN.shaft`
+///           of double-helical gears without a face load factor, `gearN.rack` where no tangent touches the root
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T    (2) lengths times k and torque times k³: the same stresses
 ///           (3) gear 1 and gear 2 exchanged, with torque and speed of the other: the same numbers
 ///           by VDI 2736 `rating.plastic…`, `gearN.material…` where it has no value at the temperature

@@ -30,7 +30,8 @@ constexpr double kSchemeWidth = 640.0;
 std::string drive_title(const Drive& drive) {
   std::string teeth;
   for (const DriveGear& gear : drive.graph.gears)
-    teeth += fmt::format("{}{}", teeth.empty() ? "" : " / ", std::abs(gear.teeth));
+    teeth += (teeth.empty() ? "" : " / ") +
+             (gear.rack ? std::string("rack") : fmt::format("{}", std::abs(gear.teeth)));
   return fmt::format("{} {}", drive.sets.empty() ? "Gear train" : "Planetary drive", teeth);
 }
 

@@ -29,8 +29,10 @@ Result<Distribution> Distribution::of(const DistributionSpec& spec) {
                      "capability is described by distribution = \"uniform\"");
     const double half = 0.5 * (h - l);
     if (!(std::abs(spec.offset) < half) && h > l)
-      return refused("offset", spec.offset, {-half, half},
-                     "must lie between {} and {}, so that the mean stays inside the range");
+      return refused(
+          "offset", spec.offset, {-half, half},
+          "must lie between {} and {}, the ends excluded, so that the mean stays inside the "
+          "range");
   }
   if (spec.kind == Kind::beta) {
     for (const double p : spec.shape)

@@ -101,9 +101,18 @@ void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional
   if (!torques.empty()) torque = torques.front();
 }
 
+// Rejects halves outside the table of a gear; `where` names the place.
+void refuse_halves(const Json& node, const std::string& path, const char* where) {
+  if (node.contains("double_helical"))
+    throw SpecError{{path + ".double_helical", shown(node["double_helical"]), where}};
+}
+
 }  // namespace
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
+  refuse_halves(node, path,
+                "belongs to the gears; gearwright drive SPEC --expand prints the set as [drive], "
+                "whose gears accept it");
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
@@ -160,6 +169,11 @@ void refuse_in_drive(const Json& node, const std::string& path) {
                        "is not supported in a drive; give thickness_allowance_mm"}};
 }
 
+void need_whole_face(const GearInput& gear, const std::string& path) {
+  if (gear.double_helical && !gear.face_width_given)
+    throw SpecError{absent_input(path + ".face_width_mm", kWholeFace)};
+}
+
 void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
                       const std::filesystem::path& folder) {
   const bool two =
@@ -176,6 +190,9 @@ void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
     pair.specs[i] = gear.cylindrical;
     pair.shifts[i] = gear.profile_shift;
     pair.modifications[i] = gear.modifications;
+    pair.bores[i] = gear.bore;
+    pair.double_helical[i] = gear.double_helical;
+    need_whole_face(gear, path);
   }
 }
 
@@ -208,6 +225,10 @@ void read_teeth(TableReader& t, PairStage& pair) {
 
 StageSpec read_stage(const Json& node, const std::string& path,
                      const std::filesystem::path& folder) {
+  refuse_halves(
+      node, path,
+      "must be in the tables of the gears: gears = [{ teeth = 19, double_helical = { gap_mm "
+      "= 10 }, ... }, { teeth = 58 }]");
   TableReader t(stage_keys(), node, path);
   StageSpec stage;
   if (t.has("planetary")) {
@@ -307,6 +328,8 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   gear.rack = own.word("form").value_or("gear") == "rack";
   if (!gear.rack && !own.has("teeth"))
     own.fail_absent("teeth", ": number of teeth, negative for a ring");
+  if (!gear.rack)
+    own.refuse("height_mm", "is the height of a rack; form = \"rack\" makes the gear a rack");
   refuse_in_drive(node, path);
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));
@@ -318,6 +341,9 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   gear.teeth = gear.rack ? 0 : given.cylindrical.teeth;
   gear.shift = given.profile_shift;
   gear.modifications = given.modifications;
+  gear.bore = given.bore;
+  gear.double_helical = given.double_helical;
+  need_whole_face(given, path);
   if (has_module && !gear.rack) gear.spec = given.cylindrical;
 }
 
@@ -377,7 +403,7 @@ DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
 
 template <class T>
 T taken(Result<T> made, const Json& tree) {
-  if (!made) throw SpecError{of_drive_table(made.error(), tree)};
+  if (!made) throw SpecError{spelled(of_drive_table(made.error(), tree))};
   return std::move(made).take();
 }
 

@@ -203,8 +203,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   }
   if (keys.find("modifications")) g.modifications = read_modifications(t, folder);
   check_tolerance(t, g);
-  t.table("measured");                                         // spec/read_measured.cpp
-  if (keys.find("double_helical")) t.table("double_helical");  // spec/spec.cpp
+  t.table("measured");  // spec/read_measured.cpp
   if (t.has("teeth")) {
     read_basic(t, g, module, alpha);
   } else {

@@ -166,17 +166,14 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
   return bar;
 }
 
-// The two halves of a gear. Verbs that compute gears do not support them.
-std::optional<DoubleHelical> read_double_helical(const Json* gear, const std::string& path,
-                                                 const Json& tree) {
-  if (!gear || !gear->contains("double_helical")) return std::nullopt;
+// Rejects the two halves of a gear where the verbs that compute gears do not support them.
+void refuse_halves(const Json* gear, const std::string& path, const Json& tree) {
+  if (!gear || !gear->contains("double_helical")) return;
   TableReader t(gear_keys(), *gear, path);
-  const Json* table = t.table("double_helical");
   if (tree.contains("search") || tree.contains("fit") || is_unknown_gear(*gear))
     t.fail("double_helical", "is not supported in a search, a fit or an identification");
   if (is_rack(tree.value("gear2", Json::object())))
     t.fail("double_helical", "does not apply to the pinion of a rack");
-  return read_table<DoubleHelical>(double_helical_keys(), *table, path + ".double_helical");
 }
 
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
@@ -219,8 +216,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   if (is_gear(gear_2))
     lacks.of([&] { spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder); });
   if (gear_2 && is_rack(*gear_2)) lacks.of([&] { spec.rack = read_rack_bar(*gear_2, tree); });
-  spec.double_helical = {read_double_helical(gear_1, "gear1", tree),
-                         read_double_helical(gear_2, "gear2", tree)};
+  refuse_halves(gear_1, "gear1", tree);
+  refuse_halves(gear_2, "gear2", tree);
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth",
                "gear2.normal_module_mm");  // with them, gear 2 takes the material of gear 1

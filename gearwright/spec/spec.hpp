@@ -33,8 +33,7 @@ struct JobSpec : SpecTables {
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
-  std::optional<RackBar> rack;    ///< gear 2 is a rack, and `gears` contains only the pinion
-  DoubleHelicals double_helical;  ///< of gears, whose face width is then the total one
+  std::optional<RackBar> rack;  ///< gear 2 is a rack, and `gears` contains only the pinion
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a known gear, or of an unknown one that is not in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;

@@ -76,4 +76,24 @@ std::string toml_text(const Json& tree) {
   return out;
 }
 
+std::string toml_comment(const std::vector<std::string>& sentences) {
+  constexpr std::size_t kWidth = 78;  // with the sign, the text of a terminal
+  std::string text, line;
+  for (const std::string& sentence : sentences) {
+    for (std::size_t at = 0; at < sentence.size();) {
+      const std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
+      const std::string word = sentence.substr(at, end - at);
+      if (!line.empty() && line.size() + 1 + word.size() > kWidth) {
+        text += "# " + line + "\n";
+        line.clear();
+      }
+      line += (line.empty() ? "" : " ") + word;
+      at = end + 1;
+    }
+    text += "# " + line + "\n";
+    line.clear();
+  }
+  return text;
+}
+
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "gearwright/spec/json.hpp"
 
@@ -12,5 +13,8 @@ namespace gearwright {
 ///
 /// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
 std::string toml_text(const Json& tree);
+
+/// Sentences as comments, each on lines of its own.
+std::string toml_comment(const std::vector<std::string>& sentences);
 
 }  // namespace gearwright

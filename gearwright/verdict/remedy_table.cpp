@@ -173,8 +173,11 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       lever.exact = -gear(1).spec.helix_angle.deg();
       return lever;
     case A::face_width: {
-      const double b = which > 0 ? gear(which).spec.face_width
-                                 : std::min(gear(1).spec.face_width, gear(2).spec.face_width);
+      const double half = which > 0 ? gear(which).spec.face_width
+                                    : std::min(gear(1).spec.face_width, gear(2).spec.face_width);
+      const double b = which > 0     ? gear(which).whole_face(half)
+                       : judged.pair ? judged.pair->mounted().whole_face(half)
+                                     : half;
       lever.now = b;
       lever.span = std::max(4 * b, 20 * m);
       lever.digits = digits_for(m, 1);
@@ -207,7 +210,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
   return std::nullopt;
 }
 
-std::string subject(const SpecChange& change, bool halves) {
+std::string subject(const SpecChange& change) {
   const std::string of_gear = change.gear > 0 ? fmt::format(" on gear {}", change.gear)
                               : change.what == A::face_width ? std::string(" on both gears")
                                                              : std::string();
@@ -217,8 +220,7 @@ std::string subject(const SpecChange& change, bool halves) {
     case A::thickness_allowance: return fmt::format("a thickness allowance of {{}} mm{}", of_gear);
     case A::teeth: return fmt::format("{{}} teeth{}", of_gear);
     case A::helix_angle: return fmt::format("a helix angle of {{}}°{}", of_gear);
-    case A::face_width:
-      return fmt::format("a face width of {{}} mm{}{}", halves ? " of each half" : "", of_gear);
+    case A::face_width: return fmt::format("a face width of {{}} mm{}", of_gear);
     case A::bore: return fmt::format("a bore of {{}} mm{}", of_gear);
     case A::lead_crowning: return fmt::format("a lead crowning of {{}} µm{}", of_gear);
     case A::lead_slope: return fmt::format("a lead slope of {{}} µm{}", of_gear);
@@ -272,9 +274,8 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
         p->center_distance, p->gears[0].spec.profile_shift + p->gears[1].spec.profile_shift,
         p->reference_center_distance);
   }
-  return fmt::format(
-      "{}With {}, {}.", because,
-      fmt::format(fmt::runtime(subject(change, judged.halves)), format_number(change.value)), then);
+  return fmt::format("{}With {}, {}.", because,
+                     fmt::format(fmt::runtime(subject(change)), format_number(change.value)), then);
 }
 
 }  // namespace gearwright::detail

@@ -112,7 +112,6 @@ struct Judged {
   bool shifts_follow = false;                      ///< a given centre distance sets an absent shift
   bool distance_sets_shifts = false;     ///< no centre distance; one would set an absent shift
   bool tolerances = false;               ///< findings are judged at their ends too
-  bool halves = false;                   ///< the gears are halves of double-helical ones
   std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 

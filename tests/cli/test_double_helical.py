@@ -196,18 +196,38 @@ class TwoHalves(unittest.TestCase):
             for words in ("gear1.bore.diameter_mm", "groove between the halves"):
                 self.assertIn(words, run.err)
 
+        verdict = Run("pair", PAIR.format(f"[gear1.bore]\ndiameter_mm = {bore}"), "--json").json["verdict"]
+        self.assertEqual((verdict["level"], verdict["findings"][0]["code"]), ("red", "no_body"))
+        self.assertIn("groove between the halves", verdict["findings"][0]["message"])
+        remedy = verdict["findings"][0]["change"]["gear1.bore.diameter_mm"]
+        self.assertEqual(Run("pair", PAIR.format(f"[gear1.bore]\ndiameter_mm = {remedy}"), "--json").json["verdict"]["level"],
+                         Run("pair", PAIR.format(""), "--json").json["verdict"]["level"])
+
     def test_staggered_halves_without_a_gap_have_no_files(self):
         spec = PAIR.format("").replace("gap_mm = 30", "stagger_pitches = 0.5")
+        verdict = Run("pair", spec, "--json").json["verdict"]
+        self.assertEqual(verdict["level"], "amber")
+        self.assertIn("stagger_without_gap", [f["code"] for f in verdict["findings"]])
         run = Run("export", spec, "--step", "x.step")
         self.assertEqual(run.status, 1)
         self.assertIn("gear1.double_helical.gap_mm = 0", run.err)
 
-    def test_the_face_width_of_a_remedy_is_that_of_a_half(self):
+    def test_face_widths_include_both_halves_and_the_gap(self):
+        """With the face width for an overlap ratio of 1, one half has an overlap ratio of 1."""
+        pair = Run("pair", PAIR.format(""), "--json").json["pair"]
+        face = pair["needed_face_width_mm"]["whole_overlap_1"]
+        self.assertAlmostEqual(face, 2 * pair["needed_face_width_mm"]["overlap_1"] + 30, 9)
+        self.assertRegex(Run("pair", PAIR.format("")).out, f"overlap ratio of 1 +b +{face:.4f}")
+        again = Run("pair", PAIR.format("").replace("150", str(face)), "--json").json["pair"]
+        self.assertAlmostEqual(again["overlap_ratio"], 1, 9)
+        self.assertIn("those of one half", Run("pair", PAIR.format("")).out)
+
+    def test_the_face_width_of_a_remedy_is_that_of_the_gear(self):
         arcs = (SOURCE / "examples/circular_arc_drive.toml").read_text() + "[gear1.double_helical]\ngap_mm = 10\n"
         red = Run("pair", arcs, "--json").json["verdict"]
         self.assertEqual(red["level"], "red")
-        width = float(re.search(r"face width of (\S+) mm of each half", red["headline"]).group(1))
-        wide = re.sub(r"face_width_mm = \d+", f"face_width_mm = {2 * width + 10}", arcs)
+        width = float(re.search(r"face width of (\S+) mm on both gears", red["headline"]).group(1))
+        wide = re.sub(r"face_width_mm = \d+", f"face_width_mm = {width}", arcs)
         self.assertNotEqual(Run("pair", wide, "--json").json["verdict"]["level"], "red")
 
     def test_halves_that_make_no_pair_are_errors(self):

@@ -111,6 +111,14 @@ class Measuring(Asked):
         self.refused(GEAR + '[gear1.tolerance]\nthickness_series = "zz25"', "gear1.tolerance.thickness_series", "DIN 3967", verb="gear")
         self.refused(GEAR + "[gear1.tolerance]\ntip_diameter_deviations_mm = [0.0, -0.01]",
                      "gear1.tolerance.tip_diameter_deviations_mm", "the lower one first", verb="gear")
+        fit = GEAR + '[gear1.tolerance]\ntip_diameter_fit = "{}"\n'
+        gear = self.ok("gear", fit.format("h9"))["gears"][0]
+        lower, upper = gear["interval"]["tip_diameter_mm"]
+        self.assertEqual(upper, gear["tip_diameter_mm"])
+        self.assertLess(lower, upper)
+        self.refused(fit.format("H9"), "gear1.tolerance.tip_diameter_fit", "h1 to h12", "shaft", verb="gear")
+        self.refused(fit.format("h9") + "tip_diameter_deviations_mm = [-0.1, 0.0]", "gear1.tolerance.tip_diameter_fit",
+                     "tip_diameter_deviations_mm", verb="gear")
 
     def test_nominal_points_for_a_measuring_machine(self):
         r = Run("measure", GEAR + "[gear1.modifications]\nlead_crowning_um = 10\n", "--points", "9x5")

@@ -167,6 +167,16 @@ class Verbs(unittest.TestCase):
         r = Run("export", bore, "--drawing", "a.pdf", "--json")
         self.assertEqual((r.status, r.json["error"]["key"], r.files()), (1, "gear2.bore.diameter_mm", ["case.toml"]))
 
+    def test_a_fit_without_its_bore_or_keyway_is_reported(self):
+        fits = '[drawing]\nbore_fit = "H7"\nkeyway_fit = "JS9"\n' + PAIR
+        bore = fits.replace("[gear2]", "[gear1.bore]\ndiameter_mm = 20\n[gear2]")
+        keyed = bore.replace("[gear2]", "keyway_width_mm = 6\nkeyway_depth_mm = 2.8\n[gear2]")
+        for spec, keys in ((fits, ["drawing.bore_fit", "drawing.keyway_fit"]), (bore, ["drawing.keyway_fit"]), (keyed, [])):
+            notes = [w["message"] for w in Run("pair", spec, "--json").json["warnings"] if w["code"] == "not_read"]
+            self.assertEqual(len(notes), len(keys), notes)
+            for note, key in zip(notes, keys):
+                self.assertIn(key, note)
+
     def test_drawings_of_both_gears_stand_in_place(self):
         r = Run("export", PAIR, "--dxf", "both.dxf", "--svg", "both.svg", "--dxf-splines")
         self.assertEqual(r.status, 0, r.err)
