@@ -56,7 +56,7 @@ TEST(Robust, CrowningIsThatOfAScan) {
 
 TEST(Robust, NothingIsWorseThanNothing) {
   // The pair has sufficient crowning. More crowning or a slope gains little or nothing.
-  const ContactSetup setup = testing::helical_pair().setup();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
   ScatterTask task = housing(12, 64);
   const RobustTask robust{{{CorrectionOf::lead_crowning, 1}, {CorrectionOf::profile_slope, 2}},
                           {{0.0, 50.0, 2.0}, {-20.0, 20.0, 1.0}},
