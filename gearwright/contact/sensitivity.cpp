@@ -232,6 +232,27 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
   return answer_to(change_of_modification(pair, field, j, s, z, s2, influence), pair, touch, j);
 }
 
+double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
+                 const Influence& influence) {
+  const FlankPatch& two = field.two();
+  double s2 = 0.5 * (two.s_lo + two.s_hi);
+  const GapJet j = field.at(s, z, s2);
+  Change c;
+  if (influence.modified_gear == 0) {
+    c = change_of_error(pair, j, z, influence.error);
+  } else {
+    GW_EXPECTS((influence.modified_gear == 1 ? field.one() : two).removal != nullptr);
+    c = change_of_modification(pair, field, j, s, z, two.profile.s_of(j.u.v, s2), influence);
+  }
+  // Inside, ∂T/∂s = 0. At an end of flank 1, s does not move.
+  constexpr double kAtEnd = 1e-9;  // of the patch: the place was found to 1e-15 of the flank
+  const double near = kAtEnd * (two.u_hi - two.u_lo);
+  const bool at_end = j.u.v > two.u_hi - near || j.u.v < two.u_lo + near;
+  const bool outwards = j.t.s * j.u.s * (j.u.v > 0.5 * (two.u_lo + two.u_hi) ? 1.0 : -1.0) > 0.0;
+  if (!at_end || !outwards) return c.p;
+  return c.p - j.t.s * c.du / j.u.s;
+}
+
 double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   GW_EXPECTS(touch.found());
   const ContactPair& pair = transmission.pair();

@@ -318,23 +318,28 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   task.worst_case = input.worst_case;
   task.loosening = input.loosening;
   task.progress = progress;
-  if (input.loaded) {
+  const bool robust_under_load = input.robust && under_load(input.robust->aim);
+  std::optional<LoadedFamily> load;
+  if (input.loaded || robust_under_load) {
     auto family = loaded_family(job, task);
     if (!family) return family.error();
-    task.load = std::move(family).take();
+    load = std::move(family).take();
   }
+  if (input.loaded) task.load = load;
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
   if (input.robust) {
-    auto robust = robust_task(answer.setup, *input.robust);
-    if (!robust) return robust.error();
-    auto found = robust_corrections(answer.setup, task, *robust);
+    auto made_robust = robust_task(answer.setup, *input.robust);
+    if (!made_robust) return made_robust.error();
+    RobustTask robust = std::move(made_robust).take();
+    if (robust_under_load) robust.load = std::move(load);
+    auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
-    Json corrected = corrected_spec(job, answer.setup, robust->corrections, found->value,
+    Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);
     corrected["scatter"].erase("robust");
-    answer.robust = {std::move(robust).take(), std::move(found).take(),
+    answer.robust = {std::move(robust), std::move(found).take(),
                      std::make_shared<const SpecTree>(SpecTree{std::move(corrected)})};
   }
   task.progress = nullptr;

@@ -84,6 +84,27 @@ std::string index_part(const ScatterView& view) {
   return html_of(index_figure(scene)) + "<p>" + names + ".</p>\n";
 }
 
+// The percentiles of the quantities under each torque, without and with the corrections.
+std::string robust_load_part(const RobustView& r) {
+  std::string part;
+  for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {
+    TableBuilder table(fmt::format("{} % points under {} N m", format_number(r.percent),
+                                   format_number(newton_metres(r.before.loaded[k].loaded->torque))),
+                       {"Without the corrections", "With them"});
+    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
+      const LoadedEntry& entry = loaded_entries()[i];
+      const auto& before = r.before.loaded[k].spread[i];
+      const auto& after = r.after.loaded[k].spread[i];
+      if (!before || !after) continue;
+      table.row(entry.words, "", unit_text(entry.unit),
+                {shown(entry, before->spread->percentiles[0].estimate.value),
+                 shown(entry, after->spread->percentiles[0].estimate.value)});
+    }
+    part += table.str();
+  }
+  return part;
+}
+
 std::string robust_part(const ScatterView& view) {
   if (!view.robust) return {};
   const RobustView& r = *view.robust;
@@ -91,12 +112,16 @@ std::string robust_part(const ScatterView& view) {
   for (const FoundCorrection& c : r.corrections)
     list += fmt::format("{}{} {:g} {}", list.empty() ? "" : ", ", c.words, c.value, c.shown_unit);
   const auto percentile = [](const JudgedView& j) {
-    return shown(scatter_entries()[0], RobustCorrections::percentile(*j.scatter).estimate.value);
+    return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
   return fmt::format(
-      "<p>Corrections that lower the {} % point of the transmission error: {}. It is then {}″ "
-      "instead of {}″, computed with samples that the search did not use.</p>\n",
-      format_number(r.percent), escaped(list), percentile(r.after), percentile(r.before));
+             "<p>Corrections that lower the {} % point of the {}: {}. It is then {}″ instead of "
+             "{}″, computed with samples that the search did not use.</p>\n",
+             format_number(r.percent),
+             r.under_load ? "transmission error under the worst of the torques"
+                          : "transmission error",
+             escaped(list), percentile(r.after), percentile(r.before)) +
+         robust_load_part(r);
 }
 
 std::string loosening_part(const ScatterView& view) {
