@@ -241,16 +241,6 @@ ProfileTarget profile_target(const Pair& pair) {
   return {pair.arcs()->first_contact().at.theta, kProfileEnd};
 }
 
-// An error of the scatter with fields named after inputs.
-Error of_scatter(const ScatterTask& task, Error error) {
-  const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
-  if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
-    error.field = "scatter." + error.field;
-  if (error.field == "tolerances") error.field = "scatter";
-  if (error.field == "percentile") error.field = "scatter.robust";
-  return error;
-}
-
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
   if (!can_minimise()) {
     return Error{"scatter.robust", "",
@@ -292,7 +282,16 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
 
 }  // namespace
 
-Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+Error of_scatter(const ScatterTask& task, Error error) {
+  const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
+  if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
+    error.field = "scatter." + error.field;
+  if (error.field == "tolerances") error.field = "scatter";
+  if (error.field == "percentile") error.field = "scatter.robust";
+  return error;
+}
+
+Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   const ScatterInput& input = job.spec.scatter;
   if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
   auto made = setup_of(job);
@@ -317,6 +316,15 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   task.indices = input.indices;
   task.worst_case = input.worst_case;
   task.loosening = input.loosening;
+  return answer;
+}
+
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+  const ScatterInput& input = job.spec.scatter;
+  auto prepared = prepared_scatter(job);
+  if (!prepared) return prepared.error();
+  ScatterAnswer answer = std::move(prepared).take();
+  ScatterTask& task = answer.task;
   task.progress = progress;
   const bool robust_under_load = input.robust && under_load(input.robust->aim);
   std::optional<LoadedFamily> load;

@@ -205,4 +205,11 @@ double GapSearch::slope(const PairPlaces& pair, std::size_t height, const Influe
   return row_slope(pair_, field, place.s, heights_[height], influence);
 }
 
+RemovalTurn GapSearch::turn(const PairPlaces& pair, std::size_t height, int gear) {
+  const GapPlace& place = pair.at[height].value();
+  GapField& field = patches_[place.patches].field;
+  field.set_rotation(pair.turn);
+  return row_turn(pair_, field, place.s, heights_[height], gear);
+}
+
 }  // namespace gearwright

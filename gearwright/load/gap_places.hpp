@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gearwright/contact/contact_point.hpp"
+#include "gearwright/contact/removal_turn.hpp"
 #include "gearwright/contact/sensitivity.hpp"
 
 namespace gearwright {
@@ -48,6 +49,8 @@ class GapSearch {
   ///
   /// Domain    as row_slope() (contract)
   double slope(const PairPlaces& pair, std::size_t height, const Influence& influence);
+  /// The effect on te of material removed there from a gear.
+  RemovalTurn turn(const PairPlaces& pair, std::size_t height, int gear);
 
  private:
   using Rows = std::array<Complex, kRows>;

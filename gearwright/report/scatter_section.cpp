@@ -54,22 +54,6 @@ std::string loaded_part(const ScatterView& view) {
   return part;
 }
 
-// The samples of a quantity, if it varies at all.
-std::optional<DistributionScene> scene_of(const ScatterView& view, ScatterQuantity quantity,
-                                          const char* id) {
-  const auto& spread = view.spread[static_cast<std::size_t>(quantity)];
-  if (!spread || !(spread->spread->least < spread->spread->greatest)) return std::nullopt;
-  const SpreadEntry& entry = *spread->entry;
-  DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
-  for (const ScatterSample& s : view.scatter->samples) {
-    const double value = s.member[quantity];
-    if (!s.member.lost && !std::isnan(value)) scene.values.push_back(entry.shown(value));
-  }
-  for (const Percentile& p : spread->spread->percentiles)
-    scene.percentiles.emplace_back(p.percent, entry.shown(p.estimate.value));
-  return scene;
-}
-
 std::string index_part(const ScatterView& view) {
   const auto& indices =
       view.scatter->indices[static_cast<std::size_t>(ScatterQuantity::peak_to_peak)];
@@ -146,12 +130,27 @@ std::string loosening_part(const ScatterView& view) {
 
 }  // namespace
 
+std::optional<DistributionScene> distribution_scene(const ScatterView& view,
+                                                    ScatterQuantity quantity, const char* id) {
+  const auto& spread = view.spread[static_cast<std::size_t>(quantity)];
+  if (!spread || !(spread->spread->least < spread->spread->greatest)) return std::nullopt;
+  const SpreadEntry& entry = *spread->entry;
+  DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
+  for (const ScatterSample& s : view.scatter->samples) {
+    const double value = s.member[quantity];
+    if (!s.member.lost && !std::isnan(value)) scene.values.push_back(entry.shown(value));
+  }
+  for (const Percentile& p : spread->spread->percentiles)
+    scene.percentiles.emplace_back(p.percent, entry.shown(p.estimate.value));
+  return scene;
+}
+
 std::string scatter_section(const ScatterView& view) {
   const Scatter& s = *view.scatter;
   std::string figures;
-  if (const auto te = scene_of(view, ScatterQuantity::peak_to_peak, "scatter-te"))
+  if (const auto te = distribution_scene(view, ScatterQuantity::peak_to_peak, "scatter-te"))
     figures += figure_html(histogram_figure(*te)) + figure_html(cumulative_figure(*te));
-  if (const auto play = scene_of(view, ScatterQuantity::least_play, "scatter-play"))
+  if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
     figures += figure_html(histogram_figure(*play));
   return fmt::format(
              "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>Effect of the tolerances on {} "
