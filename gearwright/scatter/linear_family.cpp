@@ -66,12 +66,19 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
+// A new topography counts as a change.
+bool changed(const RemovalField& member, const RemovalField& drawn) {
+  if (member.has_topography() || drawn.has_topography()) return &member != &drawn;
+  return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),
+                     [&](auto p) { return member.amount(p) != drawn.amount(p); });
+}
+
 }  // namespace
 
 // A member's difference from the drawing.
 struct LinearFamily::Member {
-  std::array<double, 6> error;                            // by kErrorKinds
-  std::array<const RemovalField*, 2> removal{}, drawn{};  // null without a change
+  std::array<double, 6> error;                   // by kErrorKinds
+  std::array<const RemovalField*, 2> removal{};  // null without a change
 };
 
 std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,
@@ -107,11 +114,14 @@ void LinearFamily::add_position(GapSearch& search, double phi) {
       }
       if (!open) row.runs.emplace_back();
       open = true;
-      Place& place = row.runs.back().emplace_back(Place{p.at[i]->te, {}, {}});
+      Place& place = row.runs.back().emplace_back(Place{p.at[i]->te, {}, {}, {}});
       for (const ErrorKind kind : kErrorKinds)
         place.by_error[static_cast<std::size_t>(kind)] = search.slope(p, i, {kind});
-      for (const int gear : {1, 2})
-        place.removal[static_cast<std::size_t>(gear - 1)] = search.turn(p, i, gear);
+      for (const int gear : {1, 2}) {
+        const auto g = static_cast<std::size_t>(gear - 1);
+        const RemovalTurn& t = place.removal[g] = search.turn(p, i, gear);
+        place.drawn[g] = setup_.removal(gear, left_[g])->at(t.u, t.z, t.piece).c;
+      }
     }
     rows.push_back(std::move(row));
   }
@@ -127,9 +137,7 @@ double LinearFamily::greatest(const Row& row, const Member& m) const {
       for (std::size_t i = 0; i < m.error.size(); ++i) te += place.by_error[i] * m.error[i];
       for (std::size_t g = 0; g < 2; ++g) {
         const RemovalTurn& t = place.removal[g];
-        if (m.removal[g])
-          te +=
-              t.te * (m.removal[g]->at(t.u, t.z, t.piece).c - m.drawn[g]->at(t.u, t.z, t.piece).c);
+        if (m.removal[g]) te += t.te * (m.removal[g]->at(t.u, t.z, t.piece).c - place.drawn[g]);
       }
       values.push_back(te);
     }
@@ -148,14 +156,12 @@ double LinearFamily::peak_to_peak(const Deviation& deviation) const {
   };
   Member member{{e.center_distance - d.center_distance, (e.crossing - d.crossing).rad(),
                  (e.intersecting - d.intersecting).rad(), e.axial - d.axial, slope(1), slope(2)},
-                {},
                 {}};
   const MemberSetup own(setup_, deviation);
   for (const int which : {1, 2}) {
     const auto g = static_cast<std::size_t>(which - 1);
-    if (!deviation.modified) continue;
-    member.removal[g] = (*own).removal(which, left_[g]);
-    member.drawn[g] = setup_.removal(which, left_[g]);
+    const RemovalField* field = (*own).removal(which, left_[g]);
+    if (field && changed(*field, *setup_.removal(which, left_[g]))) member.removal[g] = field;
   }
   std::vector<Branches> positions;
   std::vector<double> tops;

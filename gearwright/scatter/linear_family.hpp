@@ -37,6 +37,7 @@ class LinearFamily {
     double te;                           // rad in N
     std::array<double, 6> by_error;      // by kErrorKinds
     std::array<RemovalTurn, 2> removal;  // of each gear
+    std::array<double, 2> drawn;         // mm removed in the drawing
   };
   // A tooth pair at a position: its heights in order, without those that face no flank.
   struct Row {
