@@ -262,6 +262,13 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
 
 // Teeth under torque for the first samples of each replicate, with the tables that all share.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
+  // The samples under load are those without: the same flanks.
+  const int driver = job.spec.load.driver;
+  if (driver != job.spec.contact.driver)
+    return Error{"load.driver", std::to_string(driver),
+                 fmt::format("must be that of [contact] for a scatter under load, which is {}; "
+                             "write driver = {} in [contact] to have gear {} drive in both",
+                             job.spec.contact.driver, driver, driver)};
   auto made = load_task(job);
   if (!made) return made.error();
   LoadTask load = std::move(made).take();
