@@ -174,12 +174,18 @@ const KeyTable& scatter_robust_keys() {
   using R = ScatterRobust;
   static const KeyTable table{
       "scatter_robust",
-      "Corrections for a percentile of the peak-to-peak transmission error [T14.18]",
+      "Corrections for a percentile of the peak-to-peak transmission error, of rigid teeth or "
+      "under "
+      "load [T14.18]",
       {Key::word(
            "corrections", correction_words(), &R::corrections, "corrections of `[compensate]`",
            "allowed corrections, as in `[compensate]`; each is added to the value in the spec")
            .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
+       Key::word("aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
+                 "\"transmission_error\"",
+                 "the quantity of each sample: the peak to peak of rigid teeth or, under the worst "
+                 "of the torques of `[load]`, that of loaded teeth [T14.25]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
                    "the percentile to minimise"),
        Key::number(

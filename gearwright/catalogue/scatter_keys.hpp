@@ -32,6 +32,7 @@ struct ScatterGear {
 
 /// [scatter.robust]
 struct ScatterRobust {
+  CompensateAim aim = CompensateAim::transmission_error;  ///< or under load; never the pressure
   std::vector<std::size_t> corrections;  ///< indices in kCorrections; empty for the usual ones
   double percentile = 95.0;
   std::optional<std::array<double, 2>> range;  ///< of every correction, in its unit

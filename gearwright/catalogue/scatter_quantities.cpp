@@ -138,22 +138,25 @@ const Quantities<JudgedView>& judged_quantities() {
   static const Quantities<J> kAll("scatter.robust judged", [](Quantities<J>& q) {
     const auto arcsec = [](double rad) { return Value(Angle::radians(rad).arcsec()); };
     q.number("percentile_arcsec", "percentile of the peak to peak", "", "minimised percentile",
-             [arcsec](const J& j) {
-               return arcsec(RobustCorrections::percentile(*j.scatter).estimate.value);
-             })
+             [arcsec](const J& j) { return arcsec(j.family->percentile().estimate.value); })
         .always();
     q.number("standard_error_arcsec", "its standard error", "",
              "computed from the replicates [T14.9]", [arcsec](const J& j) {
-               const auto& e = RobustCorrections::percentile(*j.scatter).estimate.standard_error;
+               const auto& e = j.family->percentile().estimate.standard_error;
                return e ? arcsec(*e) : Value();
              });
     q.record<spread_quantities>("peak_to_peak_arcsec", "its distribution", [](const J& j) {
        return Value(spread_quantities().of(j.peak_to_peak));
      }).always();
     q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches at some position",
-         [](const J& j) { return Value(probability_quantities().of(j.scatter->edge_contact)); })
+         "edge_contact", "an edge of a tooth touches at some position or, under load, carries load",
+         [](const J& j) { return Value(probability_quantities().of(j.family->edge)); })
         .always();
+    q.record<loaded_spread_quantities>(
+         "loaded", "results under each torque; only with `aim` under load",
+         [](const J& j) { return Value(loaded_spread_quantities().each(j.loaded)); })
+        .list({0})
+        .when([](const J& j) { return !j.loaded.empty(); });
   });
   return kAll;
 }
@@ -166,6 +169,12 @@ const Quantities<RobustView>& robust_quantities() {
          "corrections that were found; every value is 0 if no correction lowers the percentile",
          [](const R& r) { return Value(correction_quantities().each(r.corrections)); })
         .list({0})
+        .always();
+    q.word("aim", "quantity of each sample", "value of the key `aim`",
+           [](const R& r) {
+             return r.under_load ? "loaded_transmission_error" : "transmission_error";
+           })
+        .one_of({"transmission_error", "loaded_transmission_error"})
         .always();
     q.number("percentile", "percentile", "p", "minimised percentile", [](const R& r) {
        return Value(r.percent);

@@ -55,23 +55,25 @@ struct WorstView {
   ValueMap at;  ///< by input
 };
 
-/// Statistics of the family without or with corrections, from the samples used for comparison.
-struct JudgedView {
-  const Scatter* scatter;
-  SpreadView peak_to_peak;
-};
-
-struct RobustView {
-  std::vector<FoundCorrection> corrections;
-  double percent;
-  JudgedView before, after;
-  Value spec;  ///< the whole spec with the corrections
-};
-
 /// The family under one torque.
 struct LoadedSpreadView {
   const LoadedSpread* loaded;
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
+};
+
+/// Statistics of the family without or with corrections, from the samples used for comparison.
+struct JudgedView {
+  const JudgedFamily* family;
+  SpreadView peak_to_peak;
+  std::vector<LoadedSpreadView> loaded;  ///< one for each torque, under load
+};
+
+struct RobustView {
+  std::vector<FoundCorrection> corrections;
+  bool under_load;
+  double percent;
+  JudgedView before, after;
+  Value spec;  ///< the whole spec with the corrections
 };
 
 struct ScatterView {

@@ -1,6 +1,7 @@
 #include "gearwright/contact/sensitivity.hpp"
 
 #include "gearwright/contact/error_turns.hpp"
+#include "gearwright/contact/removal_turn.hpp"
 #include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
@@ -230,6 +231,51 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
   GW_EXPECTS(patch.removal != nullptr);
   const double s2 = field.two().profile.s_of(j.u.v, touch.touch.s2);
   return answer_to(change_of_modification(pair, field, j, s, z, s2, influence), pair, touch, j);
+}
+
+namespace {
+
+// ∂T* of a row's greatest T, which lies at (s, z), from the change c at a fixed place.
+double of_row(const GapField& field, const GapJet& j, const Change& c) {
+  // Inside, ∂T/∂s = 0. At an end of flank 1, s does not move.
+  constexpr double kAtEnd = 1e-9;  // of the patch: the place was found to 1e-15 of the flank
+  const FlankPatch& two = field.two();
+  const double near = kAtEnd * (two.u_hi - two.u_lo);
+  const bool at_end = j.u.v > two.u_hi - near || j.u.v < two.u_lo + near;
+  const bool outwards = j.t.s * j.u.s * (j.u.v > 0.5 * (two.u_lo + two.u_hi) ? 1.0 : -1.0) > 0.0;
+  return at_end && outwards ? c.p - j.t.s * c.du / j.u.s : c.p;
+}
+
+}  // namespace
+
+double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
+                 const Influence& influence) {
+  const FlankPatch& two = field.two();
+  double s2 = 0.5 * (two.s_lo + two.s_hi);
+  const GapJet j = field.at(s, z, s2);
+  if (influence.modified_gear == 0)
+    return of_row(field, j, change_of_error(pair, j, z, influence.error));
+  GW_EXPECTS((influence.modified_gear == 1 ? field.one() : two).removal != nullptr);
+  return of_row(
+      field, j,
+      change_of_modification(pair, field, j, s, z, two.profile.s_of(j.u.v, s2), influence));
+}
+
+RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear) {
+  GW_EXPECTS(gear == 1 || gear == 2);
+  const FlankPatch& patch = gear == 1 ? field.one() : field.two();
+  double s2 = 0.5 * (field.two().s_lo + field.two().s_hi);
+  const GapJet j = field.at(s, z, s2);
+  const double at = gear == 1 ? s : patch.profile.s_of(j.u.v, s2);
+  const double turn = -patch.profile.side() * patch.profile.turn_per_removal(at).k;
+  Change c;
+  if (gear == 1) {
+    add_turn_of_1(c, pair, j, turn, 0.0, 0.0);
+  } else {
+    c.p = -turn;
+  }
+  const double u = gear == 1 ? std::log(std::abs(patch.profile.at(s).factor)) : j.u.v;
+  return {of_row(field, j, c), u, patch.removal_z * (gear == 1 ? z : j.Z.v), patch.piece};
 }
 
 double rotation_slope(Transmission& transmission, const PairTouch& touch) {

@@ -43,6 +43,14 @@ struct Sensitivity {
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
+/// ∂T*/∂e of the greatest T over the profile at a fixed height z of flank 1, which lies at s: rad in
+/// N per unit. A place at the end of a patch of flank 2 moves along flank 1 with that end.
+///
+/// Domain    as sensitivity(), for patches of this pair (contract)
+/// Accuracy  rounding
+double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
+                 const Influence& influence);
+
 /// dTE/dφ1, rad/rad: exact, by the same rule with the rotation of gear 1 in place of an error.
 double rotation_slope(Transmission& transmission, const PairTouch& touch);
 

@@ -241,16 +241,6 @@ ProfileTarget profile_target(const Pair& pair) {
   return {pair.arcs()->first_contact().at.theta, kProfileEnd};
 }
 
-// An error of the scatter with fields named after inputs.
-Error of_scatter(const ScatterTask& task, Error error) {
-  const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
-  if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
-    error.field = "scatter." + error.field;
-  if (error.field == "tolerances") error.field = "scatter";
-  if (error.field == "percentile") error.field = "scatter.robust";
-  return error;
-}
-
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
   if (!can_minimise()) {
     return Error{"scatter.robust", "",
@@ -272,6 +262,13 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
 
 // Teeth under torque for the first samples of each replicate, with the tables that all share.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
+  // The samples under load are those without: the same flanks.
+  const int driver = job.spec.load.driver;
+  if (driver != job.spec.contact.driver)
+    return Error{"load.driver", std::to_string(driver),
+                 fmt::format("must be that of [contact] for a scatter under load, which is {}; "
+                             "write driver = {} in [contact] to have gear {} drive in both",
+                             job.spec.contact.driver, driver, driver)};
   auto made = load_task(job);
   if (!made) return made.error();
   LoadTask load = std::move(made).take();
@@ -292,7 +289,16 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
 
 }  // namespace
 
-Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+Error of_scatter(const ScatterTask& task, Error error) {
+  const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
+  if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
+    error.field = "scatter." + error.field;
+  if (error.field == "tolerances") error.field = "scatter";
+  if (error.field == "percentile") error.field = "scatter.robust";
+  return error;
+}
+
+Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   const ScatterInput& input = job.spec.scatter;
   if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
   auto made = setup_of(job);
@@ -317,24 +323,38 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
   task.indices = input.indices;
   task.worst_case = input.worst_case;
   task.loosening = input.loosening;
+  return answer;
+}
+
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+  const ScatterInput& input = job.spec.scatter;
+  auto prepared = prepared_scatter(job);
+  if (!prepared) return prepared.error();
+  ScatterAnswer answer = std::move(prepared).take();
+  ScatterTask& task = answer.task;
   task.progress = progress;
-  if (input.loaded) {
+  const bool robust_under_load = input.robust && under_load(input.robust->aim);
+  std::optional<LoadedFamily> load;
+  if (input.loaded || robust_under_load) {
     auto family = loaded_family(job, task);
     if (!family) return family.error();
-    task.load = std::move(family).take();
+    load = std::move(family).take();
   }
+  if (input.loaded) task.load = load;
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
   if (input.robust) {
-    auto robust = robust_task(answer.setup, *input.robust);
-    if (!robust) return robust.error();
-    auto found = robust_corrections(answer.setup, task, *robust);
+    auto made_robust = robust_task(answer.setup, *input.robust);
+    if (!made_robust) return made_robust.error();
+    RobustTask robust = std::move(made_robust).take();
+    if (robust_under_load) robust.load = std::move(load);
+    auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
-    Json corrected = corrected_spec(job, answer.setup, robust->corrections, found->value,
+    Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);
     corrected["scatter"].erase("robust");
-    answer.robust = {std::move(robust).take(), std::move(found).take(),
+    answer.robust = {std::move(robust), std::move(found).take(),
                      std::make_shared<const SpecTree>(SpecTree{std::move(corrected)})};
   }
   task.progress = nullptr;

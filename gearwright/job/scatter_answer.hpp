@@ -24,9 +24,17 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
+/// Setup and task of [scatter], without a load, a scatter and corrections.
+///
+/// Errors    as answer_scatter()
+Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
+
 /// Errors    `scatter.…` of a range or a correction that the teeth cannot take, of a group with an
 ///           unknown input; as scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
+
+/// An error of the room scatter with the keys of [scatter].
+Error of_scatter(const ScatterTask& task, Error error);
 
 /// The view refers to `answer`.
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);

@@ -113,6 +113,14 @@ TEST(ScatterAnswer, UnderLoadNeedsATorque) {
   expect_spec_refused(spec, "load.torque_Nm", "100");
 }
 
+TEST(ScatterAnswer, UnderLoadHasOneDriver) {
+  Json spec = loaded_spec(80);
+  spec["load"]["driver"] = 2;
+  expect_spec_refused(spec, "load.driver", "driver = 2 in [contact]");
+  spec["contact"] = {{"driver", 2}, {"positions", 8}};
+  EXPECT_TRUE(scatter_answered(spec).contains("scatter"));
+}
+
 TEST(ScatterAnswer, RefusesATaskThatIsNone) {
   for (const char* none : {"", "{}", R"({"samples": 64})"})
     expect_refused(none, "scatter.errors", "crossing_deg = [-0.02, 0.02]");

@@ -76,20 +76,43 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
-SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const Scatter& scatter,
-                       const SpreadEntry& entry, const Spread& spread) {
+// `x_of` gives the coordinates of a sample.
+template <class Of>
+SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const SpreadEntry& entry,
+                       const Spread& spread, const Of& x_of) {
   ValueList samples;
   for (const Percentile& p : spread.percentiles)
-    samples.emplace_back(as_spec(job, a, scatter.samples[p.sample].x));
+    samples.emplace_back(as_spec(job, a, x_of(p.sample)));
   return {&entry, &spread, std::move(samples)};
+}
+
+template <class Of>
+std::vector<LoadedSpreadView> loaded_views(const SolvedJob& job, const ScatterAnswer& a,
+                                           const std::vector<LoadedSpread>& all, const Of& x_of) {
+  std::vector<LoadedSpreadView> views;
+  for (const LoadedSpread& loaded : all) {
+    LoadedSpreadView& of = views.emplace_back(LoadedSpreadView{&loaded, {}});
+    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
+      const LoadedEntry& entry = loaded_entries()[i];
+      if (const auto& spread = loaded.*entry.spread)
+        of.spread[i] = spread_view(job, a, entry, *spread, x_of);
+    }
+  }
+  return views;
 }
 
 RobustView robust_view(const SolvedJob& job, const ScatterAnswer& a) {
   const RobustAnswer& r = *a.robust;
-  const auto judged = [&](const Scatter& s) {
-    return JudgedView{&s, spread_view(job, a, s, scatter_entries()[0], *s.spread[0])};
+  const bool under_load = r.task.load.has_value();
+  const SpreadEntry& entry =
+      under_load ? static_cast<const SpreadEntry&>(loaded_entries()[0]) : scatter_entries()[0];
+  const auto judged = [&](const JudgedFamily& f) {
+    const auto x_of = [&](std::size_t i) -> const auto& { return f.x[i]; };
+    return JudgedView{&f, spread_view(job, a, entry, f.peak_to_peak, x_of),
+                      loaded_views(job, a, f.loaded, x_of)};
   };
   RobustView view{{},
+                  under_load,
                   r.task.percent,
                   judged(r.found.before),
                   judged(r.found.after),
@@ -243,14 +266,38 @@ std::string loosening_listing(const ScatterAnswer& a) {
   return out;
 }
 
+// The percentiles of the quantities under each torque, without and with the corrections.
+std::string robust_load_listing(const RobustView& r) {
+  std::string out;
+  for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {
+    const std::string under =
+        fmt::format("  {} % points under {} N m", format_number(r.percent),
+                    format_number(newton_metres(r.before.loaded[k].loaded->torque)));
+    out += fmt::format("{:<46}{:>12}{:>15}\n", under, "without", "with");
+    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
+      const LoadedEntry& entry = loaded_entries()[i];
+      const auto shown = [&](const JudgedView& j) {
+        const auto& spread = j.loaded[k].spread[i];
+        return spread ? fixed_decimals(entry.shown(spread->spread->percentiles[0].estimate.value),
+                                       entry.digits)
+                      : std::string("–");
+      };
+      out += fmt::format("    {:<42}{:>12}{:>15}  {}\n", entry.words, shown(r.before),
+                         shown(r.after), unit_text(entry.unit));
+    }
+  }
+  return out;
+}
+
 std::string robust_listing(const RobustView& r) {
-  std::string out = head(
-      fmt::format("Corrections for the {} % point of the peak to peak", format_number(r.percent)));
+  std::string out = head(fmt::format(
+      "Corrections for the {} % point of the {}", format_number(r.percent),
+      r.under_load ? "loaded peak to peak under the worst of the torques" : "peak to peak"));
   for (const FoundCorrection& c : r.corrections)
     out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, fixed_decimals(c.value, 4), c.shown_unit,
                        c.at_bound ? "  (the bound)" : "");
   for (const auto& [words, j] : {std::pair{"without them", &r.before}, {"with them", &r.after}}) {
-    const Estimate& e = RobustCorrections::percentile(*j->scatter).estimate;
+    const Estimate& e = j->family->percentile().estimate;
     const auto shown = [](double rad) {
       return fixed_decimals(scatter_entries()[0].shown(rad), scatter_entries()[0].digits);
     };
@@ -258,7 +305,7 @@ std::string robust_listing(const RobustView& r) {
                        fmt::format("{} % point {}", format_number(r.percent), words),
                        shown(e.value), e.standard_error ? " ± " + shown(*e.standard_error) : "");
   }
-  return out;
+  return out + robust_load_listing(r);
 }
 
 }  // namespace
@@ -266,19 +313,13 @@ std::string robust_listing(const RobustView& r) {
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& a) {
   ScatterView view{&a.scatter, &a.task, {}, {}, {}, {}, {}, {}};
   for (const ScatterTolerance& t : a.task.tolerances) view.inputs.push_back(t.name);
+  const auto x_of = [&](std::size_t i) -> const auto& { return a.scatter.samples[i].x; };
   for (const ScatterEntry& entry : scatter_entries()) {
     const auto at = static_cast<std::size_t>(entry.quantity);
     if (const auto& spread = a.scatter.spread[at])
-      view.spread[at] = spread_view(job, a, a.scatter, entry, *spread);
+      view.spread[at] = spread_view(job, a, entry, *spread, x_of);
   }
-  for (const LoadedSpread& loaded : a.scatter.loaded) {
-    LoadedSpreadView& of = view.loaded.emplace_back(LoadedSpreadView{&loaded, {}});
-    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
-      const LoadedEntry& entry = loaded_entries()[i];
-      if (const auto& spread = loaded.*entry.spread)
-        of.spread[i] = spread_view(job, a, a.scatter, entry, *spread);
-    }
-  }
+  view.loaded = loaded_views(job, a, a.scatter.loaded, x_of);
   if (a.robust) view.robust = robust_view(job, a);
   const auto worst = [&](const std::optional<WorstMember>& w,
                          ScatterQuantity q) -> std::optional<WorstView> {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "gearwright/base/contract.hpp"
 
@@ -29,15 +30,15 @@ double hertz_half_width(double line_load, double radius, double reduced_modulus)
   return std::sqrt(4 * line_load * radius / (std::numbers::pi * reduced_modulus));
 }
 
-ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& start) {
+ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
   const Index n = q.gap.size();
-  GW_EXPECTS(n > 0 && q.moment > 0.0);
-  std::vector<char> active = start;
-  if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; }))
-    active.assign(static_cast<std::size_t>(n), 1);
+  GW_EXPECTS(n > 0 && q.moment > 0.0 && (start.size() == 0 || start.size() == n));
   const double mean = q.moment / (q.length * q.arm.sum());
   ContactSolution x;
-  x.line_load = VectorXd::Constant(n, mean);
+  const bool given = start.size() == n && start.maxCoeff() > 0.0;
+  x.line_load = given ? start : VectorXd::Constant(n, mean);
+  std::vector<char> active;
+  for (const double p : x.line_load) active.push_back(p > 0.0 ? 1 : 0);
   for (int turn = 1; turn <= kMost; ++turn) {
     x.iterations = turn;
     std::vector<Index> at;
@@ -102,6 +103,8 @@ ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& 
     const double step = (next - x.line_load).cwiseAbs().maxCoeff();
     const double greatest = next.maxCoeff();
     x.line_load = next;
+    x.approach_per_gap = VectorXd::Zero(n);
+    for (Index i = 0; i < m; ++i) x.approach_per_gap[at[i]] = q.length * turned[i] / stiffness;
     // Under a very small load, only rounding remains of cancelling gaps.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 namespace gearwright {
 
@@ -39,14 +38,17 @@ struct ContactSolution {
   Eigen::VectorXd line_load;      ///< p  N/mm
   double approach = 0.0;          ///< Θ  rad
   double yield_per_moment = 0.0;  ///< dΘ/dM2  rad/(N mm): the tangent
+  /// ∂Θ/∂g_i  rad/mm, which equals ∂(p_i Δ)/∂M2; 0 without pressure.
+  Eigen::VectorXd approach_per_gap;
   int iterations = 0;
   bool found() const { return stop == Stop::converged; }
 };
 
-/// `start`: initial active set, such as that of the last position; all positions if empty.
+/// `start`: loads to start from, such as those of a similar problem, N/mm; all positions with the
+/// same load if empty. It has no influence on the solution except for rounding.
 ///
-/// Domain    at least one place; moment > 0 (contract)
-ContactSolution solve_contact(const ContactProblem& problem, const std::vector<char>& start = {});
+/// Domain    at least one place; moment > 0; as many loads as places, none negative (contract)
+ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});
 
 /// Half width of a Hertz strip. [T12.12]
 double hertz_half_width(double line_load, double radius, double reduced_modulus);

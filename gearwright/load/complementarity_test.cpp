@@ -119,8 +119,8 @@ TEST(Complementarity, HoldsItsConditions) {
 TEST(Complementarity, TheStartChangesNothing) {
   const ContactProblem q = random_problem(7, 20);
   const ContactSolution all = solve_contact(q);
-  std::vector<char> one(20, 0);
-  one[11] = 1;
+  VectorXd one = VectorXd::Zero(20);
+  one[11] = 1.0;
   const ContactSolution other = solve_contact(q, one);
   EXPECT_LT((all.line_load - other.line_load).cwiseAbs().maxCoeff(),
             1e-10 * all.line_load.maxCoeff());
@@ -133,6 +133,27 @@ TEST(Complementarity, TheTangentIsTheSlopeOfTheApproach) {
   const ContactSolution there = solve_contact(q);
   EXPECT_NEAR((there.approach - here.approach) / (1e-6 * q.moment), here.yield_per_moment,
               1e-4 * here.yield_per_moment);
+}
+
+TEST(Complementarity, TheSlopeByAGapIsThatOfADifference) {
+  ContactProblem q = random_problem(5, 16);
+  q.local = 2e-7;
+  q.half_width = 3.0;
+  q.reduced_modulus = 1.1e5;
+  const ContactSolution here = solve_contact(q);
+  ASSERT_TRUE(here.found());
+  EXPECT_NEAR(here.approach_per_gap.dot(q.arm), 1.0, 1e-12);
+  for (Eigen::Index i = 0; i < q.gap.size(); ++i) {
+    constexpr double kStep = 1e-8;  // mm, far below the gaps
+    const auto moved = [&](double by) {
+      ContactProblem other = q;
+      other.gap[i] += by;
+      return solve_contact(other, here.line_load).approach;
+    };
+    EXPECT_NEAR((moved(kStep) - moved(-kStep)) / (2 * kStep), here.approach_per_gap[i],
+                1e-5 * here.approach_per_gap.maxCoeff())
+        << i;
+  }
 }
 
 }  // namespace

@@ -142,6 +142,7 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
   // The gap is least between the best row and the end of the interior range towards which it falls.
   const double s = row(best);
   GapJet j = at(s);
+  double reached = s;
   GapPlace place;
   if (const double slope = j.t.s; slope != 0.0) {
     const int next = best + (slope > 0.0 ? 1 : -1);
@@ -153,12 +154,14 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     const GapJet last = at(end);
     if (last.t.s * slope >= 0.0) {
       j = last;
+      reached = end;
       place.kind = end == a.s_lo   ? edge_of_one(a.s_lo_end)
                    : end == a.s_hi ? edge_of_one(a.s_hi_end)
                                    : edge_of_two(b, j);
     } else {
       const auto slope_at = [&](double x) {
         j = at(x);
+        reached = x;
         return Slope<double>{j.t.s, j.t.ss};
       };
       const double lo = std::min(s, end), hi = std::max(s, end);
@@ -166,6 +169,7 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
       newton_in_bracket<double>(slope_at, lo, hi, start, false);
     }
   }
+  place.s = reached;
   place.te = j.t.v;
   place.arm = GapField::arm(j);
   place.radius = {std::abs(j.w1), std::exp(j.u.v)};
@@ -179,11 +183,12 @@ std::vector<PairPlaces> GapSearch::places(double rotation) {
     PairPlaces p{k, rotation - k * pair_.pitch(), {}};
     p.at.resize(heights_.size());
     bool any = false;
-    for (Patches& patches : patches_) {
-      patches.field.set_rotation(p.turn);
+    for (std::size_t n = 0; n < patches_.size(); ++n) {
+      patches_[n].field.set_rotation(p.turn);
       for (std::size_t i = 0; i < heights_.size(); ++i) {
-        const auto place = nearest(patches, i);
+        auto place = nearest(patches_[n], i);
         if (!place || (p.at[i] && !nearer(*place, *p.at[i]))) continue;
+        place->patches = n;
         p.at[i] = place;
         any = true;
       }
@@ -191,6 +196,20 @@ std::vector<PairPlaces> GapSearch::places(double rotation) {
     if (any) found.push_back(std::move(p));
   }
   return found;
+}
+
+double GapSearch::slope(const PairPlaces& pair, std::size_t height, const Influence& influence) {
+  const GapPlace& place = pair.at[height].value();
+  GapField& field = patches_[place.patches].field;
+  field.set_rotation(pair.turn);
+  return row_slope(pair_, field, place.s, heights_[height], influence);
+}
+
+RemovalTurn GapSearch::turn(const PairPlaces& pair, std::size_t height, int gear) {
+  const GapPlace& place = pair.at[height].value();
+  GapField& field = patches_[place.patches].field;
+  field.set_rotation(pair.turn);
+  return row_turn(pair_, field, place.s, heights_[height], gear);
 }
 
 }  // namespace gearwright

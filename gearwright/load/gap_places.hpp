@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "gearwright/contact/contact_point.hpp"
+#include "gearwright/contact/removal_turn.hpp"
+#include "gearwright/contact/sensitivity.hpp"
 
 namespace gearwright {
 
@@ -20,6 +22,8 @@ struct GapPlace {
   std::array<double, 2> radius{};    ///< mm on each gear
   double curvature = 0.0;            ///< 1/R across the line, 1/mm
   TouchKind kind = TouchKind::line;  ///< or the edge at which the slice's maximum lies
+  double s = 0.0;                    ///< on the patch of flank 1
+  std::size_t patches = 0;           ///< index of the two patches
 };
 
 /// The slices of one tooth pair; none if the flanks do not face each other there.
@@ -41,6 +45,12 @@ class GapSearch {
   /// Accuracy  te within 1e-13 rad of the greatest over the profile. A part of flank 1 inside flank 2
   ///           that lies between two neighbouring rows is not found
   std::vector<PairPlaces> places(double rotation);
+  /// ∂te/∂e of the place of a slice, which must exist, rad per unit of the influence.
+  ///
+  /// Domain    as row_slope() (contract)
+  double slope(const PairPlaces& pair, std::size_t height, const Influence& influence);
+  /// The effect on te of material removed there from a gear.
+  RemovalTurn turn(const PairPlaces& pair, std::size_t height, int gear);
 
  private:
   using Rows = std::array<Complex, kRows>;

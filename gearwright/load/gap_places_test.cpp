@@ -218,5 +218,54 @@ TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
   }
 }
 
+// The slopes by modifications against differences. A place at the start of a relief has another
+// slope on either side.
+TEST(GapPlaces, SlopesAreThoseOfDifferences) {
+  using P = RemovalField::Parameter;
+  struct Change {
+    P parameter;
+    double FlankModifications::*amount;
+  };
+  constexpr std::array kChanges{Change{P::profile_slope, &FlankModifications::profile_slope},
+                                Change{P::profile_crowning, &FlankModifications::profile_crowning},
+                                Change{P::lead_crowning, &FlankModifications::lead_crowning},
+                                Change{P::lead_slope, &FlankModifications::lead_slope}};
+  constexpr double kStep = 1e-5;  // mm
+  int compared = 0;
+  for (const Case& c : cases()) {
+    if (!c.name.ends_with("modified")) continue;
+    for (const int gear : {1, 2}) {
+      for (const Change& change : kChanges) {
+        const auto with = [&](double amount) {
+          SamplePair drawn = c.pair;
+          FlankModifications m = relieved(drawn.gears[gear - 1]);
+          m.*change.amount += amount;
+          drawn.modify(gear, m);
+          return drawn;
+        };
+        const SamplePair drawn = with(0), more = with(kStep), less = with(-kStep);
+        const ContactPair pair = drawn.pair(), above = more.pair(), below = less.pair();
+        GapSearch search(pair, kHeights), of_above(above, kHeights), of_below(below, kHeights);
+        const Influence influence{ErrorKind::center_distance, gear, change.parameter};
+        const double rotation = 0.13 * pair.pitch();
+        const auto here = search.places(rotation);
+        const auto there = of_above.places(rotation), back = of_below.places(rotation);
+        ASSERT_TRUE(here.size() == there.size() && here.size() == back.size()) << c.name;
+        for (std::size_t k = 0; k < here.size(); ++k) {
+          for (std::size_t i = 0; i < kHeights.size(); ++i) {
+            const auto &a = here[k].at[i], &b = there[k].at[i], &d = back[k].at[i];
+            if (!a || !b || !d || b->patches != d->patches || b->kind != d->kind) continue;
+            if (std::abs(b->s - d->s) > 0.1) continue;  // another maximum
+            ++compared;
+            EXPECT_NEAR(search.slope(here[k], i, influence), (b->te - d->te) / (2 * kStep), 2e-6)
+                << c.name << ", gear " << gear << ", height " << kHeights[i] << ", pair " << k;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -17,10 +17,14 @@ void reverse(LoadedPair& pair) {
   std::reverse(pair.radius.begin(), pair.radius.end());
 }
 
-// The middles of the slices, followed by their borders, mm.
-std::vector<double> heights_of(const FaceSlices& s) {
+bool deflects(const LoadRequest& r) { return r.deflection_slope != 0.0 || r.deflection_bow != 0.0; }
+
+// The middles of the slices, mm. Under deflections their borders follow, because the first touch is
+// then searched among the heights.
+std::vector<double> heights_of(const FaceSlices& s, bool borders) {
   std::vector<double> heights;
   for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));
+  if (!borders) return heights;
   for (int j = 0; j <= s.count; ++j) heights.push_back(s.lo + j * s.width());
   return heights;
 }
@@ -36,7 +40,7 @@ PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const G
     : pair_(pair),
       compliance_(c),
       request_(request),
-      search_(pair, heights_of(c.slices[0])),
+      search_(pair, heights_of(c.slices[0], deflects(request))),
       transmission_(pair) {
   module_ = {one.spec.normal_module, two.spec.normal_module};
   base_radius_ = two.base_radius();
@@ -52,7 +56,7 @@ Position PositionSolver::prepare(double rotation) {
   for (const PairPlaces& p : all)
     for (std::size_t i = 0; i < search_.heights().size(); ++i)
       if (p.at[i]) te = std::max(te, p.at[i]->te + deflection(search_.heights()[i]) / p.at[i]->arm);
-  if (request_.deflection_slope == 0.0 && request_.deflection_bow == 0.0)
+  if (!deflects(request_))
     if (const PairTouch t = transmission_.at(rotation); t.found()) te = std::max(te, t.te());
   at.te = te;
   std::vector<double> gap;

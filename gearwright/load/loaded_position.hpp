@@ -47,6 +47,10 @@ class PositionSolver {
 
   /// Gaps and compliance at a rotation in N.
   Position prepare(double rotation);
+  /// ∂te/∂e of the place of a slice, rad per unit.
+  double slope(const PairPlaces& pair, int slice, const Influence& influence) {
+    return search_.slope(pair, static_cast<std::size_t>(slice), influence);
+  }
   /// Adds to `swing` the root stresses.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;

@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -68,6 +69,10 @@ std::string compensate_section(const CompensateView& view);
 ///
 /// Domain    a scatter with samples (contract)
 std::string scatter_section(const ScatterView& view);
+/// The samples of a quantity with its percentiles; none if it does not vary. `id` is that of its
+/// figures.
+std::optional<DistributionScene> distribution_scene(const ScatterView& view,
+                                                    ScatterQuantity quantity, const char* id);
 
 /// Strength: inputs, factors, stresses and safeties, each with its clause in the standard.
 std::string rating_section(const RatingView& view);

@@ -54,22 +54,6 @@ std::string loaded_part(const ScatterView& view) {
   return part;
 }
 
-// The samples of a quantity, if it varies at all.
-std::optional<DistributionScene> scene_of(const ScatterView& view, ScatterQuantity quantity,
-                                          const char* id) {
-  const auto& spread = view.spread[static_cast<std::size_t>(quantity)];
-  if (!spread || !(spread->spread->least < spread->spread->greatest)) return std::nullopt;
-  const SpreadEntry& entry = *spread->entry;
-  DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
-  for (const ScatterSample& s : view.scatter->samples) {
-    const double value = s.member[quantity];
-    if (!s.member.lost && !std::isnan(value)) scene.values.push_back(entry.shown(value));
-  }
-  for (const Percentile& p : spread->spread->percentiles)
-    scene.percentiles.emplace_back(p.percent, entry.shown(p.estimate.value));
-  return scene;
-}
-
 std::string index_part(const ScatterView& view) {
   const auto& indices =
       view.scatter->indices[static_cast<std::size_t>(ScatterQuantity::peak_to_peak)];
@@ -84,6 +68,27 @@ std::string index_part(const ScatterView& view) {
   return html_of(index_figure(scene)) + "<p>" + names + ".</p>\n";
 }
 
+// The percentiles of the quantities under each torque, without and with the corrections.
+std::string robust_load_part(const RobustView& r) {
+  std::string part;
+  for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {
+    TableBuilder table(fmt::format("{} % points under {} N m", format_number(r.percent),
+                                   format_number(newton_metres(r.before.loaded[k].loaded->torque))),
+                       {"Without the corrections", "With them"});
+    for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
+      const LoadedEntry& entry = loaded_entries()[i];
+      const auto& before = r.before.loaded[k].spread[i];
+      const auto& after = r.after.loaded[k].spread[i];
+      if (!before || !after) continue;
+      table.row(entry.words, "", unit_text(entry.unit),
+                {shown(entry, before->spread->percentiles[0].estimate.value),
+                 shown(entry, after->spread->percentiles[0].estimate.value)});
+    }
+    part += table.str();
+  }
+  return part;
+}
+
 std::string robust_part(const ScatterView& view) {
   if (!view.robust) return {};
   const RobustView& r = *view.robust;
@@ -91,12 +96,16 @@ std::string robust_part(const ScatterView& view) {
   for (const FoundCorrection& c : r.corrections)
     list += fmt::format("{}{} {:g} {}", list.empty() ? "" : ", ", c.words, c.value, c.shown_unit);
   const auto percentile = [](const JudgedView& j) {
-    return shown(scatter_entries()[0], RobustCorrections::percentile(*j.scatter).estimate.value);
+    return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
   return fmt::format(
-      "<p>Corrections that lower the {} % point of the transmission error: {}. It is then {}″ "
-      "instead of {}″, computed with samples that the search did not use.</p>\n",
-      format_number(r.percent), escaped(list), percentile(r.after), percentile(r.before));
+             "<p>Corrections that lower the {} % point of the {}: {}. It is then {}″ instead of "
+             "{}″, computed with samples that the search did not use.</p>\n",
+             format_number(r.percent),
+             r.under_load ? "transmission error under the worst of the torques"
+                          : "transmission error",
+             escaped(list), percentile(r.after), percentile(r.before)) +
+         robust_load_part(r);
 }
 
 std::string loosening_part(const ScatterView& view) {
@@ -121,12 +130,27 @@ std::string loosening_part(const ScatterView& view) {
 
 }  // namespace
 
+std::optional<DistributionScene> distribution_scene(const ScatterView& view,
+                                                    ScatterQuantity quantity, const char* id) {
+  const auto& spread = view.spread[static_cast<std::size_t>(quantity)];
+  if (!spread || !(spread->spread->least < spread->spread->greatest)) return std::nullopt;
+  const SpreadEntry& entry = *spread->entry;
+  DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
+  for (const ScatterSample& s : view.scatter->samples) {
+    const double value = s.member[quantity];
+    if (!s.member.lost && !std::isnan(value)) scene.values.push_back(entry.shown(value));
+  }
+  for (const Percentile& p : spread->spread->percentiles)
+    scene.percentiles.emplace_back(p.percent, entry.shown(p.estimate.value));
+  return scene;
+}
+
 std::string scatter_section(const ScatterView& view) {
   const Scatter& s = *view.scatter;
   std::string figures;
-  if (const auto te = scene_of(view, ScatterQuantity::peak_to_peak, "scatter-te"))
+  if (const auto te = distribution_scene(view, ScatterQuantity::peak_to_peak, "scatter-te"))
     figures += figure_html(histogram_figure(*te)) + figure_html(cumulative_figure(*te));
-  if (const auto play = scene_of(view, ScatterQuantity::least_play, "scatter-play"))
+  if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
     figures += figure_html(histogram_figure(*play));
   return fmt::format(
              "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>Effect of the tolerances on {} "

@@ -13,49 +13,52 @@ namespace {
 
 constexpr double kNoScore = std::numeric_limits<double>::quiet_NaN();
 
-// The scores of one member by torque; empty if the forces have no solution at some position.
 std::vector<LoadedScore> member_under_load(const ContactSetup& drawn, const ScatterTask& task,
-                                           const std::vector<double>& x) {
+                                           const LoadedFamily& load, const std::vector<double>& x) {
   const Deviation deviation = deviation_at(drawn, task.tolerances, x);
   const MemberSetup setup(drawn, deviation);
   const ContactPair pair = (*setup).pair(deviation.errors, task.member.gear2_drives);
-  LoadedTurn turn(pair, (*setup).gear(1), (*setup).gear(2), task.load->compliance,
-                  task.load->request);
+  LoadedTurn turn(pair, (*setup).gear(1), (*setup).gear(2), load.compliance, load.request);
   turn.solve(0, turn.positions());
   return loaded_scores(turn.result());
 }
 
 }  // namespace
 
-std::vector<LoadedSpread> loaded_spreads(const ContactSetup& setup, const ScatterTask& task,
-                                         const std::vector<ScatterSample>& samples) {
-  GW_EXPECTS(task.load && task.load->samples >= 1 && task.load->samples <= task.samples);
-  const LoadedFamily& load = *task.load;
-  const auto few = static_cast<std::size_t>(load.samples);
-  const std::size_t count = few * static_cast<std::size_t>(task.replicates);
-  const auto sample_of = [&](std::size_t i) {
-    return i / few * static_cast<std::size_t>(task.samples) + i % few;
-  };
-  std::vector<std::vector<LoadedScore>> scores(count);
-  begin_stage(task.progress, "samples under load", static_cast<std::int64_t>(count));
+std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
+                                                        const ScatterTask& task,
+                                                        const LoadedFamily& load,
+                                                        const std::vector<std::vector<double>>& x) {
+  std::vector<std::vector<LoadedScore>> scores(x.size());
   parallel_for(
-      count,
+      x.size(),
       [&](std::size_t i) {
-        scores[i] = member_under_load(setup, task, samples[sample_of(i)].x);
+        scores[i] = member_under_load(setup, task, load, x[i]);
         count_step(task.progress);
       },
       task.threads);
+  return scores;
+}
 
+std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none) {
+  std::vector<double> peaks;
+  for (const auto& s : scores) {
+    double worst = s.empty() ? none : 0.0;
+    for (const LoadedScore& t : s) worst = std::max(worst, t.peak_to_peak.rad());
+    peaks.push_back(worst);
+  }
+  return peaks;
+}
+
+std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
+                                             const std::vector<std::vector<LoadedScore>>& scores) {
   std::vector<LoadedSpread> all;
   for (std::size_t k = 0; k < load.request.torques.size(); ++k) {
     LoadedSpread of{load.request.torques[k], {}, {}, {}, {}, {}};
-    const auto spread = [&](auto value) -> std::optional<Spread> {
+    const auto spread = [&](auto value) {
       std::vector<double> values;
       for (const auto& s : scores) values.push_back(s.empty() ? kNoScore : value(s[k]));
-      auto made = spread_of(task, values, load.samples);
-      if (made)
-        for (Percentile& p : made->percentiles) p.sample = sample_of(p.sample);
-      return made;
+      return spread_of(task, values, load.samples);
     };
     of.peak_to_peak = spread([](const LoadedScore& s) { return s.peak_to_peak.rad(); });
     of.max_pressure = spread([](const LoadedScore& s) { return s.max_pressure; });
@@ -63,12 +66,31 @@ std::vector<LoadedSpread> loaded_spreads(const ContactSetup& setup, const Scatte
         spread([](const LoadedScore& s) { return s.face_load_factor.value_or(kNoScore); });
     const auto share = [&](auto is) {
       return probability_of(std::count_if(scores.begin(), scores.end(), is),
-                            static_cast<std::int64_t>(count), task.confidence);
+                            static_cast<std::int64_t>(scores.size()), task.confidence);
     };
     of.edge_carries = share([&](const auto& s) { return !s.empty() && s[k].edge_carries; });
     of.unsolved = share([](const auto& s) { return s.empty(); });
     all.push_back(std::move(of));
   }
+  return all;
+}
+
+std::vector<LoadedSpread> loaded_spreads(const ContactSetup& setup, const ScatterTask& task,
+                                         const std::vector<ScatterSample>& samples) {
+  GW_EXPECTS(task.load && task.load->samples >= 1 && task.load->samples <= task.samples);
+  const auto few = static_cast<std::size_t>(task.load->samples);
+  const std::size_t count = few * static_cast<std::size_t>(task.replicates);
+  const auto sample_of = [&](std::size_t i) {
+    return i / few * static_cast<std::size_t>(task.samples) + i % few;
+  };
+  std::vector<std::vector<double>> x;
+  for (std::size_t i = 0; i < count; ++i) x.push_back(samples[sample_of(i)].x);
+  begin_stage(task.progress, "samples under load", static_cast<std::int64_t>(count));
+  auto all = spreads_under_load(task, *task.load, scores_under_load(setup, task, *task.load, x));
+  for (LoadedSpread& of : all)
+    for (auto* spread : {&of.peak_to_peak, &of.max_pressure, &of.face_load_factor})
+      if (*spread)
+        for (Percentile& p : (*spread)->percentiles) p.sample = sample_of(p.sample);
   return all;
 }
 

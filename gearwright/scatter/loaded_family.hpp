@@ -9,9 +9,26 @@
 
 #include <vector>
 
+#include "gearwright/load/loaded_score.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace gearwright {
+
+/// The scores by torque of the members at these x; empty if the forces have no solution at some
+/// position.
+///
+/// Accuracy  of a member as loaded_contact()
+std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
+                                                        const ScatterTask& task,
+                                                        const LoadedFamily& load,
+                                                        const std::vector<std::vector<double>>& x);
+
+/// The peak to peak of each member under the worst of the torques, rad; `none` without scores.
+std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none);
+
+/// Statistics of scores, replicate by replicate; Percentile::sample is an index of `scores`.
+std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
+                                             const std::vector<std::vector<LoadedScore>>& scores);
 
 /// One for each torque of task.load, from the first task.load->samples samples of each replicate.
 ///

@@ -90,7 +90,7 @@ void expect_members(const ContactSetup& setup, const ScatterTask& task, const Sc
 // Half a turn about the centre line exchanges the flanks, so only errors that it changes, unlike a
 // crossing of the axes, show which gear drives.
 TEST(LoadedFamily, MembersAreThoseOfLoadedContact) {
-  const ContactSetup setup = testing::helical_pair().setup();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
   const ScatterTask task =
       task_of(setup,
               {testing::intersecting(0.3),

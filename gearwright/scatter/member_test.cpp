@@ -30,7 +30,7 @@ double least_play(const ContactResult& driving, const ContactResult& other, bool
 
 TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
   for (auto drawn :
-       {testing::helical_pair(), testing::plain_helical_pair(), testing::spur_pair(true)}) {
+       {testing::crowned_helical_pair(), testing::plain_helical_pair(), testing::spur_pair(true)}) {
     drawn.errors = {.center_distance = 0.01, .crossing = Angle::degrees(0.02)};
     const ContactSetup setup = drawn.setup();
     for (const bool gear2_drives : {false, true}) {
@@ -60,7 +60,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
 }
 
 TEST(Member, IsThePairWithItsErrorsAndModifications) {
-  auto drawn = testing::helical_pair();
+  auto drawn = testing::crowned_helical_pair();
   drawn.errors = {.center_distance = -0.004, .axial = 0.1};
   using P = RemovalField::Parameter;
   const std::vector<ScatterTolerance> tolerances{
@@ -196,7 +196,7 @@ TEST(Tolerance, BoresMoveAndTiltTheAxis) {
 
 TEST(Tolerance, EndsMustBeTeeth) {
   using P = RemovalField::Parameter;
-  auto drawn = testing::helical_pair();
+  auto drawn = testing::crowned_helical_pair();
   drawn.modifications.tip_relief = {0.005, 2 * 23.5, ReliefShape::linear};
   const ContactSetup setup = drawn.setup();
   const auto relief = [&](double um) {

@@ -1,13 +1,14 @@
-// Corrections for which a percentile of the peak to peak TE over the family is least.
+// Corrections for which a percentile of the peak to peak TE over the family is least, of rigid
+// teeth or under load.
 //
 //   v     corrections                       f_k   peak to peak TE of sample k, under v
-//   p     share of the percentile           CVaR  mean of the worst 1 − p of all f_k
-//                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18]
+//                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18], [T14.25]
 //
 // The samples are the same for every v, so that differences between corrections are not due to
 // chance. The result is assessed with samples of another seed.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/contact/corrections.hpp"
@@ -19,27 +20,36 @@ struct RobustTask {
   std::vector<WorkshopCorrection> corrections;
   std::vector<Correction> bounds;  ///< of each, lo ≤ 0 ≤ hi, in its unit
   double percent = 95.0;           ///< 100 p
+  /// If given, f_k is the loaded peak to peak under the worst of its torques.
+  std::optional<LoadedFamily> load{};
+};
+
+/// The family without or with corrections, by the samples of the other seed.
+struct JudgedFamily {
+  std::vector<std::vector<double>> x;  ///< of the samples, in the users' units of the tolerances
+  Spread peak_to_peak;                 ///< f; its only percentile is the one that is minimised
+  Probability edge;                    ///< an edge touches; under load, an edge carries
+  Probability lost;                    ///< samples without f
+  std::vector<LoadedSpread> loaded{};  ///< by torque, under load
+
+  /// The percentile, rad.
+  const Percentile& percentile() const { return peak_to_peak.percentiles[0]; }
 };
 
 struct RobustCorrections {
   std::vector<double> value;  ///< in the units of the corrections
-  Scatter before, after;      ///< with the other seed; their only percentile is the one that is
-                              ///< minimised
-
-  /// The percentile of the peak to peak, rad.
-  static const Percentile& percentile(const Scatter& s) {
-    return s.spread[static_cast<std::size_t>(ScatterQuantity::peak_to_peak)]->percentiles[0];
-  }
+  JudgedFamily before, after;
 };
 
 /// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
 ///           0 < percent < 100; can_minimise() (contract)
-/// Errors    as scatter_of(); `percentile`, if contact is lost in every sample
+/// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
-/// Laws      (1) the percentile after is at most that before, with the other seed, and contact is
-///           lost no more often; otherwise every value is 0   (2) the same bytes on any number of
-///           threads
+/// Laws      (1) the percentile after is at most that before, with the other seed, and no more
+///           samples are without a value; otherwise every value is 0   (2) the same bytes on any
+///           number of threads   (3) with tolerances of width 0, the percentile after is that of
+///           the nominal optimum
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

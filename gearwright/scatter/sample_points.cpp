@@ -1,10 +1,23 @@
 #include "gearwright/scatter/sample_points.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "gearwright/base/parallel.hpp"
 
 namespace gearwright {
+
+std::optional<Error> check_family(const ContactSetup& setup,
+                                  const std::vector<ScatterTolerance>& tolerances) {
+  const int d = coordinates_of(tolerances);
+  if (2 * d > SobolPoints::kMaxDimensions) {
+    return refused("tolerances", d,
+                   fmt::format("coordinates; Sobol's points are tabulated for {} of them",
+                               SobolPoints::kMaxDimensions / 2));
+  }
+  return check_ends(setup, tolerances);
+}
 
 SamplePoints::SamplePoints(const ScatterTask& task)
     : task_(task), dimensions_(coordinates_of(task.tolerances)), points_(2 * dimensions_) {}

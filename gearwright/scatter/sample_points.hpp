@@ -12,6 +12,12 @@
 
 namespace gearwright {
 
+/// The reason why the family has no samples.
+///
+/// Errors    as check_ends(); `tolerances`, more than the table of Sobol's points has dimensions
+std::optional<Error> check_family(const ContactSetup& setup,
+                                  const std::vector<ScatterTolerance>& tolerances);
+
 class SamplePoints {
  public:
   /// The task must outlive it.

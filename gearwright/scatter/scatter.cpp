@@ -1,14 +1,11 @@
 #include "gearwright/scatter/scatter.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/math/sobol.hpp"
 #include "gearwright/scatter/loaded_family.hpp"
 #include "gearwright/scatter/loosening.hpp"
 #include "gearwright/scatter/sample_points.hpp"
@@ -121,13 +118,7 @@ std::optional<IndexEstimates> indices_of(
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   GW_EXPECTS(!task.tolerances.empty() && task.samples >= 1 && task.replicates >= 1);
   GW_EXPECTS((task.samples & (task.samples - 1)) == 0);
-  const int d = coordinates_of(task.tolerances);
-  if (2 * d > SobolPoints::kMaxDimensions) {
-    return refused("tolerances", d,
-                   fmt::format("coordinates; Sobol's points are tabulated for {} of them",
-                               SobolPoints::kMaxDimensions / 2));
-  }
-  if (auto error = check_ends(setup, task.tolerances)) return *error;
+  if (auto error = check_family(setup, task.tolerances)) return *error;
   const SamplePoints points(task);
   const auto all = static_cast<std::int64_t>(task.samples) * task.replicates;
   begin_stage(task.progress, "samples", all);

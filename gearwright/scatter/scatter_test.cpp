@@ -88,7 +88,7 @@ TEST(Scatter, ThreadsDoNotMatter) {
 }
 
 TEST(Scatter, NoWidthIsThePairAsDrawn) {
-  const ContactSetup setup = testing::helical_pair().setup();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
   ScatterTask task = task_of({testing::distance(0.0), testing::crossing(0.0)}, 16, 4, 2);
   task.indices = true;
   task.worst_case = true;

@@ -31,7 +31,7 @@ double step_of(const std::vector<double>& v) {
 }
 
 TEST(UnevenPitch, StaysWithinBothLimits) {
-  const ContactSetup setup = testing::helical_pair().setup();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
   const Gear& gear = setup.gear(2);
   const double r = gear.reference_diameter / 2;
   int at_total = 0;
@@ -59,7 +59,7 @@ TEST(UnevenPitch, StaysWithinBothLimits) {
 }
 
 TEST(FormWave, IsASineOfTheWholeHeight) {
-  const ContactSetup setup = testing::helical_pair().setup();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
   for (const int which : {1, 2}) {
     const Gear& gear = setup.gear(which);
     const FlankExtent extent = flank_extent(gear);
@@ -141,7 +141,7 @@ TEST(LongPeriod, IsTheDefinition) {
 }
 
 TEST(GradedFlank, SlopesReachOverTheWholeFlank) {
-  const ContactSetup setup = testing::helical_pair().setup();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
   const auto g = graded_flank(setup.gear(1), FlankTolerances::iso_2013, 6);
   ASSERT_TRUE(g);
   // [T10.16] and [T10.17] by hand give 7.1 and 8.6 µm, before rounding to 0.5, for d 44.0, m_n 2.5,

@@ -302,6 +302,8 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("pattern", &call<&pattern, Session, int, int, int>)
       .function("errorMap", &call<&error_map, Session, val, val, int>)
       .function("load", &call<&load, Session, std::string, std::shared_ptr<ToothTables>>)
+      .function("scatterSketch", &call<&Session::scatter_sketch, Session, double>)
+      .function("scatter", &call<&Session::scatter, Session, double>)
       .function("shiftRegion", &call<&shift_region, const Session, val>)
       .function("file", &call<&Session::file, Session, std::string, int, double>);
   class_<Work>("Work")

@@ -172,6 +172,14 @@ export interface FlankRaster {
   gap: Float64Array; // mm, [row * columns + column]; Infinity where the mating gear never reaches
 }
 
+/** The distribution of the peak-to-peak transmission error over tolerances. */
+export interface Scattered {
+  percentiles: { percent: number; arcsec: number }[]; // those of [scatter]; empty if contact is lost
+  figures: Figure[]; // "scatter-te", its cumulative curve, "scatter-play"
+  samples?: number; // of complete contacts; absent for an estimate
+  events?: { words: string; count: number; of: number; upper: number }[]; // upper limit of the share
+}
+
 /** The x1–x2 chart of this pair of tooth numbers: exact borders of the search's limits. */
 export interface ShiftRegion {
   point: [number, number]; // the shifts of the spec itself
@@ -312,6 +320,11 @@ export interface Session {
   /** Teeth under the torques of [load]. `accuracy` replaces that of the spec. The compliance of the
    *  teeth is kept, so the next torque, error or modification takes a fraction of the time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
+  /** The effect of the tolerances of [scatter] on the peak-to-peak transmission error: an estimate to
+   *  first order, in a fraction of a second. `width` of a figure, px. */
+  scatterSketch(width: number): Scattered | Failed;
+  /** The same by complete contacts of at most 1024 samples, as many as take about three seconds. */
+  scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
   /** The bytes of a file of gear 1 or 2, or (0) of the pair as mounted. report and json require gear 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;

@@ -74,6 +74,12 @@ class Session : public std::enable_shared_from_this<Session> {
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
+  /// Percentiles of the peak to peak over the tolerances of [scatter] to first order, with figures.
+  Result<Json> scatter_sketch(double width);
+  /// The same by complete contacts of at most 1024 samples, as many as take about three seconds, with
+  /// the probabilities of events.
+  Result<Json> scatter(double width);
+
   /// Includes a figure if `view` is given and the region is not empty.
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);

@@ -143,6 +143,12 @@ async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (ta
   return result;
 }
 
+/** Adds the time that an answer takes. */
+function timed<T extends object>(make: () => T): T & { milliseconds: number } {
+  const begin = performance.now();
+  const answer = make();
+  return { ...answer, milliseconds: performance.now() - begin };
+}
 /** Returns the results of `make` for each gear of a session. */
 function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
   return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(make(gear)));
@@ -207,6 +213,8 @@ const questions = {
       throw reason;
     }
   },
+  scatterSketch: (q: { text: string; width: number }) => timed(() => good(session(q.text).scatterSketch(q.width))),
+  scatter: (q: { text: string; width: number }) => timed(() => good(session(q.text).scatter(q.width))),
   shifts: (q: { text: string; view: E.ShiftView }) => good(session(q.text).shiftRegion(q.view)),
   /** Runs any verb and parses its JSON. */
   run: (q: { text: string; verb: E.Verb }) =>

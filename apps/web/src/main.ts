@@ -18,6 +18,7 @@ import { LoadView } from "./load/load_view";
 import { MeshView } from "./mesh/mesh_view";
 import { Page } from "./page";
 import { RatingView } from "./rating/rating_view";
+import { ScatterView } from "./scatter/scatter_view";
 import { SearchView } from "./search/search_view";
 import { SheetView } from "./sheet";
 import { ShiftsView } from "./shifts/shifts_view";
@@ -38,6 +39,7 @@ async function begin(): Promise<void> {
     new ContactView(),
     new LoadView(),
     new RatingView(),
+    new ScatterView(),
     new ShiftsView(),
     new SearchView(),
     new SheetView(),

@@ -50,6 +50,7 @@ export class Page {
     contact: 0.2,
     load: kFolded,
     rating: kFolded,
+    scatter: kFolded,
     search: 0.2,
     sheet: kFolded,
   };

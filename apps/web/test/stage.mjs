@@ -13,7 +13,7 @@ export const web = resolve(process.env.GEARWRIGHT_WEB_OUT ?? join(root, "build/w
 const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
 /** Two loaded cores and a browser without a graphics card are slow. These tests do not measure time. */
 export const kPatience = 120_000;
-export const kTabs = ["mesh", "solid", "contact", "load", "rating", "shifts", "search", "sheet"];
+export const kTabs = ["mesh", "solid", "contact", "load", "rating", "scatter", "shifts", "search", "sheet"];
 
 const kTypes = {
   ".html": "text/html",

@@ -50,7 +50,7 @@ inline DrawnPair spur_pair(bool crowned) {
 }
 
 /// 17:43 crowned helical teeth.
-inline DrawnPair helical_pair() {
+inline DrawnPair crowned_helical_pair() {
   DrawnPair p{{drawn_gear(17, 2.5, 15, 0.3, -0.05, 25), drawn_gear(43, 2.5, -15, 0.1, -0.07, 25)},
               78.6056};
   p.modifications.lead_crowning = 0.010;

@@ -1,0 +1,102 @@
+// The scatter of a session's pair: an estimate to first order, which follows a slider, and the answer
+// of the verb with fewer samples.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/web/engine/session.hpp"
+#include "apps/web/engine/stopwatch.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/figure/distribution_figures.hpp"
+#include "gearwright/job/scatter_answer.hpp"
+#include "gearwright/math/statistics.hpp"
+#include "gearwright/report/report_sections.hpp"
+#include "gearwright/scatter/linear_family.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
+constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;  // of complete contacts
+constexpr double kLongestMs = 1500;  // of the last of the growing families
+
+Json figures_of(const DistributionScene& scene, double width) {
+  return Json::array(
+      {shape(histogram_figure(scene), width), shape(cumulative_figure(scene), width)});
+}
+
+Json point(double percent, double arcsec) { return {{"percent", percent}, {"arcsec", arcsec}}; }
+
+}  // namespace
+
+Result<Json> Session::scatter_sketch(double width) {
+  SolvedJob job = job_;
+  auto made = prepared_scatter(job);
+  if (!made) return made.error();
+  ScatterAnswer prepared = std::move(made).take();
+  ScatterTask& task = prepared.task;
+  task.member.positions = std::min(task.member.positions, kSketchedPositions);
+  auto spans = linear_spans(prepared.setup, task, kSketched);
+  if (!spans) return of_scatter(task, spans.error());
+  std::vector<double> values = std::move(spans).take();
+  for (double& v : values) v *= kArcsecPerRad;
+  std::sort(values.begin(), values.end());
+  const SpreadEntry& entry = scatter_entries()[0];
+  DistributionScene scene{
+      "scatter-te", entry.words, std::string(unit_text(entry.unit)), values, {}};
+  Json percentiles = Json::array();
+  for (const double percent : task.percentiles) {
+    const double at = quantile(values, percent / 100.0);
+    scene.percentiles.emplace_back(percent, at);
+    percentiles.push_back(point(percent, at));
+  }
+  const bool varies = values.front() < values.back();
+  return Json{{"percentiles", percentiles},
+              {"figures", varies ? figures_of(scene, width) : Json::array()}};
+}
+
+// The family grows until a larger one would take too long, because contact on flanks with reliefs
+// and waves takes many times as long as on smooth ones.
+Result<Json> Session::scatter(double width) {
+  SolvedJob job = job_;
+  ScatterInput& input = job.spec.scatter;
+  const int most = std::min(input.samples, kMostSamples);
+  input.replicates = std::min(input.replicates, kMostReplicates);
+  input.indices = input.worst_case = input.loosening = input.loaded = false;
+  input.robust.reset();
+  input.samples = std::min(kFirstSamples, most);
+  Stopwatch watch;
+  auto answer = answer_scatter(job);
+  while (answer && input.samples < most && 2 * watch.ms() < kLongestMs) {
+    input.samples *= 2;
+    watch = Stopwatch();
+    answer = answer_scatter(job);
+  }
+  if (!answer) return answer.error();
+  const ScatterView view = scatter_view(job, *answer);
+  const auto& spread = view.spread[0];
+  Json percentiles = Json::array();
+  for (std::size_t i = 0; spread && i < spread->spread->percentiles.size(); ++i) {
+    const Percentile& p = spread->spread->percentiles[i];
+    percentiles.push_back(point(p.percent, p.estimate.value * kArcsecPerRad));
+  }
+  Json figures = Json::array();
+  if (const auto te = distribution_scene(view, ScatterQuantity::peak_to_peak, "scatter-te"))
+    figures = figures_of(*te, width);
+  if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
+    figures.push_back(shape(histogram_figure(*play), width));
+  const auto share = [](const char* words, const Probability& p) {
+    return Json{{"words", words}, {"count", p.count}, {"of", p.of}, {"upper", p.interval.upper}};
+  };
+  const Scatter& s = answer->scatter;
+  return Json{{"percentiles", percentiles},
+              {"figures", figures},
+              {"samples", answer->scatter.samples.size()},
+              {"events", Json::array({share("an edge of a tooth touches", s.edge_contact),
+                                      share("the gears jam", s.jam),
+                                      share("contact is lost", s.contact_lost)})}};
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,135 @@
+// Shows every tolerance of [scatter] as a slider for half of its width, and the grade of the teeth.
+// The middle of a range does not change. A double click or the key 0 sets the width to 0.
+
+import type { InputKey } from "../../engine/engine";
+import { inputKey, wordsOf } from "../catalogue";
+import { fill, h, onKeys, symbol } from "../elements";
+import type { Json } from "../engine_worker";
+import { fixed, niceStep, onStep } from "../numbers";
+import { at, bench } from "../workbench";
+
+type Tree = { [key: string]: Json };
+interface Tolerance {
+  place: string; // of the range, or of a radius
+  table: string; // of the key in the catalogue
+  key: InputKey;
+}
+interface Slide {
+  tolerance: Tolerance;
+  input: HTMLInputElement;
+  output: HTMLOutputElement;
+}
+/** Half of a width that is 0 in the spec reaches this far, by unit. */
+const kReach: Record<string, number> = { "°": 0.05, µm: 10, mm: 0.05 };
+
+/** Keys whose value is a single number instead of a range, with the least and the greatest one. */
+const kSingle: Record<string, [number, number?]> = { radius_mm: [0.001], quality: [1, 11] };
+
+/** The tolerances of a spec in the order of the catalogue's tables. */
+function tolerancesOf(spec: Tree | null): Tolerance[] {
+  const list: Tolerance[] = [];
+  const add = (place: string, table: string, only?: string[]) => {
+    const values = at(spec, place);
+    if (typeof values !== "object" || values === null) return;
+    for (const name of Object.keys(values)) {
+      const key = inputKey(table, name);
+      if (!key || (only && !only.includes(name))) continue;
+      const range = at(values, name);
+      const given = typeof range === "object" && range !== null && !Array.isArray(range);
+      list.push({ place: `${place}.${name}${given ? ".range" : ""}`, table, key });
+    }
+  };
+  if (typeof at(spec ?? undefined, "scatter.quality") === "number") add("scatter", "scatter", ["quality"]);
+  add("scatter.errors", "scatter_errors");
+  add("scatter.bearings", "scatter_bearings", ["radius_mm"]);
+  for (const gear of ["gear1", "gear2"]) {
+    add(`scatter.${gear}`, "scatter_gear", ["thickness_allowance_mm"]);
+    add(`scatter.${gear}.modifications`, "scatter_modifications");
+  }
+  return list;
+}
+
+function endsOf(value: Json | undefined): [number, number] {
+  if (typeof value === "number") return [-value, value];
+  const [lo, hi] = Array.isArray(value) ? value : [0, 0];
+  return [Number(lo), Number(hi)];
+}
+
+export class ToleranceSliders {
+  readonly element = h("div", { class: "sliders", role: "group", "aria-label": "tolerances" });
+  private slides: Slide[] = [];
+  private design = -1;
+
+  /** `moved` receives true while a slider is held, and false when it is released. */
+  constructor(private readonly moved: (moving: boolean) => void) {}
+
+  /** Shows the tolerances of the spec. */
+  show(spec: Tree | null): void {
+    const all = tolerancesOf(spec);
+    const same =
+      this.design === bench.design &&
+      all.length === this.slides.length &&
+      all.every((one, i) => one.place === this.slides[i]!.tolerance.place);
+    if (!same) {
+      this.design = bench.design;
+      this.slides = [];
+      const rows = all.map((one) => this.slide(one));
+      fill(this.element, all.length > 0 && h("h3", {}, "Tolerances"), ...rows);
+    }
+    for (const { tolerance, input, output } of this.slides) {
+      const [lo, hi] = endsOf(at(spec ?? undefined, tolerance.place));
+      const half = (hi - lo) / 2;
+      if (!kSingle[tolerance.key.key]?.[1] && (!same || half > Number(input.max))) {
+        const reach = half > 0 ? 2 * half : (kReach[tolerance.key.unit] ?? 1);
+        input.max = String(reach);
+        input.step = String(niceStep(reach));
+      }
+      if (document.activeElement !== input) input.value = String(half);
+      output.textContent = text(half, tolerance.key);
+    }
+  }
+
+  private slide(tolerance: Tolerance): HTMLElement {
+    const { place, table, key } = tolerance;
+    const output = h("output", {});
+    const single = kSingle[key.key];
+    const set = (half: number) => {
+      const [lo, hi] = endsOf(at(bench.good?.spec ?? undefined, place));
+      const middle = onStep((lo + hi) / 2, 1e-9);
+      const end = (side: number) => Number((middle + side * half).toPrecision(12));
+      bench.setKey(place, single ? half : [end(-1), end(1)]);
+    };
+    const gear = /gear([12])/.exec(place)?.[1];
+    const words = wordsOf(table, key) + (gear ? `, gear ${gear}` : "");
+    const input = h("input", {
+      type: "range",
+      "aria-label": `tolerance of ${words}, ${key.unit}`,
+      "data-slide": place,
+      min: single?.[0] ?? 0,
+      max: single?.[1],
+      step: single?.[1] && 1,
+      input: () => {
+        this.moved(true);
+        const half = onStep(Number(input.value), single?.[1] ? 1 : niceStep(Number(input.max)));
+        output.textContent = text(half, key);
+        set(half);
+      },
+      change: () => this.moved(false),
+      dblclick: () => !single && set(0),
+    });
+    onKeys(input, { "0": () => !single && set(0) });
+    this.slides.push({ tolerance, input, output });
+    return h(
+      "label",
+      { class: "slider", title: key.meaning },
+      h("span", { class: "slider-words" }, words, " ", symbol(key.symbol)),
+      output,
+      input,
+    );
+  }
+}
+
+function text(half: number, key: InputKey): string {
+  if (kSingle[key.key]?.[1]) return String(half);
+  return `± ${fixed(half, key.unit === "µm" ? 1 : 4)} ${key.unit}`;
+}

@@ -1,0 +1,23 @@
+// The effect on the gap angle of material removed from a flank.
+//                                    theory: docs/theory/08-contact.md, [T8.7], [T8.10]
+#pragma once
+
+#include "gearwright/contact/contact_pair.hpp"
+
+namespace gearwright {
+
+struct RemovalTurn {
+  double te;                    ///< ∂T*  rad in N, per mm removed
+  double u, z;                  ///< the place as arguments of the gear's RemovalField
+  RemovalField::Piece piece{};  ///< of its patch; empty without a field
+};
+
+/// For the greatest T over the profile at a fixed height z of flank 1, which lies at s.
+///
+/// Units     rad, mm
+/// Domain    gear 1 or 2; patches of this pair (contract)
+/// Accuracy  rounding
+/// Laws      times the field of a modification's amount it is row_slope() by that amount
+RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
+
+}  // namespace gearwright

@@ -1,0 +1,84 @@
+#include "gearwright/load/nearby_load.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "gearwright/load/loaded_position.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
+                       const PairCompliance& compliance, const LoadRequest& request,
+                       std::span<const Influence> influences) {
+  GW_EXPECTS(request.regime == LoadRegime::line && request.rotations.empty());
+  const double ratio = std::abs(double(gear_2.spec.teeth) / gear_1.spec.teeth);
+  for (const double torque : request.torques) moments_.push_back(torque * ratio);
+  detail::PositionSolver solver(pair, gear_1, gear_2, compliance, request);
+  for (int i = 0; i < request.positions; ++i) {
+    const double rotation = pair.pitch() * (static_cast<double>(i) / request.positions - 0.5);
+    detail::Position found = solver.prepare(pair.to_world(rotation));
+    if (found.rows.empty()) {
+      complete_ = false;
+      return;
+    }
+    Position at{found.te, std::move(found.problem), {}, {}};
+    at.turn.resize(static_cast<Eigen::Index>(found.rows.size()),
+                   static_cast<Eigen::Index>(influences.size()));
+    for (Eigen::Index row = 0; row < at.turn.rows(); ++row) {
+      const detail::Row& place = found.rows[static_cast<std::size_t>(row)];
+      for (Eigen::Index k = 0; k < at.turn.cols(); ++k)
+        at.turn(row, k) = solver.slope(found.pairs[static_cast<std::size_t>(place.pair)],
+                                       place.slice, influences[static_cast<std::size_t>(k)]);
+    }
+    for (const double moment : moments_) {
+      at.problem.moment = moment;
+      at.start.push_back(solve_contact(at.problem).line_load);
+    }
+    positions_.push_back(std::move(at));
+  }
+}
+
+NearbyLoad::Loaded NearbyLoad::loaded(const Position& at, std::size_t torque,
+                                      std::span<const double> change, bool slopes) const {
+  ContactProblem q = at.problem;
+  q.moment = moments_[torque];
+  const Eigen::Map<const Eigen::VectorXd> e(change.data(),
+                                            static_cast<Eigen::Index>(change.size()));
+  q.gap.array() -= (at.turn * e).array() * q.arm.array();
+  const ContactSolution x = solve_contact(q, at.start[torque]);
+  if (!x.found()) return {kNone, {}};
+  Loaded found{at.te - x.approach, {}};
+  if (slopes) found.slope = at.turn.transpose() * x.approach_per_gap.cwiseProduct(q.arm);
+  return found;
+}
+
+NearbyLoad::Span NearbyLoad::span(std::span<const double> change, bool slopes) const {
+  const std::vector<double> none(slopes ? change.size() : 0, 0.0);
+  if (!complete_) return {kNone, none};
+  Span worst{-1.0, none};
+  for (std::size_t k = 0; k < moments_.size(); ++k) {
+    Loaded least{}, greatest{};
+    for (const Position& at : positions_) {
+      Loaded here = loaded(at, k, change, slopes);
+      if (std::isnan(here.te)) return {kNone, none};
+      const bool first = &at == &positions_.front();
+      if (first || here.te > greatest.te) greatest = here;
+      if (first || here.te < least.te) least = std::move(here);
+    }
+    const double value = greatest.te - least.te;
+    if (!(value > worst.value)) continue;
+    worst.value = value;
+    if (!slopes) continue;
+    const Eigen::VectorXd slope = greatest.slope - least.slope;
+    worst.slope.assign(slope.begin(), slope.end());
+  }
+  return worst;
+}
+
+}  // namespace gearwright

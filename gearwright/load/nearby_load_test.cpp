@@ -1,0 +1,142 @@
+// Moved gaps: (1) without a change the number of loaded_contact(), (2) slopes are those of
+// differences, (3) a change is nearly that of loaded_contact() for the changed pair.
+#include "gearwright/load/nearby_load.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/contact/corrections.hpp"
+
+namespace gearwright {
+namespace {
+
+struct Teeth {
+  std::string name;
+  ContactSetup setup;
+  LoadRequest request;
+  PairCompliance compliance;
+};
+
+// Crowned teeth with a linear tip relief, on axes that cross slightly.
+Teeth teeth(int z1, int z2, double helix_deg) {
+  std::array<CylindricalSpec, 2> specs;
+  std::array<std::optional<Gear>, 2> gears;
+  PairModifications modifications{};
+  for (const std::size_t i : {0, 1}) {
+    specs[i].teeth = i == 0 ? z1 : z2;
+    specs[i].normal_module = 3.0;
+    specs[i].helix_angle = Angle::degrees(i == 0 || z2 < 0 ? helix_deg : -helix_deg);
+    specs[i].face_width = 24.0;
+    specs[i].thickness_allowance = -0.05;
+    gears[i] = make_gear(specs[i]).value();
+    const double root = *gears[i]->root_form_radius(), tip = gears[i]->tip_form_radius();
+    FlankModifications m;
+    m.tip_relief = {0.015, 2 * (root + 0.7 * (tip - root)), ReliefShape::linear};
+    m.lead_crowning = 0.004;
+    modifications[i] = {m, m};
+  }
+  ContactErrors errors;
+  errors.crossing = Angle::degrees(0.02);
+  const auto pair = mount(*gears[0], *gears[1], {});
+  EXPECT_TRUE(pair) << pair.error().message();
+  Teeth t{std::to_string(z1) + ":" + std::to_string(z2) + " " + std::to_string(helix_deg),
+          ContactSetup::of(*pair, errors, modifications).value(),
+          {},
+          {}};
+  t.request.torques = {60e3, 250e3};
+  t.request.positions = 6;
+  t.request.slices = 10;
+  t.request.accuracy = ComplianceAccuracy::draft;
+  t.request.root_stress = false;
+  for (const int which : {1, 2})
+    t.request.bodies[static_cast<std::size_t>(which - 1)] = {
+        (which == 2 && z2 < 0 ? 1.2 : 0.5) * std::abs(t.setup.gear(which).root_diameter), 0.3,
+        206000.0};
+  t.compliance = pair_compliance(t.setup.gear(1), t.setup.gear(2), t.request).value();
+  return t;
+}
+
+const std::vector<WorkshopCorrection> kAll{
+    {CorrectionOf::lead_slope, 1},    {CorrectionOf::lead_crowning, 2},
+    {CorrectionOf::profile_slope, 1}, {CorrectionOf::profile_crowning, 2},
+    {CorrectionOf::tip_relief, 1},    {CorrectionOf::tip_relief, 2}};
+
+NearbyLoad nearby(const Teeth& t, const ContactSetup& setup) {
+  std::vector<Influence> influences;
+  for (const WorkshopCorrection& c : kAll) influences.push_back(*influence_of(c));
+  return NearbyLoad(setup.pair(false), setup.gear(1), setup.gear(2), t.compliance, t.request,
+                    influences);
+}
+
+ContactSetup changed(const Teeth& t, const std::vector<double>& um) {
+  return t.setup.changed(change_of(kAll, um, false)).value();
+}
+
+// The greatest peak to peak over the torques, rad.
+double exact(const Teeth& t, const std::vector<double>& um) {
+  const ContactSetup setup = changed(t, um);
+  double worst = 0.0;
+  for (const LoadedTorque& torque :
+       loaded_contact(setup.pair(false), setup.gear(1), setup.gear(2), t.compliance, t.request)
+           .torques)
+    worst = std::max(worst, torque.peak_to_peak.rad());
+  return worst;
+}
+
+class NearbyLoads : public ::testing::Test {
+ protected:
+  static const std::vector<Teeth>& all() {
+    static const std::vector<Teeth> kTeeth{teeth(25, 43, 0), teeth(25, 43, 16)};
+    return kTeeth;
+  }
+  const std::vector<double> none_ = std::vector<double>(kAll.size(), 0.0);
+};
+
+TEST_F(NearbyLoads, WithoutAChangeItIsLoadedContact) {
+  for (const Teeth& t : all()) {
+    const double value = nearby(t, t.setup).span(none_, false).value;
+    EXPECT_NEAR(value, exact(t, none_), 1e-9 * value) << t.name;
+  }
+}
+
+TEST_F(NearbyLoads, SlopesAreThoseOfDifferences) {
+  for (const Teeth& t : all()) {
+    const NearbyLoad near = nearby(t, t.setup);
+    const auto slope = near.span(none_, true).slope;
+    double steepest = 0.0;
+    for (const double s : slope) steepest = std::max(steepest, std::abs(s));
+    for (std::size_t i = 0; i < kAll.size(); ++i) {
+      constexpr double kStep = 1e-6;  // mm
+      std::vector<double> above = none_, below = none_;
+      above[i] = kStep;
+      below[i] = -kStep;
+      const double difference =
+          (near.span(above, false).value - near.span(below, false).value) / (2 * kStep);
+      EXPECT_NEAR(slope[i], difference, 1e-5 * steepest) << t.name << ", correction " << i;
+    }
+  }
+}
+
+// Places that move change compliance and curvature, which are those of e = 0 here.
+TEST_F(NearbyLoads, AChangeIsThatOfLoadedContactToAFewPercent) {
+  const std::vector<double> um{2, 3, -2, 1.5, 4, -3};
+  for (const Teeth& t : all()) {
+    std::vector<double> change;
+    for (const double v : um) change.push_back(v * kMmPerUm);
+    const double before = exact(t, none_);
+    const double after = exact(t, um);
+    EXPECT_NEAR(nearby(t, t.setup).span(change, false).value, after,
+                0.06 * std::abs(after - before))
+        << t.name << " from " << before;
+    // Around the changed teeth it is exact again.
+    EXPECT_NEAR(nearby(t, changed(t, um)).span(none_, false).value, after, 1e-9 * after) << t.name;
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,200 @@
+#include "gearwright/scatter/linear_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/load/gap_places.hpp"
+#include "gearwright/scatter/sample_points.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kHeights = 33;                                         // over the common face
+constexpr double kBeyond = std::numeric_limits<double>::infinity();  // any value
+
+// Heights over the face of gear 1, or on parallel axes over that of both.
+std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
+  double lo = -kBeyond;
+  double hi = kBeyond;
+  for (const int which : {1, 2}) {
+    if (which == 2 && crossed) continue;
+    double least = kBeyond;
+    double most = -kBeyond;
+    for (const FlankPatch& p : pair.patches(which)) {
+      least = std::min(least, p.z_lo);
+      most = std::max(most, p.z_hi);
+    }
+    const double shift = which == 2 ? pair.mount().shift.z() : 0.0;
+    lo = std::max(lo, least - shift);
+    hi = std::min(hi, most - shift);
+  }
+  std::vector<double> heights;
+  for (int i = 0; i < kHeights; ++i) heights.push_back(lo + (hi - lo) * i / (kHeights - 1));
+  return heights;
+}
+
+// The greatest of equidistant values; inside that of the parabola through three of them.
+double greatest_of(const std::vector<double>& v) {
+  const auto at = static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
+  if (at == 0 || at + 1 == v.size()) return v[at];
+  const double bend = v[at - 1] - 2 * v[at] + v[at + 1];
+  const double slope = v[at + 1] - v[at - 1];
+  return bend < 0.0 ? v[at] - slope * slope / (8 * bend) : v[at];
+}
+
+// TE of each tooth pair at a position.
+using Branches = std::map<int, double>;
+
+Branches::const_iterator leader(const Branches& all) {
+  return std::max_element(all.begin(), all.end(),
+                          [](const auto& x, const auto& y) { return x.second < y.second; });
+}
+
+// The least TE between two positions, with straight branches: at a position, or where the leader of
+// the first meets that of the second.
+double least_between(const Branches& a, const Branches& b) {
+  const auto first = leader(a), second = leader(b);
+  const double least = std::min(first->second, second->second);
+  const auto falls = b.find(first->first), rises = a.find(second->first);
+  if (first->first == second->first || falls == b.end() || rises == a.end()) return least;
+  const double ahead = first->second - rises->second;
+  const double part = ahead / (ahead + second->second - falls->second);
+  return std::min(least, first->second + part * (falls->second - first->second));
+}
+
+// A new topography counts as a change.
+bool changed(const RemovalField& member, const RemovalField& drawn) {
+  if (member.has_topography() || drawn.has_topography()) return &member != &drawn;
+  return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),
+                     [&](auto p) { return member.amount(p) != drawn.amount(p); });
+}
+
+}  // namespace
+
+// A member's difference from the drawing.
+struct LinearFamily::Member {
+  std::array<double, 6> error;                   // by kErrorKinds
+  std::array<const RemovalField*, 2> removal{};  // null without a change
+};
+
+std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,
+                                             const MemberRequest& request) {
+  GW_EXPECTS(request.positions >= 2);
+  LinearFamily family(drawn.with_fields({true, true}));
+  const ContactErrors& errors = family.setup_.place().errors;
+  const ContactPair pair = family.setup_.pair(errors, request.gear2_drives);
+  for (const int which : {1, 2})
+    family.left_[static_cast<std::size_t>(which - 1)] =
+        pair.patches(which).front().removal == family.setup_.removal(which, true);
+  Deviation none;
+  none.errors = errors;
+  const double exact = continuous_peak_to_peak(family.setup_, none, request).value;
+  if (std::isnan(exact)) return std::nullopt;
+  const bool crossed = family.setup_.place().shaft_angle != Angle();
+  GapSearch search(pair, heights_of(pair, crossed));
+  for (int i = 0; i <= request.positions; ++i)
+    family.add_position(search, pair.pitch() * (static_cast<double>(i) / request.positions - 0.5));
+  family.correction_ = exact - family.peak_to_peak(none);
+  return family;
+}
+
+void LinearFamily::add_position(GapSearch& search, double phi) {
+  std::vector<Row>& rows = positions_.emplace_back();
+  for (const PairPlaces& p : search.places(phi)) {
+    Row row{p.pair, {}};
+    bool open = false;
+    for (std::size_t i = 0; i < p.at.size(); ++i) {
+      if (!p.at[i]) {
+        open = false;
+        continue;
+      }
+      if (!open) row.runs.emplace_back();
+      open = true;
+      Place& place = row.runs.back().emplace_back(Place{p.at[i]->te, {}, {}, {}});
+      for (const ErrorKind kind : kErrorKinds)
+        place.by_error[static_cast<std::size_t>(kind)] = search.slope(p, i, {kind});
+      for (const int gear : {1, 2}) {
+        const auto g = static_cast<std::size_t>(gear - 1);
+        const RemovalTurn& t = place.removal[g] = search.turn(p, i, gear);
+        place.drawn[g] = setup_.removal(gear, left_[g])->at(t.u, t.z, t.piece).c;
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+}
+
+double LinearFamily::greatest(const Row& row, const Member& m) const {
+  double most = -kBeyond;
+  std::vector<double> values;
+  for (const std::vector<Place>& run : row.runs) {
+    values.clear();
+    for (const Place& place : run) {
+      double te = place.te;
+      for (std::size_t i = 0; i < m.error.size(); ++i) te += place.by_error[i] * m.error[i];
+      for (std::size_t g = 0; g < 2; ++g) {
+        const RemovalTurn& t = place.removal[g];
+        if (m.removal[g]) te += t.te * (m.removal[g]->at(t.u, t.z, t.piece).c - place.drawn[g]);
+      }
+      values.push_back(te);
+    }
+    most = std::max(most, greatest_of(values));
+  }
+  return most;
+}
+
+double LinearFamily::peak_to_peak(const Deviation& deviation) const {
+  const ContactErrors &e = deviation.errors, &d = setup_.place().errors;
+  const auto slope = [&](int which) {
+    const auto g = static_cast<std::size_t>(which - 1);
+    const Gear& gear = setup_.gear(which);
+    return (e.helix_twist[g] - d.helix_twist[g]) * gear.reference_diameter / 2 *
+           gear.spec.face_width;
+  };
+  Member member{{e.center_distance - d.center_distance, (e.crossing - d.crossing).rad(),
+                 (e.intersecting - d.intersecting).rad(), e.axial - d.axial, slope(1), slope(2)},
+                {}};
+  const MemberSetup own(setup_, deviation);
+  for (const int which : {1, 2}) {
+    const auto g = static_cast<std::size_t>(which - 1);
+    const RemovalField* field = (*own).removal(which, left_[g]);
+    if (field && changed(*field, *setup_.removal(which, left_[g]))) member.removal[g] = field;
+  }
+  std::vector<Branches> positions;
+  std::vector<double> tops;
+  for (const std::vector<Row>& rows : positions_) {
+    Branches& branches = positions.emplace_back();
+    double top = -kBeyond;
+    for (const Row& row : rows) {
+      const double te = greatest(row, member);
+      branches.emplace(row.pair, te);
+      top = std::max(top, te);
+    }
+    tops.push_back(top);
+  }
+  double least = kBeyond;
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    least = std::min(least, least_between(positions[i - 1], positions[i]));
+  return std::max(0.0, greatest_of(tops) - least + correction_);
+}
+
+Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,
+                                         int count) {
+  if (auto error = check_family(setup, task.tolerances)) return *error;
+  const auto family = LinearFamily::of(setup, task.member);
+  if (!family) return nothing_touches(setup);
+  const auto places = SamplePoints(task).first(0, count);
+  std::vector<double> spans(places.size());
+  parallel_for(
+      places.size(),
+      [&](std::size_t i) {
+        spans[i] = family->peak_to_peak(deviation_at(setup, task.tolerances, places[i]));
+      },
+      task.threads);
+  return spans;
+}
+
+}  // namespace gearwright

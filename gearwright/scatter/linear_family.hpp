@@ -1,0 +1,65 @@
+// The peak to peak TE of the family to first order, for a picture that follows a slider.
+//
+//   T_i    gap angle of place i: the greatest over the profile, for a tooth pair and a height
+//   e      errors of a member minus those drawn      ΔC   its material removed in addition, at i
+//   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC          theory: docs/theory/14-scatter.md, [T14.26]
+//
+// T at a fixed place is nearly linear in the errors (14.5), and TE is still
+// the greatest over all places. The contact therefore moves along the face, edges begin to touch,
+// and tooth pairs replace each other, as they do exactly.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/contact/removal_turn.hpp"
+#include "gearwright/scatter/scatter.hpp"
+
+namespace gearwright {
+
+class LinearFamily {
+ public:
+  /// None if contact is lost at some position of the pair as drawn.
+  ///
+  /// Domain    request.positions ≥ 2 (contract)
+  static std::optional<LinearFamily> of(const ContactSetup& setup, const MemberRequest& request);
+
+  /// rad. Thickness, pitch deviations and the lead angle of a cutter do not change it.
+  ///
+  /// Accuracy  first order of each place in the deviation
+  /// Laws      (1) without a deviation it is continuous_peak_to_peak()   (2) for small deviations the
+  ///           change is that of continuous_peak_to_peak()
+  double peak_to_peak(const Deviation& deviation) const;
+
+ private:
+  struct Place {
+    double te;                           // rad in N
+    std::array<double, 6> by_error;      // by kErrorKinds
+    std::array<RemovalTurn, 2> removal;  // of each gear
+    std::array<double, 2> drawn;         // mm removed in the drawing
+  };
+  // A tooth pair at a position: its heights in order, without those that face no flank.
+  struct Row {
+    int pair;
+    std::vector<std::vector<Place>> runs;  // of neighbouring heights
+  };
+  struct Member;
+
+  explicit LinearFamily(const ContactSetup& setup) : setup_(setup) {}
+  void add_position(class GapSearch& search, double phi);
+  double greatest(const Row& row, const Member& member) const;
+
+  ContactSetup setup_;                       // with a field of removed material on both gears
+  std::array<bool, 2> left_{};               // the flank of each gear that touches
+  std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
+  double correction_ = 0.0;  // rad, continuous_peak_to_peak() minus that of the places
+};
+
+/// The same for the first samples of the first replicate of a task, rad.
+///
+/// Errors    as scatter_of(); nothing_touches() if contact is lost in the pair as drawn
+Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,
+                                         int count);
+
+}  // namespace gearwright

@@ -1,0 +1,223 @@
+#include "gearwright/scatter/robust_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/load/nearby_load.hpp"
+#include "gearwright/scatter/loaded_family.hpp"
+#include "gearwright/scatter/robust_search.hpp"
+#include "gearwright/scatter/sample_points.hpp"
+#include "gearwright/scatter/spread.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
+constexpr int kPositions = 16;       // per pitch during the search, as in `compensate`
+constexpr int kMostCenters = 6;      // of a search
+constexpr double kNextReach = 0.25;  // relative to the bounds, around all centers but the first
+constexpr double kLastReach = 1e-3;
+constexpr double kGain = kSameError.rad();  // least gain worth another step
+
+bool all_influences(const RobustTask& robust) {
+  return std::all_of(robust.corrections.begin(), robust.corrections.end(),
+                     [](const WorkshopCorrection& c) { return influence_of(c).has_value(); });
+}
+
+// The family around corrections at which its places are searched. If every correction has an
+// influence, a trial repeats only the forces, with moved gaps; otherwise it repeats the whole
+// contact.
+class LoadedTrials final : public CorrectedFamily {
+ public:
+  LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
+               const LoadedFamily& load, std::vector<std::vector<double>> places,
+               std::vector<double> center)
+      : setup_(setup),
+        task_(task),
+        robust_(robust),
+        load_(load),
+        places_(std::move(places)),
+        center_(std::move(center)),
+        near_(places_.size()) {
+    if (exact()) return;
+    std::vector<Influence> influences;
+    for (const WorkshopCorrection& c : robust.corrections) influences.push_back(*influence_of(c));
+    const auto changed = corrected(center_);
+    if (!changed) return;
+    parallel_for(
+        places_.size(),
+        [&](std::size_t i) {
+          const Deviation deviation = deviation_at(*changed, task_.tolerances, places_[i]);
+          const MemberSetup member(*changed, deviation);
+          near_[i] = std::make_unique<NearbyLoad>(
+              (*member).pair(deviation.errors, task_.member.gear2_drives), (*member).gear(1),
+              (*member).gear(2), load_.compliance, load_.request, influences);
+          count_step(task_.progress);
+        },
+        task_.threads);
+  }
+
+  // True if every trial repeats the whole contact.
+  bool exact() const {
+    return load_.request.regime == LoadRegime::point || !all_influences(robust_);
+  }
+
+  Values at(const std::vector<double>& v, bool slopes) const override {
+    Values values{std::vector<double>(places_.size(), kLostSpan), {}};
+    if (slopes) values.slope.assign(places_.size(), std::vector<double>(v.size(), 0.0));
+    const auto changed = corrected(v);
+    if (!changed) return values;
+    if (exact()) {
+      values.f = loaded_peaks(scores_under_load(*changed, task_, load_, places_), kLostSpan);
+      for (std::size_t i = 0; slopes && i < v.size(); ++i)
+        add_difference(values, *this, v, i, robust_.bounds[i]);
+      return values;
+    }
+    std::vector<double> change;
+    for (std::size_t i = 0; i < v.size(); ++i) change.push_back((v[i] - center_[i]) * kMmPerUm);
+    parallel_for(
+        places_.size(),
+        [&](std::size_t k) {
+          if (!near_[k]) return;
+          const NearbyLoad::Span span = near_[k]->span(change, slopes);
+          count_step(task_.progress);
+          if (std::isnan(span.value)) return;
+          values.f[k] = span.value;
+          for (std::size_t i = 0; i < span.slope.size(); ++i)
+            values.slope[k][i] = span.slope[i] * kMmPerUm;
+        },
+        task_.threads);
+    return values;
+  }
+
+ private:
+  std::optional<ContactSetup> corrected(const std::vector<double>& v) const {
+    auto changed = setup_.changed(change_of(robust_.corrections, v, task_.member.gear2_drives));
+    if (!changed || check_ends(*changed, task_.tolerances)) return std::nullopt;
+    return std::move(changed).take();
+  }
+
+  const ContactSetup& setup_;
+  const ScatterTask& task_;
+  const RobustTask& robust_;
+  const LoadedFamily& load_;
+  std::vector<std::vector<double>> places_;
+  std::vector<double> center_;
+  std::vector<std::unique_ptr<NearbyLoad>> near_;
+};
+
+// The bounds within a reach around a center.
+std::vector<Correction> around(const std::vector<Correction>& bounds, double reach,
+                               const std::vector<double>& center) {
+  std::vector<Correction> box = bounds;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const double most = reach * (bounds[i].hi - bounds[i].lo);
+    box[i].lo = std::max(bounds[i].lo, center[i] - most);
+    box[i].hi = std::min(bounds[i].hi, center[i] + most);
+  }
+  return box;
+}
+
+class LoadSearch {
+ public:
+  LoadSearch(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust)
+      : setup_(setup), task_(task), robust_(robust), load_(*robust.load) {
+    load_.request.positions = std::min(load_.request.positions, kPositions);
+  }
+
+  // The best corrections for these samples. Each center is searched with its own places, and is
+  // left if the exact percentile is lower elsewhere.
+  std::vector<double> lowest(const std::vector<std::vector<double>>& places,
+                             std::vector<double> center) const {
+    auto fine = trials(places, center);
+    double least = fine->percentile(center, p());
+    double reach = 1.0;
+    for (int i = 0; i < kMostCenters && reach >= kLastReach; ++i) {
+      const bool whole = i == 0;
+      const auto coarse = whole ? trials(first(places), center) : nullptr;
+      const std::vector<double> next =
+          lowest_percentile({whole ? *coarse : *fine, *fine, around(robust_.bounds, reach, center),
+                             p(), kGain, whole},
+                            center);
+      if (fine->exact()) return next;
+      const double promised = least - fine->percentile(next, p());
+      if (!(promised > kGain)) break;
+      auto there = trials(places, next);
+      const double gained = least - there->percentile(next, p());
+      reach = std::min(reach, kNextReach) * (gained < 0.25 * promised ? 0.3 : 1.0);
+      if (!(gained > 0.0)) continue;
+      least -= gained;
+      center = next;
+      fine = std::move(there);
+    }
+    return center;
+  }
+
+  double percentile(const std::vector<std::vector<double>>& places,
+                    const std::vector<double>& v) const {
+    return trials(places, v)->percentile(v, p());
+  }
+
+ private:
+  double p() const { return robust_.percent / 100.0; }
+  static std::vector<std::vector<double>> first(const std::vector<std::vector<double>>& places) {
+    const auto count = std::min<std::size_t>(places.size(), kCoarseLoaded);
+    return {places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count)};
+  }
+  std::unique_ptr<LoadedTrials> trials(const std::vector<std::vector<double>>& places,
+                                       const std::vector<double>& center) const {
+    return std::make_unique<LoadedTrials>(setup_, task_, robust_, load_, places, center);
+  }
+
+  const ContactSetup& setup_;
+  const ScatterTask& task_;
+  const RobustTask& robust_;
+  LoadedFamily load_;
+};
+
+}  // namespace
+
+std::vector<double> corrections_under_load(const ContactSetup& setup, const ScatterTask& task,
+                                           const RobustTask& robust) {
+  const std::size_t n = robust.corrections.size();
+  const LoadSearch search(setup, task, robust);
+  const auto places = SamplePoints(task).first(0, std::min(task.samples, kFineLoaded));
+  begin_stage(task.progress, "corrections for the percentile under load",
+              static_cast<std::int64_t>(n * places.size()) * 200);
+  const std::vector<double> zero(n, 0.0);
+  const auto drawn = static_cast<std::size_t>(coordinates_of(task.tolerances));
+  const std::vector<double> nominal = search.lowest({std::vector<double>(drawn, 0.0)}, zero);
+  const bool better = search.percentile(places, nominal) < search.percentile(places, zero);
+  return search.lowest(places, better ? nominal : zero);
+}
+
+std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const ScatterTask& judged,
+                                              const LoadedFamily& load) {
+  const SamplePoints points(judged);
+  JudgedFamily family;
+  for (int r = 0; r < judged.replicates; ++r)
+    for (std::vector<double>& x : points.first(r, load.samples)) family.x.push_back(std::move(x));
+  begin_stage(judged.progress, "samples under load", static_cast<std::int64_t>(family.x.size()));
+  const auto scores = scores_under_load(setup, judged, load, family.x);
+  auto spread = spread_of(judged, loaded_peaks(scores, std::numeric_limits<double>::quiet_NaN()),
+                          load.samples);
+  if (!spread) return std::nullopt;
+  family.peak_to_peak = std::move(*spread);
+  family.loaded = spreads_under_load(judged, load, scores);
+  const auto share = [&](auto is) {
+    return probability_of(std::count_if(scores.begin(), scores.end(), is),
+                          static_cast<std::int64_t>(scores.size()), judged.confidence);
+  };
+  family.edge = share([](const auto& s) {
+    return std::any_of(s.begin(), s.end(), [](const LoadedScore& t) { return t.edge_carries; });
+  });
+  family.lost = share([](const auto& s) { return s.empty(); });
+  return family;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,25 @@
+// Corrections for a percentile of the loaded peak to peak: the search, and the family that is
+// compared.
+//                                    theory: docs/theory/14-scatter.md, [T14.25]
+// Internal to scatter/.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/scatter/robust.hpp"
+
+namespace gearwright {
+
+/// The best corrections for the first samples of the family; not rounded.
+///
+/// Domain    as robust_corrections(), with a load and with the fields that the corrections need
+///           (contract)
+std::vector<double> corrections_under_load(const ContactSetup& setup, const ScatterTask& task,
+                                           const RobustTask& robust);
+
+/// The family of this task under the worst of the torques; none if no sample has a solution.
+std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const ScatterTask& judged,
+                                              const LoadedFamily& load);
+
+}  // namespace gearwright

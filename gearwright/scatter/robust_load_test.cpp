@@ -1,0 +1,160 @@
+// Laws of corrections under load: (1) never worse than none   (2) tolerances of width 0 give the
+// nominal optimum, found by a scan   (3) the same bytes on any number of threads.
+// Oracle: the percentile from loaded_contact(), member by member.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/math/minimise.hpp"
+#include "gearwright/scatter/robust.hpp"
+#include "gearwright/scatter/testing/drawn_pair.hpp"
+#include "gearwright/scatter/testing/small_family.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr int kLoadedSamples = 16, kLoadedReplicates = 2;
+constexpr double kRobustTorque = 150e3;  // N mm
+
+ScatterTask loaded_housing(double crossing_deg) {
+  ScatterTask task;
+  task.tolerances = {testing::distance(0.0175), testing::crossing(crossing_deg)};
+  task.member.positions = 4;
+  task.samples = kLoadedSamples;
+  task.replicates = kLoadedReplicates;
+  return task;
+}
+
+RobustTask crowning_under_load(const ContactSetup& setup, double most) {
+  return {{{CorrectionOf::lead_crowning, 1}},
+          {{0.0, most, 2.0}},
+          80.0,
+          testing::loaded_family(setup, {kRobustTorque}, kLoadedSamples)};
+}
+
+double percentile_under_load(const JudgedFamily& f) {
+  return f.percentile().estimate.value * kArcsecPerRad;
+}
+
+ContactSetup with_crowning(const ContactSetup& setup, double um) {
+  SetupChange change;
+  change.flank[0].lead_crowning = um * kMmPerUm;
+  return setup.changed(change).value();
+}
+
+// The loaded peak to peak of one member, rad.
+double span_of_member(const ContactSetup& setup, const ScatterTask& task, const LoadedFamily& load,
+                      const std::vector<double>& x) {
+  const Deviation d = deviation_at(setup, task.tolerances, x);
+  return loaded_scores(loaded_contact(setup.pair(d.errors, false), setup.gear(1), setup.gear(2),
+                                      load.compliance, load.request))
+      .at(0)
+      .peak_to_peak.rad();
+}
+
+// The quantile by sorting, interpolated between the two samples next to it.
+double sorted_quantile(std::vector<double> f, double p) {
+  std::sort(f.begin(), f.end());
+  const double at = p * static_cast<double>(f.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const auto above = std::min(below + 1, f.size() - 1);
+  return f[below] + (at - static_cast<double>(below)) * (f[above] - f[below]);
+}
+
+TEST(RobustLoad, ThePercentileIsThatOfTheMembers) {
+  if (!can_minimise()) GTEST_SKIP();
+  const ContactSetup setup = testing::plain_helical_pair().setup();
+  const ScatterTask task = loaded_housing(0.06);
+  const RobustTask robust = crowning_under_load(setup, 20);
+  const auto found = robust_corrections(setup, task, robust);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_GT(found->value[0], 0.0);
+  EXPECT_LT(percentile_under_load(found->after), percentile_under_load(found->before));
+  const ContactSetup with = with_crowning(setup, found->value[0]);
+  ASSERT_EQ(found->after.x.size(), static_cast<std::size_t>(kLoadedSamples * kLoadedReplicates));
+  double mean = 0.0;
+  for (int r = 0; r < kLoadedReplicates; ++r) {
+    std::vector<double> f;
+    for (int n = 0; n < kLoadedSamples; ++n)
+      f.push_back(span_of_member(with, task, *robust.load,
+                                 found->after.x[static_cast<std::size_t>(r * kLoadedSamples + n)]));
+    mean += sorted_quantile(f, 0.8) / kLoadedReplicates;
+  }
+  EXPECT_NEAR(percentile_under_load(found->after), mean * kArcsecPerRad, 1e-9);
+  // The compared samples are not those of the search, and the same before and after.
+  EXPECT_EQ(found->before.x, found->after.x);
+}
+
+TEST(RobustLoad, WithoutWidthItIsTheNominalOptimum) {
+  if (!can_minimise()) GTEST_SKIP();
+  ContactErrors errors;
+  errors.crossing = Angle::degrees(0.04);
+  testing::DrawnPair drawn = testing::plain_helical_pair();
+  drawn.errors = errors;
+  const ContactSetup setup = drawn.setup();
+  ScatterTask task = loaded_housing(0.0);
+  task.tolerances = {testing::distance(0.0)};
+  const RobustTask robust = crowning_under_load(setup, 20);
+  const auto found = robust_corrections(setup, task, robust);
+  ASSERT_TRUE(found) << found.error().message();
+  double least = percentile_under_load(found->before);
+  for (double um = 0.0; um <= 20.0; um += 0.25)
+    least = std::min(
+        least, span_of_member(with_crowning(setup, um), task, *robust.load, {0.0}) * kArcsecPerRad);
+  EXPECT_LT(percentile_under_load(found->after), 1.001 * least + 0.001);
+  EXPECT_LT(least, 0.95 * percentile_under_load(found->before));
+  EXPECT_EQ(found->after.peak_to_peak.least, found->after.peak_to_peak.greatest);
+}
+
+TEST(RobustLoad, NothingIsWorseThanNothing) {
+  if (!can_minimise()) GTEST_SKIP();
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
+  const ScatterTask task = loaded_housing(0.02);
+  RobustTask robust = crowning_under_load(setup, 50);
+  robust.corrections.push_back({CorrectionOf::profile_slope, 2});
+  robust.bounds.push_back({-20.0, 20.0, 1.0});
+  robust.load = testing::loaded_family(setup, {20e3, kRobustTorque}, kLoadedSamples);
+  const auto found = robust_corrections(setup, task, robust);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_LE(percentile_under_load(found->after), percentile_under_load(found->before));
+  EXPECT_EQ(found->after.loaded.size(), 2u);
+  EXPECT_EQ(found->after.lost.count, 0);
+}
+
+// A tool setting changes the teeth, so each trial repeats the whole contact.
+TEST(RobustLoad, SettingsWithoutInfluenceAreTriedExactly) {
+  if (!can_minimise()) GTEST_SKIP();
+  const ContactSetup setup = testing::plain_helical_pair().setup();
+  ScatterTask task = loaded_housing(0.02);
+  task.samples = 4;
+  RobustTask robust{{{CorrectionOf::cutter_lead, 1}},
+                    {{-0.02, 0.02, 0.005}},
+                    80.0,
+                    testing::loaded_family(setup, {kRobustTorque}, 4)};
+  const auto found = robust_corrections(setup, task, robust);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_LE(percentile_under_load(found->after), percentile_under_load(found->before));
+}
+
+TEST(RobustLoad, ThreadsDoNotMatter) {
+  if (!can_minimise()) GTEST_SKIP();
+  const ContactSetup setup = testing::plain_helical_pair().setup();
+  ScatterTask task = loaded_housing(0.06);
+  const RobustTask robust = crowning_under_load(setup, 20);
+  std::vector<double> values, percentiles;
+  for (const int threads : {1, 2, 3}) {
+    task.threads = threads;
+    const auto found = robust_corrections(setup, task, robust);
+    ASSERT_TRUE(found);
+    values.push_back(found->value[0]);
+    percentiles.push_back(percentile_under_load(found->after));
+    EXPECT_EQ(values.back(), values[0]);
+    EXPECT_EQ(percentiles.back(), percentiles[0]);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,50 @@
+// The corrections with the lowest percentile of a quantity over a family: a search of the box,
+// descents of the mean of the worst samples, and a polish of the percentile itself.
+//
+//   v     corrections                       f_k   the quantity of sample k, under v
+//   p     share of the percentile           CVaR  mean of the worst 1 − p of all f_k
+//                                    theory: docs/theory/14-scatter.md, [T14.17], [T14.18]
+// Internal to scatter/.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/contact/compensation.hpp"
+
+namespace gearwright {
+
+/// A quantity of the same samples under any corrections, so that differences between corrections
+/// are not due to chance.
+class CorrectedFamily {
+ public:
+  struct Values {
+    std::vector<double> f;                   ///< rad; kLostSpan of a sample without a value
+    std::vector<std::vector<double>> slope;  ///< by sample and correction; empty unless requested
+  };
+  virtual ~CorrectedFamily() = default;
+  virtual Values at(const std::vector<double>& v, bool slopes) const = 0;
+  double percentile(const std::vector<double>& v, double p) const;
+};
+
+/// Sets the slopes by correction i from a difference, for corrections without exact slopes.
+void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
+                    const std::vector<double>& v, std::size_t i, const Correction& bounds);
+
+struct RobustSearch {
+  const CorrectedFamily& coarse;  ///< few samples, for the search of the whole box
+  const CorrectedFamily& fine;    ///< for the descents and the comparison
+  std::vector<Correction> box;
+  double p;
+  double gain;     ///< rad, least gain worth another step
+  bool whole_box;  ///< false: only around the start
+};
+
+/// The best v from `start`, which is itself a candidate; not rounded.
+///
+/// Domain    lo ≤ start ≤ hi of the box; can_minimise() (contract)
+/// Accuracy  a local minimum, to `gain`
+std::vector<double> lowest_percentile(const RobustSearch& search, const std::vector<double>& start);
+
+constexpr double kRobustParts = 100;  ///< values for a drawing are multiples of a step/100
+
+}  // namespace gearwright
