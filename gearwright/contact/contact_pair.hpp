@@ -42,7 +42,7 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  Angle shaft_angle{};           ///< Σ
+  Angle axis_angle{};            ///< σ Σ: axis 2 lies along (0, sin, cos) of it
   bool gear2_drives = false;
   ContactErrors errors;
   /// Root fillets and rounded tips are included, so that contact of a fillet before the flanks is
