@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
@@ -146,14 +148,29 @@ GapOver inside(const TipMotion& motion, double limit) {
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  return [=, &motion](double u, double v) {
-    const double z = v * motion.a().half_face;
+  // ψ deepest in the teeth of B, and where they end to both sides; none if they are not reached.
+  struct Window {
+    double deepest, lo, hi;
+  };
+  const auto window_at = [=](double z) -> std::optional<Window> {
     const double deepest =
         place_of_least([&](double psi) { return beyond(psi, z); }, -kHalfPi, kHalfPi);
-    if (!(beyond(deepest, z) < 0.0)) return TipGap{};
-    const double away = u < 0.0 ? -kPi : kPi;
-    const double end = beyond(away, z) < 0.0 ? away : crossing(beyond, deepest, away, z);
-    return motion.at(mesh + deepest + std::abs(u) * (end - deepest), z);
+    if (!(beyond(deepest, z) < 0.0)) return std::nullopt;
+    const auto end = [&](double away) {
+      return beyond(away, z) < 0.0 ? away : crossing(beyond, deepest, away, z);
+    };
+    return Window{deepest, end(-kPi), end(kPi)};
+  };
+  // Many places have the same height.
+  const auto windows = std::make_shared<std::map<double, std::optional<Window>>>();
+  return [=, &motion](double u, double v) {
+    const double z = v * motion.a().half_face;
+    auto found = windows->find(z);
+    if (found == windows->end()) found = windows->emplace(z, window_at(z)).first;
+    const std::optional<Window>& w = found->second;
+    if (!w) return TipGap{};
+    const double end = u < 0.0 ? w->lo : w->hi;
+    return motion.at(mesh + w->deepest + std::abs(u) * (end - w->deepest), z);
   };
 }
 
