@@ -57,6 +57,7 @@ void collect_warnings(Arranged& arranged) {
              arranged.pair->shaft_angle().deg()),
          0});
   }
+  if (auto note = note_saddle(given, *arranged.pair)) arranged.warnings.push_back(*note);
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 

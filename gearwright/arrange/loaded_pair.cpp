@@ -70,6 +70,14 @@ std::optional<Error> not_made_for(const Gear& gear, int which) {
 }
 
 std::optional<Error> not_made_for(const Arranged& arranged) {
+  if (arranged.pair->mounted().crossed_inside()) {
+    Error error = refused("pair.shaft_angle", arranged.pair->shaft_angle().deg(),
+                          "crosses the axes of an internal pair; teeth under load are computed for "
+                          "internal pairs on parallel axes only. The verb contact computes where "
+                          "these teeth touch without load");
+    error.kind = FailureKind::not_under_load;
+    return error;
+  }
   for (int i = 1; i <= 2; ++i)
     if (auto error = not_made_for(arranged.gears[i - 1], i)) return error;
   return std::nullopt;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/pair/saddle_gap.hpp"
 
 namespace gearwright {
 
@@ -52,6 +54,32 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
                  fmt::format("Profile shifts chosen for a = {} mm: {}.",
                              format_number(*given.pair.center_distance), chosen_shifts(given)),
                  0};
+}
+
+std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair) {
+  if (!pair.mounted().crossed_inside()) return std::nullopt;
+  const CrossedPair* p = pair.as<CrossedPair>();
+  if (!p->flanks_meet()) return std::nullopt;
+  const auto clears = [&](std::size_t right_or_left) {
+    // The right flanks of the pinion touch the left flanks of the internal gear.
+    return clears_beside_line(p->input, p->mesh,
+                              {given.gear(1).modifications[right_or_left].lead_crowning,
+                               given.gear(2).modifications[1 - right_or_left].lead_crowning});
+  };
+  if (clears(0) && clears(1)) return std::nullopt;
+  std::string means;
+  for (const int which : {1, 2}) {
+    const auto& needed = p->needed_crowning[static_cast<std::size_t>(which - 1)];
+    if (!needed) continue;
+    means += fmt::format("{}more than {:.2f} µm on gear {}", means.empty() ? "" : ", or ",
+                         kUmPerMm * *needed, which);
+  }
+  return Warning{
+      WarningCode::saddle_gap,
+      fmt::format("The flanks are tangent on the line of action and overlap beside it, so edges "
+                  "touch and the ratio is not constant. Lead crowning prevents this: {}.",
+                  means),
+      0};
 }
 
 Warning not_read(const std::string& what) {

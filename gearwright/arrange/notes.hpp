@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
@@ -18,6 +19,10 @@ std::optional<Warning> note_shifts(const GivenPair& given);
 /// An error if `pair.choose_profile_shifts` is false and shifts are missing, with their names and
 /// possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);
+
+/// A note that the flanks of an internal pair on crossed axes overlap beside the line of action;
+/// none if the lead crowning of `given` prevents this on the flanks of both directions.
+std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
 /// `what` is a key or a table.
 Warning not_read(const std::string& what);

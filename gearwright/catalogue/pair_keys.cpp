@@ -33,9 +33,10 @@ const KeyTable& pair_keys() {
            "shaft_angle_deg", "Σ", KeyRange::inside(-180, 180, " (> 0 if right hands prevail)"),
            &PairInput::shaft_angle,
            "0 if the helix angles allow parallel axes; an error if both gears have the same hand "
-           "and helix angle; otherwise the angle of the minimum centre distance, with a warning",
-           "shaft angle Σ = β_w1 + β_w2; two right-hand gears have Σ > 0, two left-hand gears Σ < "
-           "0")
+           "and helix angle, and for internal pairs; otherwise the angle of the minimum centre "
+           "distance, with a warning",
+           "shaft angle Σ = β_w1 + β_w2, of internal pairs β_w1 − β_w2; two right-hand external "
+           "gears have Σ > 0, two left-hand ones Σ < 0")
            .with_also({"axis_angle", "crossing_angle"}),
        Key::number("backlash_mm", "j_n", no_pressing(),
                    KeyPlace::mean_and_ends<PairInput>(

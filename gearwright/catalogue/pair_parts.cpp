@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/pair/drive.hpp"
 
 namespace gearwright {
@@ -196,14 +197,15 @@ const Quantities<PairBacklash>& backlash_quantities() {
              &B::rotation)
         .per_gear()
         .always();
-    q.number(
-         "free_rotation_deg", "free play (mating gear fixed)", "",
-         "per gear, rotation without any contact; less than the backlash if other parts of the "
-         "teeth meet before the flanks; null if it was not computed or if a tip lies inside a root",
-         [](const B& b) {
-           if (!b.free) return Value();
-           return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
-         })
+    q.number("free_rotation_deg", "free play (mating gear fixed)", "",
+             "per gear, rotation without any contact; less than the backlash if other parts of the "
+             "teeth meet before the flanks; null if it was not computed (as on crossed axes with "
+             "an internal gear) or if a tip lies "
+             "inside a root",
+             [](const B& b) {
+               if (!b.free) return Value();
+               return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
+             })
         .per_gear()
         .shown([](const B& b) {
           constexpr double kSame = 1e-9;
@@ -311,6 +313,13 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.text("message", "sentence for users", &I::message).always();
   });
   return kAll;
+}
+
+std::array<std::optional<double>, 2> needed_crowning_um(const CrossedPair& pair) {
+  auto needed = pair.needed_crowning;
+  for (auto& crowning : needed)
+    if (crowning) *crowning *= kUmPerMm;
+  return needed;
 }
 
 const Quantities<Collision>& collision_quantities() {

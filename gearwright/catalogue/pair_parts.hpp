@@ -59,6 +59,9 @@ const Quantities<InvolutePair>& path_quantities();
 
 const Quantities<PairBacklash>& backlash_quantities();
 
+/// CrossedPair::needed_crowning, µm.
+std::array<std::optional<double>, 2> needed_crowning_um(const CrossedPair& pair);
+
 const Quantities<ParallelPair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();

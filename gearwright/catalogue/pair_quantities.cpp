@@ -170,6 +170,12 @@ void say_crossed(Quantities<V>& all) {
                       })
       .doors(kJson)
       .when(is<InvolutePair>);
+  q.number("needed_lead_crowning_um", "minimum lead crowning", "C_β",
+           "per gear, with an internal gear: crowning of this gear alone above which the flanks "
+           "clear each other beside the line of action [T4.36]; null if it is not sufficient",
+           [](const CrossedPair& p) { return needed_crowning_um(p); })
+      .per_gear()
+      .when([](const V& v) { return v.mounted().crossed_inside(); });
   all.under(kContact);
   q.number(
        "line_offset_mm", "offset of the line of action", "z_L",
@@ -184,9 +190,11 @@ void say_crossed(Quantities<V>& all) {
                              "null if the teeth are too thin",
                              &CrossedPair::min_distance);
   all.under("Contact ratio of 1 and more, free of backlash");
-  q.record<places_quantities>("contact_ratio_range",
-                              "places with AE ≥ p_bn [T4.23]; null if there is no such place",
-                              &CrossedPair::contact_ratio_range);
+  q.record<places_quantities>(
+      "contact_ratio_range",
+      "places with AE ≥ p_bn [T4.23]; null if there is no such place, and with an internal "
+      "gear",
+      &CrossedPair::contact_ratio_range);
 }
 
 void say_contact(Quantities<V>& q) {
@@ -267,7 +275,8 @@ void say_contact(Quantities<V>& q) {
   q.record<collision_quantities>(
        "overlap",
        "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34], on "
-       "crossed axes overlaps of tips and roots [T4.33]; null if they were not computed (circular "
+       "crossed axes overlaps of tips and roots [T4.33], with an internal gear also of tip "
+       "corners and flanks; null if they were not computed (circular "
        "arcs of unequal lead, an internal gear without a given cutter)",
        [](const V& v) {
          const auto& overlap = v.mounted().overlap;

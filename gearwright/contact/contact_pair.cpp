@@ -81,11 +81,16 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const double a = mount.center_distance + e.center_distance;
   const double r1 = radius(patches_[0], true);
   double cosine = (a - radius(patches_[1], true)) / r1;
+  double aside = 0.0;
   if (internal_) {
+    // On crossed axes a section of gear 1 lies aside of axis 2, at most by this at its end. [T4.37]
     const double r2 = radius(patches_[1], false);
-    cosine = a > 0.0 ? (r2 * r2 - a * a - r1 * r1) / (2 * a * r1) : -1.0;
+    const double off = g1.spec.face_width / 2 * std::abs(std::sin(mount.axis_angle.rad()));
+    const double across = 2 * r1 * off, along = 2 * a * r1;
+    cosine = a > 0.0 ? (r2 * r2 - a * a - r1 * r1 - off * off) / std::hypot(along, across) : -1.0;
+    aside = std::atan2(across, along);
   }
-  reach_ = std::acos(std::clamp(cosine, -1.0, 1.0));
+  reach_ = std::min(pi, std::acos(std::clamp(cosine, -1.0, 1.0)) + aside);
 }
 
 void ContactPair::add_patches(int which, const ContactGear& gear,
@@ -163,7 +168,7 @@ void ContactPair::set_mount() {
   tilt_ = detail::crossing_turn(mirror * e.crossing.rad()) *
           detail::intersecting_turn(turned * e.intersecting.rad());
   lift_ = Vec3(0, 0, turned * e.axial) + middle(1) * tilt_.col(2);
-  const Mat3 shaft = detail::shaft_turn(mirror * place_.shaft_angle.rad());
+  const Mat3 shaft = detail::shaft_turn(mirror * place_.axis_angle.rad());
   relative_.rotation = shaft * tilt_;
   relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0)) -
                     Vec3(0, 0, middle(2));

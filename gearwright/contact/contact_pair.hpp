@@ -46,7 +46,7 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  Angle shaft_angle{};           ///< Σ
+  Angle axis_angle{};            ///< σ Σ: axis 2 lies along (0, sin, cos) of it
   bool gear2_drives = false;
   ContactErrors errors;
   /// z of the middle of each face, mm: not 0 for a half of a double-helical gear. Errors tilt axis 1

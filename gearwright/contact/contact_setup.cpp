@@ -150,7 +150,7 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
                                       std::array<bool, 2> fields) {
   ContactSetup setup;
   setup.place_.center_distance = pair.center_distance();
-  setup.place_.shaft_angle = pair.shaft_angle();
+  setup.place_.axis_angle = pair.mounted().axis_angle();
   setup.place_.errors = errors;
   setup.modifications_ = modifications;
   for (int i = 0; i < 2; ++i) {

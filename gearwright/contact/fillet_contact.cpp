@@ -17,7 +17,7 @@ constexpr std::size_t kMaxRotations = 64;
 // Arm of the normal at the touch about axis 2.
 double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   const ContactMount& m = pair.place();
-  const double sigma = m.shaft_angle.rad();
+  const double sigma = m.axis_angle.rad();
   const Vec3 axis(0.0, std::sin(sigma), std::cos(sigma));
   const Vec3 on_axis(m.center_distance + m.errors.center_distance, 0.0, 0.0);
   return std::abs((p.point - on_axis).cross(p.normal).dot(axis));

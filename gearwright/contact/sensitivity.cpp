@@ -56,7 +56,7 @@ Change change_of_error(const ContactPair& pair, const GapJet& j, double z, Error
   const ContactErrors& e = pair.place().errors;
   const double g = mirror * e.crossing.rad();
   const double d = turned * e.intersecting.rad();
-  const Mat3 shaft = detail::shaft_turn(mirror * pair.place().shaft_angle.rad());
+  const Mat3 shaft = detail::shaft_turn(mirror * pair.place().axis_angle.rad());
   const Vec3 r = space(j.w1, z + pair.middle(1));  // from the point about which axis 1 tilts
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);

@@ -64,7 +64,7 @@ bool is_convex(const FlankPatch& f) {
 // Distance from the mesh, rad, within which points of one patch can lie inside the annulus of the
 // other. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
-  if (pair.place().shaft_angle != Angle()) return pair.reach();
+  if (pair.place().axis_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double lo = std::exp(one.u_lo);
   const double hi = std::exp(one.u_hi);

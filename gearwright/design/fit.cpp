@@ -209,6 +209,12 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
 }  // namespace
 
 Result<Fit> fit(const FitProblem& p) {
+  if (p.teeth[1] < 0 && p.shaft_angle && p.shaft_angle->rad() != 0.0) {
+    return refused("pair.shaft_angle", p.shaft_angle->deg(),
+                   "a fit covers internal pairs on parallel axes only; 0 is allowed. With given "
+                   "helix angles and shifts, the verb pair computes the centre distance at this "
+                   "angle");
+  }
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {

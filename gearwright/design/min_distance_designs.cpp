@@ -209,10 +209,6 @@ std::optional<Error> contradiction(const FitProblem& p) {
                    "no two helix angles give this shaft angle; it must lie between -179.7° and "
                    "179.7°");
   }
-  if (p.teeth[1] < 0 && p.shaft_angle->rad() != 0.0) {
-    return refused("pair.shaft_angle", p.shaft_angle->deg(),
-                   "an internal pair runs on parallel axes only; 0 is allowed");
-  }
   return std::nullopt;
 }
 

@@ -15,7 +15,7 @@ namespace gearwright {
 ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
                            double marking, ContactResult driving) {
   const ContactMount& m = pair.place();
-  const double sigma = m.shaft_angle.rad();
+  const double sigma = m.axis_angle.rad();
   const ContactAxis axis_1{pair.in_housing(0.0, 0.0),
                            pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))};
   const Vec3 direction_2(0, std::sin(sigma), std::cos(sigma));

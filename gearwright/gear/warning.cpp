@@ -86,6 +86,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::beyond_flank, "beyond_flank", kCaution,
      "parts of the outlines meet before the flanks do; there is also an entry of beyond_flank",
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
+    {C::saddle_gap, "saddle_gap", kCaution,
+     "internal gears on crossed axes: the flanks overlap beside the line of action, so that edges "
+     "touch; the message gives the lead crowning that prevents this [T4.36]",
+     "the flanks overlap beside the line of action"},
     {C::contact_below_form, "contact_below_form", kCaution,
      "verb contact: the tip of the mating gear passes the end of a usable flank without undercut "
      "and enters the fillet",

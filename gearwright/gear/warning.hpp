@@ -44,6 +44,7 @@ enum class WarningCode {
   // The gears run, but not as intended.
   contact_lost_to_undercut,  ///< of a gear
   beyond_flank,
+  saddle_gap,
   contact_below_form,
   fillet_contact,
   edge_carries,

@@ -182,7 +182,7 @@ SamplePair crossed(double hand = 1.0) {
       {testing::involute_gear(17, hand * 35, 24), testing::involute_gear(23, hand * 20, 24)},
       {},
       {}};
-  p.place.shaft_angle = Angle::degrees(hand * 55);
+  p.place.axis_angle = Angle::degrees(hand * 55);
   p.place.center_distance = (p.gears[0].reference_diameter + p.gears[1].reference_diameter) / 2;
   return p;
 }

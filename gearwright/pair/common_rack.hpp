@@ -28,6 +28,12 @@ T side_of(const BasePair<T>& gears) {
   return side_of(gears[1]);
 }
 
+/// β_b1 and σ β_b2, rad: the base helix angles as they add up to the shaft angle.
+template <class T>
+std::array<T, 2> adding_helix_angles(const BasePair<T>& gears) {
+  return {gears[0].helix_angle, side_of(gears) * gears[1].helix_angle};
+}
+
 /// r_b2 + σ r_b1, mm: the least centre distance of parallel axes. [T4.12]
 template <class T>
 T base_radius_sum(const BasePair<T>& gears) {

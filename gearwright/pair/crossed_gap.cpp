@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/math/lowest.hpp"
 #include "gearwright/pair/gap_profile.hpp"
 
 namespace gearwright::detail {
@@ -40,41 +44,39 @@ struct TipPoint {
   OutlinePlace place;
 };
 
-/// The tip of A at the root of B, over the places (ψ, v) of A's cylinder: ψ from the direction
-/// of axis B, v across the strip that lies within the form cylinder of B.
+/// The gap at a point of the tip of A against the outline of B.
+struct TipGap {
+  double value = std::numeric_limits<double>::infinity();  // of B
+  double side = 1.0;
+  double arm = 0.0;
+  double turn_a = 0.0;
+  Vec3 point = Vec3::Zero();  // in A at rest
+  ArcName arc = ArcName::root_fillet;
+};
+
+/// The tip of A against B, over the places of A's cylinder at which it reaches B: the azimuth and
+/// the height there.
 class TipMotion {
  public:
-  TipMotion(const Body& a, const Body& b, double distance, const TipPoint& tip)
+  TipMotion(const Body& a, const Body& b, const TipPoint& tip)
       : a_(a), b_(b), tip_(tip), to_b_(b.place.inverse() * a.place) {
     const Vec3 towards = to_b_.inverse() * Vec3::Zero();  // a point of axis B, in A
-    const Vec3 axis = to_b_.linear().transpose() * Vec3(0, 0, 1);
     start_ = std::atan2(towards.y(), towards.x());
-    along_ = axis.z();
-    across_ = -axis.x() * std::sin(start_) + axis.y() * std::cos(start_);
-    distance_ = distance;
-    const double c = (distance - b.form_radius) / tip.rho;
-    reach_ = c < 1.0 ? std::acos(std::max(-1.0, c)) : 0.0;
   }
 
-  bool reaches() const { return reach_ > 0.0; }
-  double reach() const { return reach_; }
+  const Body& a() const { return a_; }
+  const Body& b() const { return b_; }
+  double rho() const { return tip_.rho; }
+  /// Azimuth of axis B.
+  double start() const { return start_; }
+  /// The direction of axis B, in A.
+  Vec3 axis() const { return to_b_.linear().transpose() * Vec3(0, 0, 1); }
+  Vec3 in_b(double angle, double z) const {
+    return to_b_ * Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z);
+  }
 
-  struct Gap {
-    double value = std::numeric_limits<double>::infinity();  // of B
-    double side = 1.0;
-    double arm = 0.0;
-    double turn_a = 0.0;
-    Vec3 point = Vec3::Zero();  // in A at rest
-    ArcName arc = ArcName::root_fillet;
-  };
-
-  Gap at(double psi, double v) const {
-    const double d = distance_ - tip_.rho * std::cos(psi);
-    const double wide = std::sqrt(std::max(0.0, (b_.form_radius - d) * (b_.form_radius + d)));
-    double z = (tip_.rho * std::sin(psi) * along_ + v * wide) / across_;
-    z = std::clamp(z, -a_.half_face, a_.half_face);
-    Gap gap;
-    const double angle = start_ + psi;
+  TipGap at(double angle, double z) const {
+    TipGap gap;
     gap.point = Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z);
     const Vec3 q = to_b_ * gap.point;
     const double rho = std::hypot(q.x(), q.y());
@@ -97,34 +99,110 @@ class TipMotion {
   const Body& b_;
   TipPoint tip_;
   Eigen::Isometry3d to_b_;
-  double start_, along_, across_, distance_, reach_;
+  double start_;
 };
 
-// The least gap over the places: the best of a grid, then steps to the extreme of the quadratic
-// through nine places around it, with decreasing distances.
-TipMotion::Gap least_of(const TipMotion& motion) {
-  constexpr int kGrid = 9;
-  constexpr int kSteps = 14;
-  constexpr double kCloser = 0.4;
-  TipMotion::Gap best;
-  double x = 0.0, y = 0.0;
-  for (int i = 0; i < kGrid; ++i) {
-    for (int j = 0; j < kGrid; ++j) {
-      const double u = -1.0 + 2.0 * i / (kGrid - 1), v = -1.0 + 2.0 * j / (kGrid - 1);
-      const auto gap = motion.at(u * motion.reach(), v);
-      if (gap.value >= best.value) continue;
-      best = gap;
-      x = u;
-      y = v;
+// The ψ between `deepest`, at which `beyond` is negative, and `away`, at which it is not, on the
+// negative side of the change.
+template <class F>
+double crossing(const F& beyond, double deepest, double away, double z) {
+  constexpr int kHalvings = 50;
+  double in = deepest, out = away;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (in + out) / 2;
+    (beyond(middle, z) < 0.0 ? in : out) = middle;
+  }
+  return in;
+}
+
+/// The gap over the square [−1, 1]², to which the places are mapped; empty if there are none.
+using GapOver = std::function<TipGap(double, double)>;
+
+/// External pairs: ψ from the direction of axis B, and v across the strip that lies within the
+/// form cylinder of B.
+GapOver outside(const TipMotion& motion, double distance) {
+  const double form = motion.b().form_radius;
+  const Vec3 axis = motion.axis();
+  const double across = -axis.x() * std::sin(motion.start()) + axis.y() * std::cos(motion.start());
+  const double c = (distance - form) / motion.rho();
+  const double reach = c < 1.0 ? std::acos(std::max(-1.0, c)) : 0.0;
+  if (!(reach > 0.0)) return {};
+  return [=, &motion](double u, double v) {
+    const double psi = u * reach;
+    const double d = distance - motion.rho() * std::cos(psi);
+    const double wide = std::sqrt(std::max(0.0, (form - d) * (form + d)));
+    const double z = (motion.rho() * std::sin(psi) * axis.z() + v * wide) / across;
+    const double half = motion.a().half_face;
+    return motion.at(motion.start() + psi, std::clamp(z, -half, half));
+  };
+}
+
+/// Internal pairs: the height z of A's face, and ψ over the part of its section that lies beyond
+/// the radius `limit` of B, on the side of the teeth of B.
+GapOver inside(const TipMotion& motion, double limit) {
+  const bool ring = side_of(motion.a().teeth) < 0.0;
+  const double mesh = motion.start() + (ring ? 0.0 : kPi);
+  // Below 0 on the side of the teeth.
+  const auto beyond = [=, &motion](double psi, double z) {
+    const Vec3 q = motion.in_b(mesh + psi, z);
+    const double rho = std::hypot(q.x(), q.y());
+    return ring ? rho - limit : limit - rho;
+  };
+  // ψ deepest in the teeth of B, and where they end to both sides; none if they are not reached.
+  struct Window {
+    double deepest, lo, hi;
+  };
+  const auto window_at = [=](double z) -> std::optional<Window> {
+    const double deepest =
+        place_of_least([&](double psi) { return beyond(psi, z); }, -kHalfPi, kHalfPi);
+    if (!(beyond(deepest, z) < 0.0)) return std::nullopt;
+    const auto end = [&](double away) {
+      return beyond(away, z) < 0.0 ? away : crossing(beyond, deepest, away, z);
+    };
+    return Window{deepest, end(-kPi), end(kPi)};
+  };
+  // Many places have the same height.
+  const auto windows = std::make_shared<std::map<double, std::optional<Window>>>();
+  return [=, &motion](double u, double v) {
+    const double z = v * motion.a().half_face;
+    auto found = windows->find(z);
+    if (found == windows->end()) found = windows->emplace(z, window_at(z)).first;
+    const std::optional<Window>& w = found->second;
+    if (!w) return TipGap{};
+    const double end = u < 0.0 ? w->lo : w->hi;
+    return motion.at(mesh + w->deepest + std::abs(u) * (end - w->deepest), z);
+  };
+}
+
+struct Node {
+  double x, y;
+  TipGap gap;
+};
+
+// The gap at the places of a grid, row by row.
+std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
+  std::vector<Node> nodes;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const double u = -1.0 + 2.0 * i / (columns - 1), v = -1.0 + 2.0 * j / (rows - 1);
+      nodes.push_back({u, v, gap_at(u, v)});
     }
   }
-  double h = 1.0 / (kGrid - 1);
+  return nodes;
+}
+
+// Steps from a node to the extreme of the quadratic through nine places around it, with decreasing
+// distances.
+TipGap descend(const GapOver& gap_at, const Node& from, double h) {
+  constexpr int kSteps = 14;
+  constexpr double kCloser = 0.4;
+  TipGap best = from.gap;
+  double x = from.x, y = from.y;
   for (int step = 0; step < kSteps && std::isfinite(best.value); ++step, h *= kCloser) {
     std::array<std::array<double, 3>, 3> f{};
     const double x_0 = std::clamp(x, -1.0 + h, 1.0 - h), y_0 = std::clamp(y, -1.0 + h, 1.0 - h);
     const auto ask = [&](double u, double v) {
-      const auto gap =
-          motion.at(std::clamp(u, -1.0, 1.0) * motion.reach(), std::clamp(v, -1.0, 1.0));
+      const auto gap = gap_at(std::clamp(u, -1.0, 1.0), std::clamp(v, -1.0, 1.0));
       if (gap.value < best.value) {
         best = gap;
         x = std::clamp(u, -1.0, 1.0);
@@ -145,6 +223,41 @@ TipMotion::Gap least_of(const TipMotion& motion) {
     const double dx = std::clamp((-f_yy * f_x + f_xy * f_y) / det, -2.0, 2.0);
     const double dy = std::clamp((-f_xx * f_y + f_xy * f_x) / det, -2.0, 2.0);
     ask(x_0 + dx * h, y_0 + dy * h);
+  }
+  return best;
+}
+
+// The least gap: from the best node of an even grid.
+TipGap least_outside(const GapOver& gap_at) {
+  constexpr int kGrid = 9;
+  const std::vector<Node> nodes = grid_of(gap_at, kGrid, kGrid);
+  const auto best = std::min_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
+    return a.gap.value < b.gap.value;
+  });
+  return descend(gap_at, *best, 1.0 / (kGrid - 1));
+}
+
+// The least gap: from every node that is no greater than its neighbours, because the tip passes
+// several teeth of B.
+TipGap least_inside(const GapOver& gap_at) {
+  constexpr int kColumns = 49, kRows = 9;
+  const std::vector<Node> nodes = grid_of(gap_at, kColumns, kRows);
+  const auto value = [&](int i, int j) {
+    const bool within = i >= 0 && i < kColumns && j >= 0 && j < kRows;
+    return within ? nodes[static_cast<std::size_t>(i * kRows + j)].gap.value
+                  : std::numeric_limits<double>::infinity();
+  };
+  TipGap best;
+  for (int i = 0; i < kColumns; ++i) {
+    for (int j = 0; j < kRows; ++j) {
+      const double here = value(i, j);
+      if (!std::isfinite(here)) continue;
+      if (here > std::min({value(i - 1, j), value(i + 1, j), value(i, j - 1), value(i, j + 1)}))
+        continue;
+      const TipGap gap =
+          descend(gap_at, nodes[static_cast<std::size_t>(i * kRows + j)], 1.0 / (kColumns - 1));
+      if (gap.value < best.value) best = gap;
+    }
   }
   return best;
 }
@@ -170,21 +283,19 @@ std::vector<TipPoint> tip_points(const Body& body) {
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
   GW_EXPECTS(pair.crossed() && pair.gears[0].tooth && pair.gears[1].tooth);
   const std::array<Body, 2> bodies{body_of(pair, 1), body_of(pair, 2)};
+  const double ratio = static_cast<double>(bodies[0].teeth) / bodies[1].teeth;
   std::vector<OutlineTouch> touches;
   for (const std::size_t i : {0U, 1U}) {
     const Body& a = bodies[i];
     const Body& b = bodies[1 - i];
-    std::optional<OutlineTouch> least;
-    for (const TipPoint& tip : tip_points(a)) {
-      const TipMotion motion(a, b, pair.center_distance, tip);
-      if (!motion.reaches()) continue;
-      const auto gap = least_of(motion);
-      if (!std::isfinite(gap.value)) continue;
-      const double ratio = static_cast<double>(bodies[0].teeth) / bodies[1].teeth;
+    std::optional<OutlineTouch> at_fillet, at_flank;
+    const auto take = [&](const TipPoint& tip, const TipGap& gap,
+                          std::optional<OutlineTouch>& least) {
+      if (!std::isfinite(gap.value)) return;
       OutlineTouch t;
-      t.gap = i == 0 ? gap.value : gap.value * ratio;
-      t.arm = i == 0 ? gap.arm : gap.arm / ratio;
-      if (least && least->gap <= t.gap) continue;
+      t.gap = i == 0 ? gap.value : gap.value * std::abs(ratio);
+      t.arm = i == 0 ? gap.arm : gap.arm / std::abs(ratio);
+      if (least && least->gap <= t.gap) return;
       const double turn_b = gap.side * gap.value;
       // For the tip of gear 2, gear 1 was turned, so both are turned back until only gear 2 has
       // turned.
@@ -198,8 +309,19 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.places[i] = tip.place;
       t.places[1 - i] = {gap.arc, false};
       least = t;
+    };
+    for (const TipPoint& tip : tip_points(a)) {
+      const TipMotion motion(a, b, tip);
+      if (!pair.crossed_inside()) {
+        if (const GapOver gap_at = outside(motion, pair.center_distance))
+          take(tip, least_outside(gap_at), at_fillet);
+        continue;
+      }
+      take(tip, least_inside(inside(motion, b.form_radius)), at_fillet);
+      take(tip, least_inside(inside(motion, b.profile.tip_radius())), at_flank);
     }
-    if (least) touches.push_back(*least);
+    if (at_fillet) touches.push_back(*at_fillet);
+    if (at_flank && !(at_fillet && at_flank->gap >= at_fillet->gap)) touches.push_back(*at_flank);
   }
   return touches;
 }

@@ -35,10 +35,11 @@ TEST(FlankSpeeds, are_those_of_the_contact_over_the_turning_gears) {
   };
   for (const Case& c :
        {Case{9, 15, 51.6, 39.4, 0.0}, Case{17, 23, 20, 10, 0.05}, Case{13, 27, -45, -45, 0.1},
-        Case{12, 40, 70, -5, 0.0}, Case{17, 31, 0, 0, 0.1}}) {
+        Case{12, 40, 70, -5, 0.0}, Case{17, 31, 0, 0, 0.1}, Case{20, -61, 20, 10, -0.1},
+        Case{18, -50, -12, 5, 0.0}, Case{24, -90, 0, -15, 0.0}}) {
     SCOPED_TRACE(::testing::Message() << c.z1 << ":" << c.z2 << " " << c.beta1 << " " << c.beta2);
     const InvolutePair p = mounted(c.z1, c.z2, c.beta1, c.beta2, c.more);
-    const double sigma = p.shaft_angle.rad();
+    const double sigma = p.axis_angle().rad();
     const Vec3 axis_2(0.0, std::sin(sigma), std::cos(sigma));
     const Vec3 foot_2(p.center_distance, 0.0, 0.0);
     const auto& m = p.mesh;

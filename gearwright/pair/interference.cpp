@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/math/lowest.hpp"
 
 namespace gearwright::detail {
 
@@ -37,6 +39,34 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
        fmt::format(
            "The tip of gear {} reaches {:.4f} mm {} of gear {}, where there is no involute.", mate,
            -amount, where, gear)});
+}
+
+// How much nearer than on the centre line the tip cylinder of a gear is to the roots of its mating
+// gear, in a crossed internal pair: at an end of the part of both faces that overlaps. [T4.37]
+double nearer_at_ends(const InvolutePair& p, int tip) {
+  if (!p.crossed_inside()) return 0.0;
+  const bool ring = tip == 2;
+  const auto i = static_cast<std::size_t>(tip - 1);
+  const double r = p.gears[i].actual_tip_radius();
+  const double half = p.gears[i].spec.face_width / 2;
+  const double half_mate = p.gears[1 - i].spec.face_width / 2;
+  const double apart = ring ? -p.center_distance : p.center_distance;
+  const double cosine = std::cos(p.shaft_angle.rad());
+  const double sine = std::abs(std::sin(p.shaft_angle.rad()));
+  // Distance from the mating axis at the angle ψ from the mesh, < 0 for the tip of the pinion, which
+  // reaches outwards. The sign of y does not matter, because a half turn exchanges both.
+  const auto distance = [&](double psi) {
+    const double y = r * std::sin(psi);
+    const double lo = std::max(-half, (-half_mate + y * sine) / cosine);
+    const double hi = std::min(half, (half_mate + y * sine) / cosine);
+    if (lo > hi) return kInfinity;  // no part of both faces is there
+    const auto at = [&](double z) {
+      return std::hypot(apart + r * std::cos(psi), y * cosine + z * sine);
+    };
+    return ring ? at(std::clamp(-y * cosine / sine, lo, hi)) : -std::max(at(lo), at(hi));
+  };
+  const double on_centre_line = ring ? apart + r : -(apart + r);
+  return on_centre_line - distance(place_of_least(distance, -kHalfPi, kHalfPi));
 }
 
 }  // namespace
@@ -71,8 +101,8 @@ void find_tip_clearance(InvolutePair& p) {
     p.tip_clearance = {a - g1.actual_tip_radius() - g2.root_diameter / 2,
                        a - g2.actual_tip_radius() - g1.root_diameter / 2};
   } else {
-    p.tip_clearance = {g2.root_diameter / 2 - a - g1.actual_tip_radius(),
-                       g2.actual_tip_radius() - a - g1.root_diameter / 2};
+    p.tip_clearance = {g2.root_diameter / 2 - a - g1.actual_tip_radius() - nearer_at_ends(p, 1),
+                       g2.actual_tip_radius() - a - g1.root_diameter / 2 - nearer_at_ends(p, 2)};
   }
   for (int i : {0, 1}) {
     if (std::abs(p.tip_clearance[i]) <= noise(p)) {

@@ -9,6 +9,7 @@
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/interference.hpp"
+#include "gearwright/pair/saddle_gap.hpp"
 
 namespace gearwright {
 
@@ -23,7 +24,7 @@ constexpr double kNearlyParallel = 1.0;  // degrees
 
 void warn_about_axes(CrossedPair& p) {
   if (std::abs(p.shaft_angle.deg()) < kNearlyParallel) {
-    const double wanted = -p.gears[0].spec.helix_angle.deg();
+    const double wanted = -p.side() * p.gears[0].spec.helix_angle.deg();
     warn(
         p, WarningCode::nearly_parallel,
         fmt::format("The axes cross at {:.4g}°: the teeth touch in points. Parallel axes need the "
@@ -110,9 +111,36 @@ void warn_about_collisions(InvolutePair& p) {
 // implausible.
 constexpr double kMinCrossedDistance = 0.5;
 
+// The pinion lies inside the internal gear, and L > 0: its flanks are more curved than the concave
+// ones. [T4.34]
+std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
+  const BasePair<double>& gears = p.input.gears;
+  const auto& sides = rack.sides;
+  const auto to_pitch_point = [&](int i) {
+    return sides[i].pitch_point_curvature / std::cos(gears[i].helix_angle);
+  };
+  const double least =
+      std::max(0.0, sides[1].pitch_radius - sides[0].pitch_radius -
+                        (to_pitch_point(1) - to_pitch_point(0)) * rack.angles.sin_alpha);
+  const double most = sides[1].pitch_radius;
+  const double a = p.center_distance;
+  if (!(least < most)) {
+    return refused("pair.shaft_angle", Angle::radians(*p.input.shaft_angle).deg(),
+                   "at this angle the flanks of the pinion are nowhere more curved than those of "
+                   "the internal gear; a smaller helix angle of the pinion, or more teeth on the "
+                   "internal gear, would help");
+  }
+  if (a > least && a < most) return std::nullopt;
+  return refused("pair.center_distance", a, {least, most},
+                 "must be greater than {} mm, so that the flanks of the pinion are more curved "
+                 "than those of the internal gear, and less than {} mm, the working pitch radius "
+                 "of the internal gear");
+}
+
 std::optional<Error> check_place(const CrossedPair& p) {
   const double a = p.center_distance;
   const auto rack = common_rack(p.input.gears, working_angles(p.input));
+  if (side_of(p.input.gears) < 0.0) return check_place_inside(p, rack);
   const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
   const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
   if (a >= least && a <= most) return std::nullopt;
@@ -151,7 +179,22 @@ void find_own(CrossedPair& p) {
   if (const auto alpha = transverse_angle_at_min_distance(p.input.gears))
     p.min_distance = crossed_place(p.input.gears, *alpha);
   p.contact_ratio_range = contact_ratio_range(p.input);
+  if (p.crossed_inside()) p.needed_crowning = needed_crowning(p.input, p.mesh);
   p.face_widths = face_widths(p.mesh);
+}
+
+// Depth to which the flanks overlap beside the line of action, mm. Up to the second order it grows
+// with the square of the distance from the contact, which lies up to f'/2 off the middle of the face,
+// and it is the needed lead crowning at b/2. Higher orders add less than half of it (tested).
+double saddle_depth(const ParallelPair&) { return 0.0; }
+double saddle_depth(const CrossedPair& p) {
+  constexpr double kHigherOrders = 1.5;
+  double depth = 0.0;
+  for (std::size_t i : {0U, 1U}) {
+    const double off = std::min(1.0, p.face_widths.both_flanks[i] / p.input.face_width[i]);
+    depth = std::max(depth, p.needed_crowning[i].value_or(0.0) * (1 + off) * (1 + off));
+  }
+  return kHigherOrders * depth;
 }
 
 // Positions of the axes that follow from the gears as drawn.
@@ -185,7 +228,7 @@ Result<Kind> mounted(Gear gear_1, Gear gear_2, const PairPlace& place,
   detail::find_form_clearance(p);
   detail::find_tip_clearance(p);
   find_own(p);
-  detail::find_overlap(p);
+  detail::find_overlap(p, saddle_depth(p));
   warn_about_backlash(p);
   warn_about_line(p);
   warn_about_friction(p);
@@ -209,13 +252,15 @@ MeshInput<double> mesh_input(const Gear& g1, const Gear& g2, const PairPlace& pl
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha) {
   const auto d = detail::distance_and_line(gears, alpha);
   const auto angles = angles_at_transverse(gears, alpha);
+  const auto beta = adding_helix_angles(gears);
   double sigma = 0.0;
-  for (int i : {0, 1}) sigma += std::atan2(std::sin(gears[i].helix_angle), angles.u[i]);
+  for (int i : {0, 1}) sigma += std::atan2(std::sin(beta[i]), angles.u[i]);
   return {d.a.value, Angle::radians(sigma),
           Angle::radians(std::atan2(angles.sin_alpha, angles.cos_alpha))};
 }
 
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& in) {
+  if (side_of(in.gears) < 0.0) return std::nullopt;
   double reach = -normal_base_pitch(in.gears[0]);
   for (int i : {0, 1}) {
     reach += leaf::curvature_at(in.tip_form_radius[i], in.gears[i].radius) /
@@ -250,8 +295,8 @@ Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
   const double from_pitch_point = rho1 - mesh.rho1_C;
   if (crossed()) {
     const double lambda = from_pitch_point / mesh.line_cosine;
-    return {Vec3(side.pitch_radius + lambda * mesh.rack.angles.sin_alpha,
-                 -lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
+    return {Vec3(mesh.sigma * (side.pitch_radius + lambda * mesh.rack.angles.sin_alpha),
+                 -mesh.sigma * lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
   }
   // Pitch point at +r_w1 (external) or −r_w1 (internal); gear 1 turns clockwise, so the leading
   // flanks' normal there is (sin α, −cos α), turned half a turn for internal pairs.

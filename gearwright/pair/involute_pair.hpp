@@ -94,7 +94,9 @@ struct CrossedPair : InvolutePair {
   CrossedPair() = default;
   FaceWidths<double> face_widths{};
   std::optional<CrossedPlace> min_distance;          ///< of the teeth as cut
-  std::optional<CrossedPlaces> contact_ratio_range;  ///< where AE ≥ p_bn
+  std::optional<CrossedPlaces> contact_ratio_range;  ///< where AE ≥ p_bn, of external pairs
+  /// mm: of each gear alone, needed_crowning() of pair/saddle_gap.hpp; none on external pairs
+  std::array<std::optional<double>, 2> needed_crowning{};
 };
 
 /// The input of mesh_of for the two gears at this position.
@@ -103,8 +105,8 @@ MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairP
 /// The backlash-free position at the transverse angle α of the limiting gear. [T4.14]
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
-/// The positions at which a crossed pair's contact ratio is at least 1; none if there are none.
-/// [T4.23]
+/// The positions at which a crossed pair's contact ratio is at least 1; none if there are none, and
+/// of internal pairs, whose L is not convex. [T4.23]
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
 
 /// The position of two involute gears that the caller requests.

@@ -159,8 +159,7 @@ RackAngles<T> working_angles(const MeshInput<T>& in) {
 ///
 /// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19];
 ///           path, [T4.18]…[T4.21]
-/// Domain    parallel: a > |r_b2 + σ r_b1|; crossed: Σ within shaft_angle_range, external
-///           (contract)
+/// Domain    parallel: a > |r_b2 + σ r_b1|; crossed: Σ within shaft_angle_range (contract)
 /// Accuracy  ledger rows `mesh.*`, `crossed.*`
 template <class T>
 Mesh<T> mesh_of(const MeshInput<T>& in) {
@@ -183,12 +182,14 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
     m.pitch_point_curvature[i] = sides[i].pitch_point_curvature;
   }
   if (m.crossed) {
-    m.pitch_plane_distance = in.center_distance - sides[1].pitch_radius - sides[0].pitch_radius;
+    m.pitch_plane_distance =
+        m.sigma * (in.center_distance - sides[1].pitch_radius) - sides[0].pitch_radius;
     m.line_offset = -m.pitch_plane_distance * m.rack.angles.cos_alpha /
-                    (m.rack.angles.sin_alpha * (sides[0].tan_helix + sides[1].tan_helix));
-    // L c_1, L = Σ ρ_iC/c_i + X/sin α_n.
-    m.base_tangent_distance = m.pitch_point_curvature[0] + m.pitch_point_curvature[1] * c_1 / c_2 +
-                              m.pitch_plane_distance * c_1 / m.rack.angles.sin_alpha;
+                    (m.rack.angles.sin_alpha * (sides[0].tan_helix + m.sigma * sides[1].tan_helix));
+    // L c_1, L = ρ_2C/c_2 + σ (ρ_1C/c_1 + X/sin α_n).
+    m.base_tangent_distance = m.sigma * m.pitch_point_curvature[0] +
+                              m.pitch_point_curvature[1] * c_1 / c_2 +
+                              m.sigma * m.pitch_plane_distance * c_1 / m.rack.angles.sin_alpha;
   } else {
     m.pitch_plane_distance = T(0);
     m.line_offset = T(0);
@@ -242,7 +243,8 @@ FaceWidths<T> face_widths(const Mesh<T>& mesh) {
 /// Speed of the contact over each flank, mm per radian of gear 1: across the teeth and along them.
 /// On parallel axes the contact is followed in the transverse section.
 ///
-/// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)); [T4.24]
+/// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)), + on gear 1,
+///           −σ on gear 2; [T4.24]
 ///           parallel: ω_i ρ_i, [T2.22]
 template <class T>
 struct FlankSpeeds {
@@ -265,7 +267,7 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
     const RackSide<T>& side = mesh.rack.sides[i];
     const T lambda = (rho[i] - mesh.pitch_point_curvature[i]) / cos(in.gears[i].helix_angle);
     const T sin_a = mesh.rack.angles.sin_alpha;
-    const T sign = i == 0 ? T(1) : T(-1);
+    const T sign = i == 0 ? T(1) : T(-mesh.sigma);
     w.across[i] = omega[i] * side.cos_helix * (side.pitch_radius * sin_a + lambda);
     w.along[i] =
         sign * omega[i] * side.cos_helix * side.tan_helix * (side.pitch_radius + lambda * sin_a);

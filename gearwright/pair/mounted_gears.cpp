@@ -22,11 +22,12 @@ Pose<Housing, Gear1> MountedGears::pose_1() const {
 }
 
 Pose<Housing, Gear2> MountedGears::pose_2() const {
-  // Space 0, half a pitch from tooth 0, points to the mesh at −x; axis 2 along (0, sin Σ, cos Σ).
+  // Space 0, half a pitch from tooth 0, points to the mesh at −x; axis 2 along (0, sin σΣ,
+  // cos σΣ).
   const int z2 = std::abs(gears[1].spec.teeth);
   const SinCos t = sincos_turn(z2 - 1, 2LL * z2);
-  const double s = std::sin(shaft_angle.rad());
-  const double c = std::cos(shaft_angle.rad());
+  const double s = std::sin(axis_angle().rad());
+  const double c = std::cos(axis_angle().rad());
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear() << t.cos, -t.sin, 0.0, c * t.sin, c * t.cos, s, -s * t.sin, -s * t.cos, c;
   x.translation() = Vec3(center_distance, 0.0, 0.0);

@@ -33,10 +33,15 @@ struct MountedGears {
   std::vector<Warning> warnings;
 
   bool crossed() const { return shaft_angle.rad() != 0.0; }
+  /// True for a pinion in an internal gear on crossed axes, whose flanks overlap beside the line of
+  /// action and whose tips are closest at the ends of the faces. [T4.35], [T4.37]
+  bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
   /// The face width, mm, of gears whose teeth are `face` mm wide: that, or of double-helical gears
   /// both halves and the wider gap.
   double whole_face(double face) const;
+  /// σ Σ: axis 2 lies along (0, sin σΣ, cos σΣ). [T1.8]
+  Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0
   double gear_ratio() const;  ///< z2/z1, negative for internal pairs
   /// Gear frames in the housing at rotation 0. [T1.5]
   Pose<Housing, Gear1> pose_1() const;

@@ -133,7 +133,8 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
-// A tip below the mating gear's root circle, on the centre line.
+// A tip below the mating gear's root circle: on the centre line, but on crossed axes with an internal
+// gear at an end of a face.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -144,7 +145,8 @@ Collision in_root(const MountedGears& p, int tip) {
   touch.rotation_1 = tip == 1 ? 0.0 : std::numbers::pi / p.gears[0].spec.teeth;
   touch.places[i] = {ArcName::tip_land, false};
   touch.places[1 - i] = {ArcName::root_land, false};
-  return {CollisionCause::root, 3 - tip, depth, touch,
+  return {CollisionCause::root, 3 - tip, depth,
+          p.crossed_inside() ? std::nullopt : std::optional(touch),
           fmt::format("The tip of gear {} cuts {:.4g} mm into the root of gear {}.", tip, depth,
                       3 - tip)};
 }
@@ -228,7 +230,7 @@ std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
 
 }  // namespace
 
-void find_collisions(MountedGears& p, double half_play, double normal_play) {
+void find_collisions(MountedGears& p, double half_play, double normal_play, double saddle) {
   const double close = touching(p);
   p.overlap.emplace();
   for (int tip : {1, 2}) {
@@ -238,11 +240,15 @@ void find_collisions(MountedGears& p, double half_play, double normal_play) {
   if (!p.overlap->empty()) return;
   double least = half_play;
   const bool too_thick_teeth = -normal_play / 2 > close;
-  if (too_thick_teeth && p.crossed()) p.overlap->push_back(too_thick(normal_play, std::nullopt));
+  const bool flanks_compared = !p.crossed();
+  if (too_thick_teeth && !flanks_compared)
+    p.overlap->push_back(too_thick(normal_play, std::nullopt));
   for (const OutlineTouch& touch : touches_of(p, half_play)) {
     const double early = (half_play - touch.gap) * touch.arm;
-    if (early <= close) {
-      if (flank_on_flank(touch) && too_thick_teeth)
+    // Where a tip corner leaves the flank of the mating gear, the saddle of the gap explains this.
+    const bool of_fillet = gear_with(touch, ArcName::root_fillet) > 0;
+    if (early <= (of_fillet ? close : close + saddle)) {
+      if (flanks_compared && flank_on_flank(touch) && too_thick_teeth)
         p.overlap->push_back(too_thick(normal_play, touch));
       continue;
     }
@@ -258,11 +264,12 @@ void find_collisions(MountedGears& p, double half_play, double normal_play) {
   deepest_first(p.beyond_flank);
 }
 
-void find_overlap(InvolutePair& p) {
+void find_overlap(InvolutePair& p, double saddle) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
-  find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base);
+  find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
   // If a tip lies in a root, the outlines are not compared and all named findings remain.
   if (p.free_play) explain(p);
+  if (saddle > 0.0) p.free_play.reset();  // the flanks themselves leave less play
 }
 
 }  // namespace gearwright::detail

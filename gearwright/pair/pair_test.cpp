@@ -62,7 +62,7 @@ static_assert(!takes_a_number(&CylindricalSpec::helix_angle));
 static_assert(!takes_a_number(&CylindricalSpec::normal_pressure_angle));
 static_assert(!takes_a_number(&ContactErrors::crossing));
 static_assert(!takes_a_number(&ContactErrors::intersecting));
-static_assert(!takes_a_number(&ContactMount::shaft_angle));
+static_assert(!takes_a_number(&ContactMount::axis_angle));
 static_assert(!takes_a_number(&ContactPoint::te));
 static_assert(!takes_a_number(&CompensationTask::centering));
 static_assert(!takes_a_number(&FitProblem::shaft_angle));

@@ -23,6 +23,18 @@ constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
 constexpr const char* kReach = "these gears need a shaft angle greater than {}° and less than {}°";
 
+// The rules for hands of helices, in words.
+struct Hands {
+  const char* parallel;     ///< of parallel axes
+  const char* shaft_angle;  ///< of crossed axes, and what would help
+};
+constexpr Hands kExternal{"opposite",
+                          "right hand > 0, two left hands cross at a negative angle); more helix "
+                          "angle on either gear widens that"};
+constexpr Hands kInternal{"of the same hand",
+                          "helix angle of gear 1 minus that of the internal gear, right hand > 0); "
+                          "another helix angle on either gear moves that"};
+
 // `rule` is kReach.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
@@ -32,12 +44,14 @@ Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::stri
 std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sigma,
                                        const CylindricalSpec& gear_1) {
   const bool parallel = axes_are_parallel(gears);
+  const Hands& hands = side_of(gears) > 0.0 ? kExternal : kInternal;
   if (sigma == 0.0 && parallel) return std::nullopt;
   if (parallel) {
     return refused(
         "pair.shaft_angle", deg(sigma),
-        "these base helices are equal and opposite, so that the axes are parallel for every "
-        "centre distance; 0 is allowed, or another helix angle on one gear");
+        fmt::format("these base helices are equal and {}, so that the axes are parallel for every "
+                    "centre distance; 0 is allowed, or another helix angle on one gear",
+                    hands.parallel));
   }
   const auto range = shaft_angle_range(gears);
   if (sigma == 0.0) {
@@ -62,9 +76,7 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
   const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
   return beyond(
       range, sigma,
-      fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
-                  "negative angle); more helix angle on either gear widens that",
-                  deg(miss), kReach));
+      fmt::format("out of reach by {:.6g}°; {} ({}", deg(miss), kReach, hands.shaft_angle));
 }
 
 }  // namespace
@@ -112,12 +124,14 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
             p2 - p1, format_number(p1, p2), format_number(p2, p1), g2.normal_module * p1 / p2,
             2 * gears[1].radius * p1 / p2));
   }
-  if (z2 < 0 && !axes_are_parallel(gears)) {
+  const bool crossing = shaft_angle && shaft_angle->rad() != 0.0;
+  if (z2 < 0 && !crossing && !axes_are_parallel(gears)) {
+    // The flanks clear each other only with crowned leads, so the axes cross only if the user says.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
-        fmt::format("the axes of this internal pair would cross ({:.6g}°), and internal pairs need "
-                    "parallel axes; {}° (the same hand) is allowed for an internal gear of the "
-                    "same module",
+        fmt::format("the axes of this internal pair would cross ({:.6g}°); parallel axes need {}° "
+                    "(the same hand) on an internal gear of the same module, and crossed axes need "
+                    "`pair.shaft_angle`",
                     deg(gears[0].helix_angle - gears[1].helix_angle),
                     format_number(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }

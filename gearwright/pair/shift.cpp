@@ -35,20 +35,22 @@ ShiftSolution divided(const ShiftProblem& p, double sum, double a) {
 }
 
 Result<ShiftSolution> complete_crossed(const ShiftProblem& p) {
+  const double side = side_of(p.z2);
   double a_d = 0.0;
-  a_d += p.z1 * p.normal_module / (2 * std::cos(p.helix_angle[0].rad()));
-  a_d += p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1].rad()));
+  a_d += side * p.z1 * p.normal_module / (2 * std::cos(p.helix_angle[0].rad()));
+  a_d += side * p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1].rad()));
   const double given = p.x1.value_or(0.0) + p.x2.value_or(0.0);
   if (!p.center_distance) {
     // Only the extended position follows from the shifts alone. The backlash-free position depends
     // on the teeth.
     GW_EXPECTS(p.mounting == Mounting::extended);
-    return ShiftSolution{p.x1.value_or(0.0), p.x2.value_or(0.0), a_d + p.normal_module * given};
+    return ShiftSolution{p.x1.value_or(0.0), p.x2.value_or(0.0),
+                         a_d + side * p.normal_module * given};
   }
   const double a = *p.center_distance;
   if (p.x1 && p.x2) return ShiftSolution{*p.x1, *p.x2, a};
-  const double sum =
-      p.mounting == Mounting::extended ? (a - a_d) / p.normal_module : crossed_shift_sum(p, a);
+  const double sum = p.mounting == Mounting::extended ? side * (a - a_d) / p.normal_module
+                                                      : crossed_shift_sum(p, a);
   return divided(p, sum, a);
 }
 
@@ -71,7 +73,8 @@ double crossed_shift_sum(const ShiftProblem& p, double a) {
                                                  p.helix_angle[i].rad(), 0.0, 0.0}));
   }
   const auto rack = common_rack(unshifted, angles_at_shaft_angle(unshifted, p.shaft_angle->rad()));
-  const double X = a - rack.sides[0].pitch_radius - rack.sides[1].pitch_radius;
+  const double X =
+      side_of(unshifted) * (a - rack.sides[1].pitch_radius) - rack.sides[0].pitch_radius;
   return (2 * X * rack.angles.sin_alpha - rack.excess) * std::numbers::pi /
          (2 * normal_base_pitch(unshifted[0]) * std::tan(p.normal_pressure_angle.rad()));
 }

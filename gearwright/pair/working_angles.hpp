@@ -74,23 +74,24 @@ RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) 
 /// The shaft angles that a crossed pair can have, rad: both of one sign, ends excluded.
 template <class T>
 struct ShaftAngleRange {
-  T from;  ///< β_b1 + β_b2, as α_n → 0
+  T from;  ///< β_b1 + σ β_b2, as α_n → 0
   T to;    ///< where β_g reaches 90°
   bool contains(const T& sigma) const {
     return from < to ? from < sigma && sigma < to : to < sigma && sigma < from;
   }
 };
 
-/// Formula   cos Σ_max = −S_o/S_g; [T4.13]
-/// Domain    external pair; if least = greatest, the axes can only be parallel
+/// Formula   cos Σ_max = −σ S_o/S_g; [T4.13]
+/// Domain    if least = greatest, the axes can only be parallel
 template <class T>
 ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
   using std::acos;
   using std::sin;
   const int g = limiting_gear(gears);
-  const T least = gears[0].helix_angle + gears[1].helix_angle;
+  const auto beta = adding_helix_angles(gears);
+  const T least = beta[0] + beta[1];
   if (least == T(0)) return {least, least};
-  const T greatest = acos(T(-sin(gears[1 - g].helix_angle) / sin(gears[g].helix_angle)));
+  const T greatest = acos(T(-sin(beta[1 - g]) / sin(beta[g])));
   return {least, least > T(0) ? greatest : T(-greatest)};
 }
 
@@ -98,8 +99,8 @@ ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
 ///
 /// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise, cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos
 /// Σ)/sin² Σ,
-///           sin² α_n = (cos(β_b1 + β_b2) − cos Σ)(cos Σ + cos(β_b1 − β_b2))/sin² Σ, all written
-///           so that near-parallel axes do not cancel; [T4.13]
+///           sin² α_n = (cos(β_b1 + β_b2) − cos Σ)(cos Σ + cos(β_b1 − β_b2))/sin² Σ, all with σ S_2
+///           and σ β_b2, and written so that near-parallel axes do not cancel; [T4.13]
 /// Domain    shaft_angle_range contains Σ (contract)
 template <class T>
 RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
@@ -108,8 +109,7 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
   using std::sin;
   using std::sqrt;
   GW_EXPECTS(shaft_angle_range(gears).contains(sigma));
-  const T b1 = gears[0].helix_angle;
-  const T b2 = gears[1].helix_angle;
+  const auto [b1, b2] = adding_helix_angles(gears);
   const T s1 = sin(b1);
   const T s2 = sin(b2);
   const T sum = T(2) * sin((b1 + b2) / T(2)) * cos((b1 - b2) / T(2));  // S_1 + S_2
@@ -125,12 +125,32 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
   return a;
 }
 
+namespace detail {
+
+/// An internal pair whose pinion has the greater |β_b|: α at which both gears have the same number
+/// of teeth in the normal section, z/u³. Beyond it, Q falls and L at X = 0 is negative. [T4.38]
+template <class T>
+T transverse_angle_of_equal_virtual_teeth(const BasePair<T>& gears) {
+  using std::acos;
+  using std::cos;
+  using std::pow;
+  using std::sin;
+  using std::sqrt;
+  const T q = pow(T(-gears[1].teeth) / T(gears[0].teeth), T(2) / T(3)) - T(1);
+  const T s_1 = sin(gears[0].helix_angle);
+  const T s_2 = sin(gears[1].helix_angle);
+  const T u_1 = sqrt((s_1 - s_2) * (s_1 + s_2) / q);
+  const T c_1 = cos(gears[0].helix_angle);
+  return u_1 < c_1 ? T(acos(u_1 / c_1)) : T(0);
+}
+
+}  // namespace detail
+
 /// The rack at X = 0: of the least centre distance on crossed axes, free of backlash on parallel
 /// ones. None if the teeth are too thin (too thick on an internal gear).
 ///
 /// Formula   Q(α) = 0; [T4.15], [T5.17]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration;
-///           [T2.20]
-/// Domain    internal pairs: equal |β_b|
+///           [T2.20]. Internal pairs: the root at which Q rises; [T4.38]
 /// Accuracy  ledger rows `least_distance.*`
 template <class T>
 std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
@@ -145,12 +165,7 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
   if (!(low > T(0))) return std::nullopt;
   const T c_g = cos(gears[g].helix_angle);
   const T k = c_g / cos(gears[1 - g].helix_angle);
-  if (k == T(1) || gears[1].teeth < 0) return inverse_involute(low);
-  const T lo = inverse_involute(low);
-  const T hi = inverse_involute(T(excess / weight[g]));
-  T start = inverse_involute(T(excess / (weight[g] + weight[1 - g] * k * k * k)));
-  if (start < lo) start = lo;
-  if (start > hi) start = hi;
+  if (k == T(1)) return inverse_involute(low);
   const auto f = [&](const T& alpha) {
     const auto a = angles_at_transverse(gears, alpha);
     Slope<T> s{excess, T(0)};
@@ -162,7 +177,22 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
     }
     return s;
   };
-  const auto root = newton_in_bracket<T>(f, lo, hi, start, false);
+  T lo = inverse_involute(low);
+  T hi = lo;
+  T start = lo;
+  if (side_of(gears) > T(0)) {
+    hi = inverse_involute(T(excess / weight[g]));
+    start = inverse_involute(T(excess / (weight[g] + weight[1 - g] * k * k * k)));
+  } else if (g == 1) {
+    lo = inverse_involute(T(excess / weight[1]));  // with the internal gear alone
+  } else {
+    const auto turn = detail::transverse_angle_of_equal_virtual_teeth(gears);
+    if (!(lo < turn) || !(f(turn).value > T(0))) return std::nullopt;
+    hi = turn;
+  }
+  if (start < lo) start = lo;
+  if (start > hi) start = hi;
+  const auto root = newton_in_bracket<T>(f, lo, hi, start, side_of(gears) < T(0));
   GW_ENSURES(root.found());
   return root.x;
 }
@@ -223,6 +253,7 @@ DistanceAndLine<T> distance_and_line(const BasePair<T>& gears, const T& alpha) {
   using std::sin;
   const int g = limiting_gear(gears);
   const T k = base_excess(gears);
+  const T side = side_of(gears);
   const auto angles = angles_at_transverse(gears, alpha);
   const T s = angles.sin_alpha;
   DistanceAndLine<T> d{{k / (T(2) * s), T(0)},
@@ -230,7 +261,7 @@ DistanceAndLine<T> distance_and_line(const BasePair<T>& gears, const T& alpha) {
   T q = k;
   for (int i : {0, 1}) {
     const T c = cos(gears[i].helix_angle);
-    const T r = gears[i].radius;
+    const T r = side_of(gears[i]) * gears[i].radius;
     const T sin_t = s / c;
     const T cos_t = angles.u[i] / c;
     const auto share = arc_shares(sin_t, cos_t);
@@ -241,6 +272,8 @@ DistanceAndLine<T> distance_and_line(const BasePair<T>& gears, const T& alpha) {
     if (cos_t > T(0)) q -= T(2) * r * c * (sin_t / cos_t - share.distance * sin_t);
   }
   d.a.derivative = -q * angles.u[g] / (T(2) * s * s);
+  for (T* of_external : {&d.a.value, &d.a.derivative, &d.line.value, &d.line.derivative})
+    *of_external *= side;
   return d;
 }
 
@@ -292,6 +325,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
 /// so there is one interval.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
+/// Domain    external pairs
 template <class T>
 std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePair<T>& gears,
                                                                    const T& longest) {

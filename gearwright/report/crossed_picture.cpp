@@ -30,7 +30,7 @@ struct PlanFrame {
 };
 
 PlanFrame frame_of(const InvolutePair& pair, std::size_t which) {
-  const double sigma = which == 0 ? 0.0 : pair.shaft_angle.rad();
+  const double sigma = which == 0 ? 0.0 : pair.axis_angle().rad();
   return {{std::sin(sigma), std::cos(sigma)}, {std::cos(sigma), -std::sin(sigma)}};
 }
 
@@ -118,7 +118,7 @@ Figure plan_figure(const InvolutePair& pair) {
 // The teeth on the side of a pitch cylinder that is seen from gear 2's side: x > 0.
 void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const auto& side = pair.mesh.rack.sides[i];
-  const int z = pair.input.gears[i].teeth;
+  const int z = std::abs(pair.input.gears[i].teeth);
   if (z > kTeethShown) return;
   const double r = side.pitch_radius;
   const double half = pair.input.face_width[i] / 2;
@@ -164,15 +164,18 @@ bool plan_is_within(const InvolutePair& pair) {
 
 Figure whole_figure(const InvolutePair& pair) {
   const Vec2 half = whole_window(pair);
-  Figure f = plane_figure(
-      "whole", "The whole pair",
-      "Both gears seen along the centre line, gear 2 in front, with the direction of their teeth.",
-      {-half, half});
+  // An internal gear would hide its pinion.
+  const std::size_t front = pair.side() > 0.0 ? 1 : 0;
+  Figure f = plane_figure("whole", "The whole pair",
+                          fmt::format("Both gears seen along the centre line, gear {} in front, "
+                                      "with the direction of their teeth.",
+                                      front + 1),
+                          {-half, half});
   f.caption = fmt::format(
-      ", gear 2 in front: shaft angle {}°, centre distance {} mm{}.",
+      ", gear {} in front: shaft angle {}°, centre distance {} mm{}.", front + 1,
       fixed(pair.shaft_angle.deg(), kAngleDigits), fixed(pair.center_distance, kLengthDigits),
       plan_is_within(pair) ? "; the frame is the picture of the lines of action" : "");
-  for (const std::size_t i : {0u, 1u}) {
+  for (const std::size_t i : {1 - front, front}) {
     add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "solid ");
     add_teeth(f, pair, i);
   }

@@ -98,7 +98,7 @@ std::vector<CrossedSample> crossed_samples(const CrossedPair& pair) {
 }
 
 std::vector<Approximation> approximations(const CrossedPair& pair) {
-  const auto racks = shared_rack(pair);
+  const auto racks = pair.side() > 0.0 ? shared_rack(pair) : std::nullopt;
   if (!racks || !pair.min_distance) return {};
   const auto series = min_distance_series(*racks);
   std::vector<Approximation> all;

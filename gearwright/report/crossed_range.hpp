@@ -41,8 +41,8 @@ struct Approximation {
   Angle normal_pressure_angle;
 };
 
-/// The approximate solutions of the least centre distance (pair/series.hpp). There are none unless
-/// both gears have the same rack, with module and pressure angle equal within a relative 1e-9.
+/// The approximate solutions of the least centre distance (pair/series.hpp) of external pairs. There
+/// are none unless both gears have the same rack, with module and pressure angle equal within a relative 1e-9.
 /// Solutions without a rack are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 

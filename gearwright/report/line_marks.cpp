@@ -25,10 +25,11 @@ constexpr double kFar = 3.2;         // path lengths
 std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
   const char* end = leading ? "mark action-dot" : "mark trailing-dot";
-  std::vector<PathMark> marks{{leading ? "A" : "A′", m.rho1_A, end},
-                              {leading ? "E" : "E′", m.rho1_E, end},
-                              {leading ? "T_1" : "T_1′", 0.0, "mark hollow"},
-                              {leading ? "T_2" : "T_2′", m.base_tangent_distance, "mark hollow"}};
+  std::vector<PathMark> marks{
+      {leading ? "A" : "A′", m.rho1_A, end},
+      {leading ? "E" : "E′", m.rho1_E, end},
+      {leading ? "T_1" : "T_1′", 0.0, "mark hollow"},
+      {leading ? "T_2" : "T_2′", m.sigma * m.base_tangent_distance, "mark hollow"}};
   if (leading) marks.push_back({"C", m.rho1_C, "mark pitch-dot"});
   return marks;
 }
@@ -80,7 +81,7 @@ std::vector<double> line_ends(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   const Mesh<double>& m = pair.mesh;
   std::vector<double> ends{m.rho1_A, m.rho1_E};
-  for (const double rho1 : {0.0, m.base_tangent_distance, m.rho1_C}) {
+  for (const double rho1 : {0.0, m.sigma * m.base_tangent_distance, m.rho1_C}) {
     const double away = std::min(std::abs(rho1 - m.rho1_A), std::abs(rho1 - m.rho1_E));
     if (away < kFar * std::abs(m.path_length)) ends.push_back(rho1);
   }
@@ -90,7 +91,8 @@ std::vector<double> line_ends(const InvolutePair& pair) {
 void add_lines_of_action(Figure& f, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on, Lines lines) {
   const Mesh<double>& m = pair.mesh;
-  const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.base_tangent_distance, m.rho1_C};
+  const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.sigma * m.base_tangent_distance,
+                                   m.rho1_C};
   const auto [from, to] = std::minmax_element(ends.begin(), ends.end());
   const auto on_line = [&](bool leading, double rho1) {
     return on(leading ? pair.on_line_of_action(rho1) : pair.on_trailing_line(rho1));

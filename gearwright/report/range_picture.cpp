@@ -171,8 +171,9 @@ std::string range_figure(const CrossedPair& pair) {
       fmt::format(
           "<strong>Possible positions of the pair</strong> free of backlash. {} {} {}{}",
           caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),
-          pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
-                                   : "The contact ratio is below 1 everywhere.",
+          pair.side() < 0.0          ? ""
+          : pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
+                                     : "The contact ratio is below 1 everywhere.",
           by_hand ? " Hollow dots: approximate solutions of the least centre distance." : ""));
 }
 

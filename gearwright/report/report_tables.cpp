@@ -114,6 +114,10 @@ std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears,
 
 // The parts that were checked, if no interference was found.
 std::string nothing_strikes(const InvolutePair& p) {
+  if (p.overlap && p.crossed_inside()) {
+    return "<p>No interference of tips. They keep clear of roots, fillets and flanks. Whether the "
+           "flanks overlap beside the line of action depends on the lead crowning.</p>\n";
+  }
   if (p.overlap) {
     return fmt::format(
         "<p>No interference. In every position of a pitch, and over the whole backlash, the two "

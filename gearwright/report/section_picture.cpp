@@ -41,7 +41,7 @@ Lines lines_shown(const InvolutePair& pair) {
 Bounds window(const InvolutePair& pair) {
   Bounds box = box_of_lines(pair, lines_shown(pair));
   const Vec2 middle = (box.lo + box.hi) / 2;
-  box.cover({middle.x(), pair.mesh.rack.sides[0].pitch_radius});
+  box.cover({middle.x(), pair.side() * pair.mesh.rack.sides[0].pitch_radius});
   box.cover({middle.x(), pair.center_distance - pair.mesh.rack.sides[1].pitch_radius});
   const double m = pair.gears[0].spec.normal_module;
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
@@ -61,7 +61,8 @@ bool inside(const Figure& f, const Vec2& p) {
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);
-  const double up = i == 0 ? 1.0 : -1.0;  // gear 1 is below the mesh, so its top is there
+  // Gear 1 is below the mesh, so its top is there. In an internal gear, it is the bottom of both.
+  const double up = i == 0 ? pair.side() : -1.0;
   const auto at = [&](int k, double to) {
     const double angle = up * kHalfPi * (1.0 - to * k / kSteps);
     return Vec2(e.center + Vec2(e.half_width * std::cos(angle), e.half_height * std::sin(angle)));
@@ -91,15 +92,17 @@ void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const Name
 Figure section_of(const InvolutePair& pair) {
   Figure f = plane_figure(
       "section", "Section normal to the teeth",
-      "Tip, pitch and base cylinders of both gears cut by the plane of the leading line of action, "
-      "gear 1 below, gear 2 above, with both pitch planes and both lines of action.",
+      fmt::format(
+          "Tip, pitch and base cylinders of both gears cut by the plane of the leading line "
+          "of action, {}, with both pitch planes and both lines of action.",
+          pair.side() > 0.0 ? "gear 1 below, gear 2 above" : "both axes above"),
       window(pair));
   for (const std::size_t i : {0u, 1u}) {
     // Names of gear 1 are on the right, those of gear 2 on the left.
     const double side = i == 0 ? 1.0 : -1.0;
     for (const NamedCircle& cut : mesh_circles(pair, i)) add_cylinder(f, pair, i, cut, side);
     const double radius = pair.mesh.rack.sides[i].pitch_radius;
-    const double plane = i == 0 ? radius : pair.center_distance - radius;
+    const double plane = i == 0 ? pair.side() * radius : pair.center_distance - radius;
     f.line({{f.x.lo, plane}, {f.x.hi, plane}}, std::string("plane ") + kInk[i]);
     f.leaders.push_back({{side > 0 ? f.x.hi : f.x.lo, plane},
                          fmt::format("plane {}", i + 1),
@@ -117,13 +120,13 @@ Figure section_of(const InvolutePair& pair) {
 Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p) {
   const auto& side = pair.mesh.rack.sides[0];
   const double sin_helix = side.cos_helix * side.tan_helix;
-  return {sin_helix * p.r.z() - side.cos_helix * p.r.y(), p.r.x()};
+  return {sin_helix * p.r.z() - pair.side() * side.cos_helix * p.r.y(), p.r.x()};
 }
 
 SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius) {
   GW_EXPECTS(pair.crossed() && which < 2 && radius > 0.0);
   const auto& side = pair.mesh.rack.sides[which];
-  const double aside = (which == 0 ? 1.0 : -1.0) * pair.mesh.line_offset * side.tan_helix;
+  const double aside = (which == 0 ? 1.0 : -pair.side()) * pair.mesh.line_offset * side.tan_helix;
   return {{aside, which == 0 ? 0.0 : pair.center_distance}, radius / side.cos_helix, radius};
 }
 
@@ -131,13 +134,13 @@ std::string section_figure(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   Figure f = section_of(pair);
   f.caption = fmt::format(
-      " of the common rack, through the leading line, gear 1 below: the lines at their true length "
+      " of the common rack, through the leading line, {}: the lines at their true length "
       "under {} = {}°. Tip cylinders full, pitch cylinders dash-dot, base cylinders dashed; the "
       "pitch planes lie {} = {} mm apart, the lines {} mm on either side of the centre line, along "
       "the teeth.",
-      symbol_html("α_wn"), fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits),
-      symbol_html("X"), fixed(m.pitch_plane_distance, kLengthDigits),
-      fixed(std::abs(m.line_offset), kLengthDigits));
+      pair.side() > 0.0 ? "gear 1 below" : "both axes above", symbol_html("α_wn"),
+      fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
+      fixed(m.pitch_plane_distance, kLengthDigits), fixed(std::abs(m.line_offset), kLengthDigits));
   return figure_html(f, kWidth);
 }
 

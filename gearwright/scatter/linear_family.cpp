@@ -94,7 +94,7 @@ std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,
   none.errors = errors;
   const double exact = continuous_peak_to_peak(family.setup_, none, request).value;
   if (std::isnan(exact)) return std::nullopt;
-  const bool crossed = family.setup_.place().shaft_angle != Angle();
+  const bool crossed = family.setup_.place().axis_angle != Angle();
   GapSearch search(pair, heights_of(pair, crossed));
   for (int i = 0; i <= request.positions; ++i)
     family.add_position(search, pair.pitch() * (static_cast<double>(i) / request.positions - 0.5));

@@ -252,7 +252,9 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   check_teeth(t, p);
   p.modules = read_modules(t);
   if (p.shaft_angle && p.internal())
-    t.fail("shaft_angle_deg", "cannot be used with internal pairs, whose axes are parallel");
+    t.fail("shaft_angle_deg",
+           "cannot be used with internal pairs, because a search covers them on parallel "
+           "axes only; leave it out, or give the pair as [gear1], [gear2] and [pair]");
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);

@@ -82,7 +82,10 @@ std::string running(const InvolutePair& p, const std::string& contact) {
   return fmt::format(
       "{} {}{}.{}", contact,
       backlash_words(p.mesh.backlash.normal, p.center_distance, p.gears[0].spec.normal_module),
-      nothing_strikes ? " and no interference" : "", uncut_ring(&p.gears[1]) ? kNoCutter : "");
+      !nothing_strikes     ? ""
+      : p.crossed_inside() ? " and no interference of tips"
+                           : " and no interference",
+      uncut_ring(&p.gears[1]) ? kNoCutter : "");
 }
 
 std::string running(const ParallelPair& p) {

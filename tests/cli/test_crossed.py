@@ -27,6 +27,24 @@ base_helix_angle_deg = 36.595
 {}
 """
 WISH = "[gear1]\nteeth = 12\nnormal_module_mm = 1.5\nface_width_mm = 12\n{}\n[gear2]\nteeth = 24\nnormal_module_mm = 1.5\nface_width_mm = 12\n{}\n[pair]\n{}\n"
+# A pinion in an internal gear, its axis crossed by 10°.
+RING = """[gear1]
+teeth = 20
+normal_module_mm = 2
+helix_angle_deg = 20
+face_width_mm = 10
+thickness_allowance_mm = -0.05
+{}
+[gear2]
+teeth = -61
+normal_module_mm = 2
+helix_angle_deg = 10
+face_width_mm = 10
+tip_diameter_mm = 121.6
+thickness_allowance_mm = -0.05
+[pair]
+{}
+"""
 
 
 class Crossed(unittest.TestCase):
@@ -54,6 +72,68 @@ class Crossed(unittest.TestCase):
         self.assertEqual(r.status, 0, r.err)
         self.assertIn("case_out/pair.glb", r.files())
         self.assertIn("rossed", (r.folder / "case_out/report.html").read_text())
+
+    def test_an_internal_pair(self):
+        plain = Run("pair", RING.format("", "shaft_angle_deg = 10"), "--json")
+        self.assertEqual(plain.status, 0, plain.err)
+        p = plain.json["pair"]
+        self.assertEqual((p["kind"], p["gear_ratio"]), ("crossed", -61 / 20))
+        # Both gears lie on one rack, so their pitch cylinders are the reference cylinders.
+        self.assertAlmostEqual(p["working_normal_pressure_angle_deg"], 20, places=10)
+        self.assertAlmostEqual(p["center_distance_mm"], 61 / math.cos(math.radians(10)) - 20 / math.cos(math.radians(20)), places=9)
+        self.assertAlmostEqual(p["backlash"]["normal_mm"], 0.1, places=10)
+        self.assertIsNone(p["backlash"]["free_rotation_deg"])
+        self.assertIsNone(p["contact_ratio_range"])
+        warning = next(w for w in plain.json["warnings"] if w["code"] == "saddle_gap")
+        needed = p["needed_lead_crowning_um"]
+        self.assertIn(f"{needed[0]:.2f} µm on gear 1", warning["message"])
+        self.assertRegex(" ".join(Run("pair", RING.format("", "shaft_angle_deg = 10")).out.split()), "With a lead crowning of 5 µm on gear 1, the flanks clear each other")
+        for share, codes in ((0.97, ["saddle_gap"]), (1.03, [])):
+            crowned = f"[gear1.modifications]\nlead_crowning_um = {share * needed[0]}"
+            r = Run("pair", RING.format(crowned, "shaft_angle_deg = 10"), "--json")
+            self.assertEqual([w["code"] for w in r.json["warnings"] if w["code"] == "saddle_gap"], codes)
+        # Without crowning the edges lead by about the crowning; with crowning, flanks touch inside.
+        lead = {}
+        for crowning in (0, 3 * needed[0]):
+            text = RING.format(f"[gear1.modifications]\nlead_crowning_um = {crowning}", "shaft_angle_deg = 10")
+            points = Run("contact", text, "--json").json["contact"]["positions"]
+            arm = math.radians(1 / 3600) * 116.2 / 2 * math.cos(math.radians(9.4)) * 1000  # µm per arcsecond
+            half = p["backlash"]["rotation_deg"][1] / 2 * 3600
+            lead[crowning] = [(q["transmission_error_arcsec"] + half) * arm for q in points]
+        self.assertTrue(all(0.5 * needed[0] < t < 1.5 * needed[0] for t in lead[0]), lead)
+        self.assertTrue(all(-1e-6 < t < 0.3 * needed[0] for t in lead[3 * needed[0]]), lead)
+
+    def test_limits_of_an_internal_pair(self):
+        def error(verb, text):
+            r = Run(verb, text, "--json")
+            self.assertEqual(r.status, 1, text)
+            return r.json["error"]
+
+        e = error("pair", RING.format("", ""))
+        self.assertEqual(e["key"], "gear2.helix_angle_deg")
+        self.assertIn("pair.shaft_angle_deg", e["message"])
+        e = error("pair", RING.format("", "shaft_angle_deg = 9"))
+        self.assertEqual(e["key"], "pair.shaft_angle_deg")
+        self.assertIn("minus that of the internal gear", e["message"])
+        unshifted = RING.replace("_angle_deg = 20", "_angle_deg = 20\nprofile_shift = 0").replace("_angle_deg = 10", "_angle_deg = 10\nprofile_shift = 0")
+        placed = lambda a: unshifted.format("", f"shaft_angle_deg = 10\ncenter_distance_mm = {a}")
+        e = error("pair", placed(30))
+        self.assertEqual(e["key"], "pair.center_distance_mm")
+        self.assertIn("more curved", e["message"])
+        least = float(e["message"].split("greater than ")[1].split(" mm")[0])
+        for a, status in ((least * 0.9999, 1), (least * 1.0001, 0)):
+            self.assertEqual(Run("pair", placed(a)).status, status)
+        e = error("load", RING.format("", "shaft_angle_deg = 10\n[load]\ntorque_Nm = 10"))
+        self.assertEqual(e["key"], "pair.shaft_angle_deg")
+        self.assertIn("parallel axes only", e["message"])
+        e = error("fit", RING.format("", "shaft_angle_deg = 10\ncenter_distance_mm = 40"))
+        self.assertEqual(e["key"], "pair.shaft_angle_deg")
+
+    def test_files_of_an_internal_pair(self):
+        r = Run("run", RING.format("", "shaft_angle_deg = 10"), "--json")
+        self.assertEqual(r.status, 0, r.err)
+        for name in ("gear1.step", "gear2.step", "gear1.stl", "gear2.dxf", "pair.step", "pair.glb"):
+            self.assertIn("case_out/" + name, r.files())
 
     def test_a_gear_as_itself_works_like_any_other(self):
         self.assertEqual(Run("outline", BASIC.format(""), "--gear", 2, "--json").status, 0)

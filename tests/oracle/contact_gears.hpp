@@ -62,7 +62,7 @@ inline ContactMount contact_mount(const tca::Mounting& m) {
   const auto d = [](tca::Real x) { return static_cast<double>(x); };
   ContactMount out;
   out.center_distance = d(m.center_distance);
-  out.shaft_angle = Angle::radians(d(m.shaft_angle));
+  out.axis_angle = Angle::radians(d(m.shaft_angle));
   out.errors.center_distance = d(m.d_center);
   out.errors.crossing = Angle::radians(d(m.crossing));
   out.errors.intersecting = Angle::radians(d(m.intersecting));
@@ -71,7 +71,7 @@ inline ContactMount contact_mount(const tca::Mounting& m) {
 }
 
 inline tca::Mounting mounting_of(const ContactMount& m) {
-  return {m.center_distance,       m.shaft_angle.rad(),         m.errors.center_distance,
+  return {m.center_distance,       m.axis_angle.rad(),          m.errors.center_distance,
           m.errors.crossing.rad(), m.errors.intersecting.rad(), m.errors.axial};
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gearwright/gear/ring_cutter.hpp"
 #include "tests/oracle/engine_curves.hpp"
 #include "tests/oracle/numbers.hpp"
 #include "tests/property/random_crossed.hpp"
@@ -26,15 +27,18 @@ class Screwed {
   Screwed(const InvolutePair& pair, int which)
       : gear_(pair.gears[static_cast<std::size_t>(which - 1)]),
         place_(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
-        section_(gear_.spec.teeth, curves_of(gear_.tooth->outline)) {}
+        section_(std::abs(gear_.spec.teeth), curves_of(gear_.tooth->outline)) {}
 
   // Distance in the section of a point of the housing from the gear turned by `turn`; > 0 outside.
   double distance(const Vec3& housing, double turn) const {
     const Vec3 p = place_.inverse() * housing;
     if (std::abs(p.z()) > gear_.spec.face_width / 2) return 1.0;
+    const double short_of_tip =
+        gear_.side() * (std::hypot(p.x(), p.y()) - gear_.actual_tip_radius());
+    if (short_of_tip > 0.0) return short_of_tip;
     const double back = -turn - (gear_.lead == 0.0 ? 0.0 : 2 * kPi * p.z() / gear_.lead);
     const double c = std::cos(back), s = std::sin(back);
-    return section_.distance({c * p.x() - s * p.y(), s * p.x() + c * p.y()});
+    return gear_.side() * section_.distance({c * p.x() - s * p.y(), s * p.x() + c * p.y()});
   }
   // A point of the edge in which the flank of tooth 0 ends.
   Vec3 edge(double z, double turn, double side) const {
@@ -56,14 +60,16 @@ class Screwed {
 double deepest(const Screwed& one, const Screwed& two, bool first_moves, double away) {
   constexpr int kTurns = 60, kHeights = 81;
   double least = 1.0;
-  const double reach = std::min(one.half_face(), 12.0 * 2 * kPi / one.teeth());
+  const double reach = std::min(one.half_face(), 12.0 * 2 * kPi / std::abs(one.teeth()));
+  // In an internal gear, tips also come near each other away from the mesh.
+  const int around = one.teeth() * two.teeth() < 0 ? std::abs(one.teeth()) / 2 : 2;
   for (int i = 0; i < kTurns; ++i) {
     const double turn = 2 * kPi / one.teeth() * (i - kTurns / 2) / kTurns;
     const double mate = -turn * one.teeth() / two.teeth();
     // gear 2 is the displaced one
     const double turn_1 = first_moves ? turn : turn + away;
     const double turn_2 = first_moves ? mate + away : mate;
-    for (int k = -2; k <= 2; ++k) {
+    for (int k = -around; k <= around; ++k) {
       for (int j = 0; j < kHeights; ++j) {
         const double z = reach * (2.0 * j / (kHeights - 1) - 1.0);
         for (const double side : {1.0, -1.0}) {
@@ -121,6 +127,53 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
   EXPECT_EQ(pairs, 22);
   EXPECT_GT(strikes, 8);
   RecordProperty("strikes", strikes);
+}
+
+// Internal pairs of few teeth more on the internal gear, whose tips collide away from the mesh. If no
+// overlap is reported, no edge lies in the material in the middle of the play, which is greater than
+// the saddle of the flanks.
+TEST(CrossedGapOracle, tips_inside_an_internal_gear_collide_where_the_solids_do) {
+  property::Random random(4034);
+  int free = 0, strikes = 0;
+  for (int i = 0; i < 4000 && (free < 4 || strikes < 4); ++i) {
+    const auto specs = property::random_crossed_internal(random, 4, 24);
+    const double m = specs.first.normal_module;
+    const auto plain = property::mounted(specs, 0.15 * m);
+    if (!plain) continue;
+    const auto ring = cut_by_default(plain->gears[1]);
+    if (!ring) continue;
+    const auto pair = mount_as<CrossedPair>(plain->gears[0], *ring,
+                                            {plain->center_distance, plain->shaft_angle, {}});
+    if (!pair || !pair->overlap || !(pair->mesh.path_ratio > 0.8)) continue;
+    if (std::min(pair->tip_clearance[0], pair->tip_clearance[1]) < 0.0) continue;
+    const double half_play = pair->mesh.backlash.normal_base / 2;
+    bool shallow = true;
+    for (const auto& crowning : pair->needed_crowning)
+      shallow = shallow && crowning && 1.5 * *crowning < 0.5 * half_play;
+    if (!shallow) continue;
+    if (pair->overlap->empty() ? free >= 4 : strikes >= 4) continue;
+    SCOPED_TRACE(describe(specs));
+    const Screwed one(*pair, 1), two(*pair, 2);
+    if (pair->overlap->empty()) {
+      ++free;
+      EXPECT_GE(deepest(one, two, true, 0.0), -kCrossedShared);
+      EXPECT_GE(deepest(two, one, false, 0.0), -kCrossedShared);
+    }
+    for (const Collision& s : *pair->overlap) {
+      if (!s.touch) continue;
+      ++strikes;
+      const double turn_1 = -s.touch->rotation_1;
+      const double turn_2 =
+          -turn_1 * pair->gears[0].spec.teeth / pair->gears[1].spec.teeth + s.touch->turn_2;
+      const Vec3 p(s.touch->point.x(), s.touch->point.y(), s.touch->height);
+      const bool of_1 = s.touch->places[0].corner;
+      EXPECT_LE(std::abs((of_1 ? two : one).distance(p, of_1 ? turn_2 : turn_1)), kCrossedTight);
+      EXPECT_LT(std::min(deepest(one, two, true, 0.0), deepest(two, one, false, 0.0)), 0.0);
+    }
+    if (::testing::Test::HasFailure()) break;
+  }
+  EXPECT_GE(free, 4);
+  EXPECT_GE(strikes, 4);
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ bool has_round_tip(const Gear& gear) { return gear.tooth->outline.find(ArcName::
 ContactPair seen(const DisplacedPair& pair, bool gear2_drives, bool fillets) {
   return {{&pair.gears[0], {}},
           {&pair.gears[1], {}},
-          {pair.center_distance, Angle(), gear2_drives, pair.errors, fillets}};
+          {pair.center_distance, Angle(), gear2_drives, pair.errors, {}, fillets}};
 }
 
 // Both flanks of a tooth never touch at the same time.

@@ -151,7 +151,7 @@ inline ScrewContact random_screws(property::Random& random, ScrewKind kind) {
   }
   auto& place = s.set.mount;
   place.center_distance = distance;
-  place.shaft_angle = Angle::radians(parallel ? 0.0 : beta[0] + beta[1]);
+  place.axis_angle = Angle::radians(parallel ? 0.0 : beta[0] + beta[1]);
   const double tilt = parallel ? 2e-4 : 3e-3;
   place.errors.center_distance = 0.1 * m * size * random.unit();
   if (random.chance(0.8)) {

@@ -136,7 +136,7 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
     ++pairs;
     ContactMount place;
     place.center_distance = p->center_distance;
-    place.shaft_angle = p->shaft_angle;
+    place.axis_angle = p->axis_angle();
     place.gear2_drives = i % 3 == 0;
     const double sense = place.gear2_drives ? 1.0 : -1.0;
     const auto r = over_a_pitch(ContactPair({&p->gears[0], {}}, {&p->gears[1], {}}, place), 8);

@@ -16,12 +16,12 @@ namespace {
 using testing::kEps;
 constexpr int kCrossedPairs = 600;
 
-template <class Law>
-void over_crossed(std::uint64_t seed, double least, Law law) {
+template <class Draw, class Law>
+void over_pairs(std::uint64_t seed, Draw draw, Law law) {
   Random random(seed);
   int held = 0;
   for (int i = 0; i < kCrossedPairs; ++i) {
-    const CrossedSpecs specs = random_crossed(random, least);
+    const CrossedSpecs specs = draw(random);
     const auto pair = mounted(specs, i % 2 ? 0.0 : 0.1 * random.unit());
     if (!pair) continue;
     ++held;
@@ -34,6 +34,22 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
   EXPECT_GT(held, kCrossedPairs / 3);
 }
 
+// External pairs.
+template <class Law>
+void over_external(std::uint64_t seed, double least, Law law) {
+  over_pairs(
+      seed, [least](Random& random) { return random_crossed(random, least); }, law);
+}
+
+// External pairs, then internal ones.
+template <class Law>
+void over_crossed(std::uint64_t seed, double least, Law law) {
+  over_external(seed, least, law);
+  if (!::testing::Test::HasFailure())
+    over_pairs(
+        seed, [](Random& random) { return random_crossed_internal(random); }, law);
+}
+
 // Rounding of the angles as lengths. Near-parallel axes divide it by sin Σ.
 double grain(const CrossedPair& p) {
   return 256 * kEps * (p.center_distance + p.input.gears[1].radius) /
@@ -41,7 +57,7 @@ double grain(const CrossedPair& p) {
 }
 
 TEST(CrossedLaws, exchanging_the_gears) {
-  over_crossed(401, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
+  over_external(401, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     const auto q =
         mount_as<CrossedPair>(p.gears[1], p.gears[0], {p.center_distance, specs.shaft_angle, 0.05});
     ASSERT_TRUE(q) << q.error().message();
@@ -126,10 +142,11 @@ TEST(CrossedLaws, line_of_action) {
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r, E = p.on_line_of_action(p.mesh.rho1_E).r;
     const double alpha = p.mesh.rack.normal_pressure_angle;
     const double beta = p.mesh.rack.sides[0].helix_angle;
-    const Vec3 n(std::sin(alpha), -std::cos(alpha) * std::cos(beta),
+    const Vec3 n(p.side() * std::sin(alpha), -p.side() * std::cos(alpha) * std::cos(beta),
                  std::cos(alpha) * std::sin(beta));
     EXPECT_LT(((E - A) - n * p.path_length()).norm(), tiny);
-    const Vec3 axis_2(0.0, std::sin(specs.shaft_angle.rad()), std::cos(specs.shaft_angle.rad()));
+    const double turn = p.side() * specs.shaft_angle.rad();
+    const Vec3 axis_2(0.0, std::sin(turn), std::cos(turn));
     const Vec3 foot_2(p.center_distance, 0.0, 0.0);
     EXPECT_NEAR(line_to_axis(A, n, Vec3::Zero(), Vec3::UnitZ()), p.input.gears[0].radius, tiny);
     EXPECT_NEAR(line_to_axis(A, n, foot_2, axis_2), p.input.gears[1].radius, tiny);
@@ -147,7 +164,8 @@ TEST(CrossedLaws, backlash) {
     ASSERT_TRUE(p.backlash_free_center_distance);
     const double more = random.uniform(-0.2, 0.5);
     const auto q = mount_as<CrossedPair>(
-        p.gears[0], p.gears[1], {*p.backlash_free_center_distance + more, specs.shaft_angle});
+        p.gears[0], p.gears[1],
+        {*p.backlash_free_center_distance + p.side() * more, specs.shaft_angle});
     ASSERT_TRUE(q);
     EXPECT_NEAR(q->mesh.backlash.normal_base, 2 * more * p.mesh.rack.angles.sin_alpha, grain(p));
     EXPECT_EQ(q->mesh.rack.normal_pressure_angle, p.mesh.rack.normal_pressure_angle);
@@ -180,11 +198,11 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
     const auto rack = common_rack(g, angles_at(g, alpha_n));
     const double slope = conjugate_center_distance_slope(g, rack);
     EXPECT_NEAR(a.derivative(1), slope, 1e-12 * p.center_distance / alpha_n);
-    // The form without cancellation is the sum r_1 + r_2 + X.
-    EXPECT_NEAR(
-        a.derivative(0),
-        rack.sides[0].pitch_radius + rack.sides[1].pitch_radius + rack.tight_plane_distance(),
-        grain(p));
+    // The form without cancellation is r_2 + σ (r_1 + X).
+    EXPECT_NEAR(a.derivative(0),
+                rack.sides[1].pitch_radius +
+                    p.side() * (rack.sides[0].pitch_radius + rack.tight_plane_distance()),
+                grain(p));
     ASSERT_TRUE(p.min_distance);
     for (const double away : {-0.02, -1e-3, 1e-3, 0.02}) {
       const double there = p.min_distance->normal_pressure_angle.rad() + away;
@@ -194,29 +212,30 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
   });
 }
 
-// dΣ moves a by z_L/tan α_n, to the first order.
+// dΣ moves a by σ z_L/tan α_n, to the first order.
 TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
   over_crossed(407, 10.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
-    constexpr double kStep = 1e-5;
+    // α_n depends on how far Σ is from the end of its range.
+    const double step = 1e-4 * std::abs(specs.shaft_angle.rad() - shaft_angle_range(g).from);
     const auto distance = [&](double sigma) {
       return conjugate_center_distance(g, common_rack(g, angles_at_shaft_angle(g, sigma)));
     };
     const double numeric =
-        (distance(specs.shaft_angle.rad() + kStep) - distance(specs.shaft_angle.rad() - kStep)) /
-        (2 * kStep);
+        (distance(specs.shaft_angle.rad() + step) - distance(specs.shaft_angle.rad() - step)) /
+        (2 * step);
     const auto tight = mount_as<CrossedPair>(p.gears[0], p.gears[1],
                                              {*p.backlash_free_center_distance, specs.shaft_angle});
     ASSERT_TRUE(tight);
-    const double slope =
-        tight->mesh.line_offset * p.mesh.rack.angles.cos_alpha / p.mesh.rack.angles.sin_alpha;
+    const double slope = p.side() * tight->mesh.line_offset * p.mesh.rack.angles.cos_alpha /
+                         p.mesh.rack.angles.sin_alpha;
     EXPECT_NEAR(numeric, slope, 1e-5 * (std::abs(slope) + p.center_distance));
   });
 }
 
 // Both positions at a distance above the least one have that distance.
 TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
-  over_crossed(408, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random& random) {
+  over_external(408, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random& random) {
     const BasePair<double>& g = p.input.gears;
     const double a = p.min_distance->center_distance * (1 + 0.02 * random.unit());
     const auto places = transverse_angles_at_distance(g, a);
@@ -236,7 +255,7 @@ TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
 // ε = 1 at the ends of the interval, more inside, less outside.
 TEST(CrossedLaws, range_of_the_contact_ratio) {
   int ends = 0;
-  over_crossed(409, 5.0, [&](const CrossedSpecs&, const CrossedPair& p, Random&) {
+  over_external(409, 5.0, [&](const CrossedSpecs&, const CrossedPair& p, Random&) {
     const auto ratio_at = [&](const CrossedPlace& place) {
       MeshInput<double> in = p.input;
       in.shaft_angle = place.shaft_angle.rad();
@@ -276,8 +295,8 @@ TEST(CrossedLaws, range_of_the_contact_ratio) {
 TEST(CrossedLaws, parallel_axes_are_the_limit) {
   Random random(410);
   int held = 0;
-  for (int i = 0; i < 200; ++i) {
-    const SpecPair specs = random_pair(random, false);
+  for (int i = 0; i < 400; ++i) {
+    const SpecPair specs = random_pair(random, i >= 200);
     const auto p = mounted(specs);
     if (!p) continue;
     ++held;
@@ -308,10 +327,10 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
         EXPECT_NEAR(rack.sides[k].tooth_thickness_normal, rack_p.sides[k].tooth_thickness_normal,
                     scale * p->center_distance);
       }
-      // dj_bn/da at the backlash-free position: 2 sin α_n on crossed axes, and the same on parallel
-      // ones.
+      // σ dj_bn/da at the backlash-free position: 2 sin α_n on crossed axes, and the same on
+      // parallel ones.
       MeshInput<double> in = p->input;
-      in.center_distance += 1e-4;
+      in.center_distance += p->side() * 1e-4;
       const double slope = mesh_of(in).backlash.normal_base / 1e-4;
       EXPECT_NEAR(slope, 2 * rack.angles.sin_alpha, scale + 1e-3 * slope);
       const double difference = std::abs(a - p->center_distance);

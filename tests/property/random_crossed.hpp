@@ -51,8 +51,40 @@ inline CrossedSpecs random_crossed(Random& random, double least, bool racks = tr
   }
 }
 
-/// Mounted at a distance `play` mm above the one without backlash. Returns nothing if a gear is
-/// impossible.
+/// A pinion and an internal gear of one rack whose reference helices differ by 2° to 25°. Σ is drawn
+/// near that of the least distance, at which the line of action passes near the middle of the faces.
+inline CrossedSpecs random_crossed_internal(Random& random, int least_more = 14,
+                                            int most_more = 70) {
+  for (;;) {
+    CrossedSpecs s;
+    CylindricalSpec& a = s.first;
+    a.normal_module = random.pick({1.0, 2.0, 3.0});
+    a.normal_pressure_angle = Angle::degrees(random.pick({20.0, 20.0, 25.0}));
+    a.teeth = random.integer(12, 40);
+    a.helix_angle = Angle::degrees(random.chance(0.15) ? 0.0 : random.uniform(-35.0, 35.0));
+    a.face_width = a.normal_module * random.uniform(4.0, 10.0);
+    a.rack = *iso53_rack("ISO53-A");
+    a.profile_shift = random.uniform(-0.1, 0.5);
+    CylindricalSpec& b = s.second;
+    b = a;
+    b.teeth = -(a.teeth + random.integer(least_more, most_more));
+    const double apart = random.uniform(2.0, 25.0) * (random.chance(0.5) ? 1.0 : -1.0);
+    b.helix_angle = Angle::degrees(random.chance(0.15) ? 0.0 : a.helix_angle.deg() + apart);
+    b.face_width = a.face_width * random.uniform(0.7, 1.3);
+    b.profile_shift = -a.profile_shift + random.uniform(-0.15, 0.15);
+    const BasePair<double> gears = nominal_base_pair(a, b);
+    const auto range = shaft_angle_range(gears);
+    if (std::abs(range.from) < 1.5 * std::numbers::pi / 180) continue;
+    const auto alpha = transverse_angle_at_min_distance(gears);
+    if (!alpha) continue;
+    const double middle = crossed_place(gears, *alpha).shaft_angle.rad();
+    s.shaft_angle = Angle::radians(middle + random.uniform(-0.02, 0.02) * (middle - range.from));
+    return s;
+  }
+}
+
+/// Mounted with the pitch planes `play` mm farther apart than without backlash. Returns nothing if
+/// a gear is impossible.
 inline std::optional<CrossedPair> mounted(const CrossedSpecs& s, double play = 0.0) {
   auto g1 = make_gear(s.first);
   auto g2 = make_gear(s.second);
@@ -60,8 +92,9 @@ inline std::optional<CrossedPair> mounted(const CrossedSpecs& s, double play = 0
   const auto tight =
       complete_place(nominal_base_pair(s.first, s.second), std::nullopt, s.shaft_angle);
   if (!tight) return std::nullopt;
-  auto pair = mount_as<CrossedPair>(std::move(g1).take(), std::move(g2).take(),
-                                    {tight->center_distance + play, tight->shaft_angle, 0.05});
+  auto pair = mount_as<CrossedPair>(
+      std::move(g1).take(), std::move(g2).take(),
+      {tight->center_distance + side_of(s.second.teeth) * play, tight->shaft_angle, 0.05});
   if (!pair) return std::nullopt;
   return std::move(pair).take();
 }

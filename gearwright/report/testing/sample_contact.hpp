@@ -47,7 +47,7 @@ inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMou
 }
 
 inline ContactMount mount_of(const InvolutePair& pair, const ContactErrors& errors = {}) {
-  return {pair.center_distance, pair.shaft_angle, false, errors};
+  return {pair.center_distance, pair.axis_angle(), false, errors};
 }
 
 /// A pair 17/43 with its axes crossed by 0.02°, so that edges carry all the time.
