@@ -39,8 +39,10 @@ CLI::Validator between(const ToleranceRange& range) {
 }
 
 void spec_argument(CLI::App* sub, Options& o) {
-  sub->add_option("SPEC", o.spec,
-                  "The spec file: TOML, or JSON if its name ends in .json; -: standard input")
+  sub->add_option(
+         "SPEC", o.spec,
+         "The spec file: TOML, JSON if its name ends in .json, or REXS if it ends in .rexs; -: "
+         "standard input")
       ->required();
 }
 
@@ -161,6 +163,8 @@ void CommandLine::add_files() {
   files->add_option("--drawing", o.drawing,
                     "Workshop drawing with the gear data, one sheet for each gear: .pdf, .svg or "
                     ".dxf");
+  files->add_option("--rexs", o.rexs,
+                    "REXS 1.7, the exchange format of gear units, of a pair or a drive");
   files->add_option("--sheet", o.sheet, "A4 (default) or A3, of the workshop drawing")
       ->check(CLI::IsMember({"A4", "A3"}));
   files->add_option("--step-schema", o.step_schema, "ap242 (default), or ap214 for older systems")
@@ -191,6 +195,11 @@ void CommandLine::add_others() {
       ->expected(0, 2);
   batch->add_option("--threads", o.threads, "Threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
+
+  CLI::App* import =
+      verb("import", "Print a REXS file as a spec; every verb also reads the file itself",
+           "gearwright import gearbox.rexs > gearbox.toml");
+  spec_argument(import, o);
 
   CLI::App* verify = json_verb("verify",
                                "Compare results with case files of published numbers and list "
@@ -270,6 +279,7 @@ int CommandLine::answer(const std::string& verb) const {
     print(manual_page(app_));
     return 0;
   }
+  if (verb == "import") return import_verb(o);
   if (verb == "verify") return verify_verb(o);
   return usage("the verb " + verb + " is not supported in this version; see gearwright --help");
 }

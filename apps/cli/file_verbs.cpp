@@ -15,6 +15,7 @@
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/rexs_export.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 
 namespace gearwright::apps {
@@ -63,7 +64,7 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
   for (const std::string* name :
-       {&o.step, &o.stl, &o.glb, &o.threemf, &o.dxf, &o.svg, &o.drawing}) {
+       {&o.step, &o.stl, &o.glb, &o.threemf, &o.dxf, &o.svg, &o.drawing, &o.rexs}) {
     if (name->empty()) continue;
     std::error_code error;
     const fs::path path = fs::weakly_canonical(fs::absolute(*name), error);
@@ -125,6 +126,11 @@ int export_drive(const Options& o, const Door& door, const JobSpec& spec,
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
+  if (!o.rexs.empty()) {
+    auto file = make_rexs(*job, o.rexs);
+    if (!file) return door.fail(file.error());
+    files.push_back(std::move(file).take());
+  }
   return end_export(o, files, job->drive.findings);
 }
 
@@ -152,7 +158,8 @@ int run_verb(const Options& o) {
   fs::path out = o.out.value_or("");
   if (out.empty()) {
     out = fs::path(o.spec);
-    if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
+    if (out.extension() == ".toml" || out.extension() == ".json" || out.extension() == ".rexs")
+      out.replace_extension();
     out += "_out";
   }
   if (spec->drive) return run_drive(o, door, *spec, out, options);
@@ -171,12 +178,14 @@ int export_verb(const Options& o) {
   const WantedFiles wanted{{FileKind::step, &o.step}, {FileKind::stl, &o.stl},
                            {FileKind::glb, &o.glb},   {FileKind::threemf, &o.threemf},
                            {FileKind::dxf, &o.dxf},   {FileKind::svg, &o.svg}};
-  bool any = !o.drawing.empty();
+  bool any = !o.drawing.empty() || !o.rexs.empty();
   for (const auto& [kind, path] : wanted) any = any || !path->empty();
   if (!any)
     return usage(
-        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing with a "
-        "file name");
+        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing, --rexs "
+        "with a file name");
+  if (o.gear && !o.rexs.empty())
+    return usage("--rexs writes both gears of a pair; leave out --gear");
   const auto format = sheet_format(o.drawing);
   if (!o.drawing.empty() && !format)
     return usage("--drawing takes a name that ends in .pdf, .svg or .dxf, and not " + o.drawing);
@@ -223,7 +232,20 @@ int export_verb(const Options& o) {
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
+  if (!o.rexs.empty()) {
+    auto file = make_rexs(*job, o.rexs);
+    if (!file) return door.fail(file.error());
+    files.push_back(std::move(file).take());
+  }
   return end_export(o, files, job->warnings);
+}
+
+int import_verb(const Options& o) {
+  const Door door(o);
+  const auto text = read_spec_text(o.spec);
+  if (!text) return door.fail(text.error());
+  print(text->text);
+  return 0;
 }
 
 }  // namespace gearwright::apps

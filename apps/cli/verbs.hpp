@@ -19,7 +19,7 @@ struct Options {
   std::optional<std::string> only;  // of run: words of kRunParts
   std::optional<int> gear;
   int points = 50;
-  std::string step, stl, glb, threemf, dxf, svg, drawing;
+  std::string step, stl, glb, threemf, dxf, svg, drawing, rexs;
   std::string sheet = "A4";
   std::string step_schema = "ap242";
   double mesh_tolerance = 0.005;     // mm
@@ -48,6 +48,7 @@ int nominal_points(const Options& o);
 int run_verb(const Options& o);
 int outline_verb(const Options& o);
 int export_verb(const Options& o);
+int import_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);
 

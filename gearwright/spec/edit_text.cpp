@@ -57,13 +57,6 @@ bool has_null(const Json& value) {
   return std::any_of(value.begin(), value.end(), has_null);
 }
 
-// A value in the form after "key = ".
-std::string value_text(const Json& value) {
-  // As the only element of a list, an object is also written inline.
-  const std::string line = toml_text({{"k", Json::array({value})}});
-  return line.substr(5, line.size() - 7);  // k = [ … ]\n
-}
-
 class Editor {
  public:
   explicit Editor(std::string_view text) : text_(text), root_(toml::parse(text)) {
@@ -249,7 +242,7 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
   if (wished.is_null()) {
     editor.take_out(parts);
   } else {
-    editor.set(parts, value_text(wished));
+    editor.set(parts, toml_value(wished));
   }
   std::string text = std::move(editor).text();
   // Rare forms, such as a table in dotted parts, are written anew, without the comments.

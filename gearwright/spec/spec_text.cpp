@@ -21,6 +21,7 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/spec/json_place.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/rexs_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -284,6 +285,12 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     return syntax_error(name + " is UTF-16 text; save it as UTF-8");
   const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);
   if (in_folder) read.folder = path.parent_path();
+  if (path.extension() == ".rexs") {
+    auto made = spec_text_of_rexs(read.text);
+    if (!made) return syntax_error(fmt::format("{}: {}", name, made.error().rule));
+    read.text = std::move(made).take();
+    return read;
+  }
   const std::size_t first = read.text.find_first_not_of(" \t\r\n");
   const bool brace = first != std::string::npos && read.text[first] == '{';
   if (in_folder ? path.extension() == ".json" : brace || path.extension() == ".json")

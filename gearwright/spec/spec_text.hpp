@@ -23,10 +23,11 @@ struct SpecText {
 };
 
 /// Reads a file; "-" is standard input. The format is JSON if the name ends in .json. Text from a
-/// pipe or a device is JSON if it begins with a brace, which TOML never does.
+/// pipe or a device is JSON if it begins with a brace, which TOML never does. A file .rexs is
+/// converted to TOML.
 ///
 /// Throws    IoError if it cannot be read
-/// Errors    more than kMaxSpec bytes, which are rejected unread
+/// Errors    a REXS file that is no spec (spec_of_rexs); more than kMaxSpec bytes, which are rejected unread
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// Counted from 1, columns in characters.

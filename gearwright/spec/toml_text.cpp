@@ -55,19 +55,31 @@ std::string value_text(const Json& v) {
   return json_text(v);
 }
 
+bool tables(const Json& v) {
+  return v.is_array() && !v.empty() &&
+         std::all_of(v.begin(), v.end(), [](const Json& item) { return item.is_object(); });
+}
+
+// Plain values first, because a value after the heading of a table would belong to that table.
 void write_table(const Json& table, const std::string& path, std::string& out) {
   for (const auto& [key, value] : table.items()) {
-    if (!value.is_object()) out += key_text(key) + " = " + value_text(value) + "\n";
+    if (!value.is_object() && !tables(value))
+      out += key_text(key) + " = " + value_text(value) + "\n";
   }
   for (const auto& [key, value] : table.items()) {
-    if (!value.is_object()) continue;
+    if (!value.is_object() && !tables(value)) continue;
     const std::string name = path.empty() ? key_text(key) : path + "." + key_text(key);
-    out += (out.empty() ? "[" : "\n[") + name + "]\n";
-    write_table(value, name, out);
+    const std::string heading = value.is_object() ? "[" + name + "]" : "[[" + name + "]]";
+    for (const Json& item : value.is_object() ? Json::array({value}) : value) {
+      out += (out.empty() ? "" : "\n") + heading + "\n";
+      write_table(item, name, out);
+    }
   }
 }
 
 }  // namespace
+
+std::string toml_value(const Json& value) { return value_text(value); }
 
 std::string toml_text(const Json& tree) {
   GW_EXPECTS(tree.is_object());

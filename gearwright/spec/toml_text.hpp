@@ -9,7 +9,11 @@
 
 namespace gearwright {
 
-/// Numbers read back to the same double. Plain values precede tables.
+/// A value on one line; a table in braces.
+std::string toml_value(const Json& value);
+
+/// Numbers read back to the same double. Plain values precede tables, and lists of tables have a
+/// heading [[name]] for each table.
 ///
 /// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
 std::string toml_text(const Json& tree);

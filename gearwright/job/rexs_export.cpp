@@ -1,0 +1,222 @@
+#include "gearwright/job/rexs_export.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/spec/rexs_file.hpp"
+
+namespace gearwright {
+
+namespace {
+
+class Writer {
+ public:
+  explicit Writer(const std::string& title) {
+    model_.version = "1.7";
+    model_.application = "Gearwright";
+    unit_ = add("gear_unit", title.empty() ? "gear unit" : title);
+  }
+
+  std::string shaft(const std::string& name) {
+    const std::string id = add("shaft", name);
+    part_of_unit(id);
+    return id;
+  }
+
+  /// A gear on a shaft, with its flanks and its tool.
+  std::string gear(const Gear& gear, const std::string& name, const std::string& shaft) {
+    const CylindricalSpec& s = gear.spec;
+    const std::string id = add(gear.internal() ? "ring_gear" : "cylindrical_gear", name);
+    RexsComponent& g = last();
+    g.set("number_of_teeth", std::abs(s.teeth), "none");
+    g.set("normal_module", s.normal_module, "mm");
+    g.set("helix_angle_reference_diameter", s.helix_angle.deg(), "deg");
+    g.set("face_width", s.face_width, "mm");
+    g.set("tip_diameter", gear.tip_diameter, "mm");
+    relate("assembly", {{"assembly", shaft}, {"part", id}});
+    const std::string flank = add("cylindrical_gear_flank", name + ", flanks");
+    RexsComponent& f = last();
+    const double alpha = s.normal_pressure_angle.rad();
+    f.set("normal_pressure_angle", s.normal_pressure_angle.deg(), "deg");
+    f.set("addendum_modification_coefficient", s.profile_shift, "none");
+    if (s.thickness_allowance != 0.0)
+      f.set("generated_addendum_modification_coefficient",
+            s.profile_shift + s.thickness_allowance / (2 * s.normal_module * std::tan(alpha)),
+            "none");
+    relate("flank", {{"gear", id}, {"left", flank}, {"right", flank}});
+    add_tool(gear, name, flank);
+    return id;
+  }
+
+  /// A mesh of two gears.
+  void stage(const std::string& name, const std::string& gear_1, const std::string& gear_2,
+             double distance) {
+    const std::string id = add("cylindrical_stage", name);
+    last().set("center_distance", distance, "mm");
+    relate("stage", {{"stage", id}, {"gear_1", gear_1}, {"gear_2", gear_2}});
+    part_of_unit(id);
+  }
+
+  std::string planetary_stage(const std::string& name) {
+    const std::string id = add("planetary_stage", name);
+    part_of_unit(id);
+    return id;
+  }
+
+  void load(const std::string& shaft, const std::optional<double>& torque,
+            const std::optional<double>& speed) {
+    if (!torque && !speed) return;
+    const std::string id = add("external_load", "input");
+    RexsComponent& c = last();
+    if (torque) c.set("torque_around_u_axis", *torque, "N m");
+    if (torque) c.attributes["defines_torque"] = "true", c.units["defines_torque"] = "none";
+    if (speed) c.set("rotational_speed", *speed, "1 / min");
+    relate("assembly", {{"assembly", shaft}, {"part", id}});
+  }
+
+  void relate(std::string type, std::vector<std::pair<std::string, std::string>> refs) {
+    model_.relations.push_back({std::move(type), std::move(refs)});
+  }
+
+  JobFile file(const std::filesystem::path& path) const {
+    return {path, "REXS", std::nullopt, "version 1.7" + note_, rexs_text(model_)};
+  }
+
+ private:
+  std::string add(const std::string& type, const std::string& name) {
+    model_.components.push_back({std::to_string(model_.components.size() + 1), type, name});
+    return model_.components.back().id;
+  }
+  RexsComponent& last() { return model_.components.back(); }
+  void part_of_unit(const std::string& id) {
+    relate("assembly", {{"assembly", unit_}, {"part", id}});
+  }
+
+  // The cutter that is chosen by default for a ring is left out, and chosen again by the reader.
+  void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
+    if (gear.cut_by && gear.cut_by->by_default) return;
+    const StraightRack& rack = gear.spec.straight_rack();
+    const bool hob = !gear.cut_by;
+    const std::string id = add(hob ? "rack_shaped_tool" : "cutter_wheel_tool", name + ", tool");
+    RexsComponent& tool = last();
+    tool.set("normal_module", gear.spec.normal_module, "mm");
+    tool.set("normal_pressure_angle", gear.spec.normal_pressure_angle.deg(), "deg");
+    if (hob) {
+      tool.set("addendum_coefficient_reference_profile", rack.dedendum, "none");
+      tool.set("tip_radius_factor", rack.root_fillet_radius, "none");
+    } else {
+      const int z0 = gear.cut_by->cutter_teeth;
+      const double reference =
+          z0 * gear.spec.normal_module / std::cos(gear.spec.helix_angle.rad()) / 2;
+      const double tip =
+          std::abs(gear.root_diameter / 2 - (gear.internal() ? 1 : -1) * gear.cut_by->distance);
+      tool.set("number_of_teeth", z0, "none");
+      tool.set("addendum_coefficient_reference_profile",
+               (tip - reference) / gear.spec.normal_module, "none");
+      tool.set("tip_radius_factor", gear.cut_by->tip_rounding / gear.spec.normal_module, "none");
+    }
+    relate("manufacturing_step", {{"workpiece", flank}, {"tool", id}});
+    if (rack.protuberance != 0.0 || rack.tip_fillet_radius != 0.0 || rack.semi_topping_angle)
+      note_ = ", without protuberance and rounding of the tips";
+  }
+
+  RexsModel model_;
+  std::string unit_;
+  std::string note_;
+};
+
+// The reason why this gear has no REXS file, if there is one.
+std::optional<Error> not_in_rexs(const Gear& gear, const std::string& name) {
+  if (!gear.involute() || gear.spec.root_fillet || gear.spec.tip_fillet)
+    return Error{
+        name, "",
+        "has circular-arc teeth or circular fillets, and REXS describes involute gears cut "
+        "by racks or pinion cutters"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path) {
+  if (!job.pair || job.rack)
+    return Error{"gear2", "", "is needed for a REXS file, which describes stages of two gears"};
+  if (job.pair->crossed())
+    return Error{"pair.shaft_angle", "",
+                 "crosses the axes; a cylindrical stage of REXS has parallel axes"};
+  if (job.halves[0])
+    return Error{"gear1.double_helical", "",
+                 "is not described by the cylindrical stage of REXS, whose gears have one helix"};
+  Writer writer(job.spec.title);
+  std::array<std::string, 2> gears, shafts;
+  for (const int which : {1, 2}) {
+    const Gear& gear = job.pair->gear(which);
+    const std::string name = gear_field(which);
+    if (auto error = not_in_rexs(gear, name)) return *error;
+    const auto i = static_cast<std::size_t>(which - 1);
+    shafts[i] = writer.shaft("shaft " + std::to_string(which));
+    gears[i] = writer.gear(gear, name, shafts[i]);
+  }
+  writer.stage("stage", gears[0], gears[1], job.pair->center_distance());
+  const auto& torques = job.spec.load.torques;
+  writer.load(shafts[0], torques.empty() ? std::nullopt : std::optional(torques.front()),
+              job.spec.pair.speed_rpm);
+  return writer.file(path);
+}
+
+Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path) {
+  const DriveGraph& graph = job.drive.graph;
+  const DriveGeometry& geometry = job.drive.geometry;
+  for (std::size_t g = 0; g < graph.gears.size(); ++g) {
+    const std::string& name = graph.gears[g].name;
+    if (graph.gears[g].rack)
+      return Error{name, "", "is a rack, and a REXS file describes stages of two gears"};
+    if (!geometry.gears[g])
+      return Error{name, "",
+                   "has no teeth yet; a REXS file needs `normal_module_mm` of every gear"};
+    if (auto error = not_in_rexs(*geometry.gears[g], name)) return *error;
+  }
+  Writer writer(job.spec.title);
+  // A body that rides has a shaft for each of its copies.
+  std::vector<std::vector<std::string>> shafts(graph.bodies.size());
+  std::optional<std::string> set;
+  for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
+    const DriveBody& body = graph.bodies[b];
+    if (body.carrier && !set) set = writer.planetary_stage("planetary stage");
+    for (int copy = 0; copy < body.count; ++copy)
+      shafts[b].push_back(
+          writer.shaft(body.count > 1 ? fmt::format("{} {}", body.name, copy + 1) : body.name));
+  }
+  for (std::size_t b = 0; set && b < graph.bodies.size(); ++b) {
+    bool carries = false;
+    for (const DriveBody& other : graph.bodies) carries = carries || other.carrier == b;
+    const char* const role = graph.bodies[b].carrier ? "planet_shaft"
+                             : carries               ? "planet_carrier_shaft"
+                                                     : "central_shaft";
+    for (const std::string& shaft : shafts[b])
+      writer.relate(role, {{"planetary_stage", *set}, {"shaft", shaft}});
+  }
+  std::vector<std::vector<std::string>> gears(graph.gears.size());
+  for (std::size_t g = 0; g < graph.gears.size(); ++g)
+    for (const std::string& shaft : shafts[graph.gears[g].body])
+      gears[g].push_back(writer.gear(*geometry.gears[g], graph.gears[g].name, shaft));
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const DriveMesh& mesh = graph.meshes[m];
+    if (!geometry.distance[m]) continue;
+    const auto& [a, b] = mesh.gears;
+    const std::size_t copies = std::max(gears[a].size(), gears[b].size());
+    for (std::size_t copy = 0; copy < copies; ++copy)
+      writer.stage(mesh.name, gears[a][std::min(copy, gears[a].size() - 1)],
+                   gears[b][std::min(copy, gears[b].size() - 1)], *geometry.distance[m]);
+  }
+  if (!graph.inputs.empty()) {
+    std::optional<double> speed;
+    if (!graph.speeds_rpm.empty()) speed = graph.speeds_rpm.front();
+    writer.load(shafts[graph.inputs.front()].front(), graph.torque_Nm, speed);
+  }
+  return writer.file(path);
+}
+
+}  // namespace gearwright

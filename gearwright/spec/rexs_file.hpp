@@ -1,0 +1,59 @@
+// A REXS file, the exchange format of gear units: components with attributes, and relations between
+// components. Internal to spec/ and job/.
+//
+// Format: the public schemas of REXS 1.0 to 2.0 (rexs.info). XML is read by Boost.PropertyTree.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+
+namespace gearwright {
+
+struct RexsComponent {
+  std::string id;
+  std::string type;  ///< "cylindrical_gear"
+  std::string name;
+  std::map<std::string, std::string, std::less<>> attributes{};  ///< plain values as text
+  std::map<std::string, std::string, std::less<>> units{};
+
+  /// The value of an attribute; none if it is absent or no number.
+  std::optional<double> number(std::string_view attribute) const;
+  std::optional<std::string> text(std::string_view attribute) const;
+  void set(const std::string& attribute, double value, const std::string& unit);
+};
+
+struct RexsRelation {
+  std::string type;                                         ///< "stage"
+  std::vector<std::pair<std::string, std::string>> refs{};  ///< role and id of a component
+
+  /// The component with this role, or empty.
+  std::string_view of(std::string_view role) const;
+  bool names(std::string_view id) const;
+};
+
+struct RexsModel {
+  std::string version;
+  std::string application;
+  std::vector<RexsComponent> components{};
+  std::vector<RexsRelation> relations{};
+
+  /// Null if there is none.
+  const RexsComponent* find(std::string_view id) const;
+  std::vector<const RexsComponent*> of_type(std::string_view type) const;
+};
+
+/// The model of a file. Arrays and tables of values are left out.
+///
+/// Errors    text that is no XML, with its line; another root than `model`; a version other than 1.x
+///           and 2.0; deep nesting
+Result<RexsModel> read_rexs(std::string_view xml);
+
+/// The file of a model; numbers read back to the same double.
+std::string rexs_text(const RexsModel& model);
+
+}  // namespace gearwright

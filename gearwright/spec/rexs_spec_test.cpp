@@ -1,0 +1,143 @@
+// Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of its
+// shafts, and a planetary stage has the teeth of its members   (3) broken input is an error.
+#include "gearwright/spec/rexs_spec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace gearwright {
+namespace {
+
+// A file with these components and relations.
+std::string file(const std::string& relations, const std::string& components,
+                 const std::string& version = "1.5") {
+  return "<?xml version=\"1.0\"?><model applicationId=\"test\" version=\"" + version +
+         "\"><relations>" + relations + "</relations><components>" + components +
+         "</components></model>";
+}
+
+std::string gear(const std::string& id, int teeth, const char* type = "cylindrical_gear") {
+  return "<component id=\"" + id + "\" type=\"" + type + "\" name=\"g" + id +
+         "\"><attribute id=\"number_of_teeth\" unit=\"none\">" + std::to_string(teeth) +
+         "</attribute><attribute id=\"normal_module\" unit=\"mm\">2.0</attribute>"
+         "<attribute id=\"u_axis_vector\" unit=\"mm\"><array><c>1.0</c></array></attribute>"
+         "</component>";
+}
+
+std::string component(const std::string& id, const char* type, const std::string& inside = "") {
+  return "<component id=\"" + id + "\" type=\"" + type + "\">" + inside + "</component>";
+}
+
+std::string stage(const std::string& id, const std::string& one, const std::string& two) {
+  return "<relation type=\"stage\"><ref role=\"gear_2\" id=\"" + two +
+         "\"/><ref role=\"stage\" id=\"" + id + "\"/><ref role=\"gear_1\" id=\"" + one +
+         "\"/></relation>";
+}
+
+std::string on(const std::string& shaft, const std::string& part) {
+  return "<relation type=\"assembly\"><ref role=\"assembly\" id=\"" + shaft +
+         "\"/><ref role=\"part\" id=\"" + part + "\"/></relation>";
+}
+
+RexsSpec read(const std::string& xml) {
+  const auto model = read_rexs(xml);
+  EXPECT_TRUE(model) << (model ? "" : model.error().rule);
+  auto spec = spec_of_rexs(*model);
+  EXPECT_TRUE(spec) << (spec ? "" : spec.error().rule);
+  return std::move(spec).take();
+}
+
+std::string rexs_refusal(const std::string& xml) {
+  const auto text = spec_text_of_rexs(xml);
+  EXPECT_FALSE(text);
+  return text ? "" : text.error().rule;
+}
+
+TEST(Rexs, AStageIsAPair) {
+  const RexsSpec s = read(
+      file(stage("3", "1", "2") + "<relation type=\"flank\"><ref role=\"gear\" id=\"1\"/><ref "
+                                  "role=\"left\" id=\"4\"/></relation>",
+           gear("1", 17) + gear("2", 61, "ring_gear") +
+               component("3", "cylindrical_stage",
+                         "<attribute id=\"center_distance\" unit=\"mm\">44.5</attribute>") +
+               component("4", "flank_geometry",
+                         "<attribute id=\"addendum_modification_coefficient\">0.3</attribute>"
+                         "<attribute id=\"normal_pressure_angle\" unit=\"deg\">25.0</attribute>") +
+               component("5", "concept_bearing")));
+  EXPECT_EQ(s.tables["gear1"]["teeth"], 17);
+  EXPECT_EQ(s.tables["gear1"]["profile_shift"], 0.3);
+  EXPECT_EQ(s.tables["gear1"]["normal_pressure_angle_deg"], 25.0);
+  EXPECT_EQ(s.tables["gear2"]["teeth"], -61);
+  EXPECT_EQ(s.tables["pair"]["center_distance_mm"], 44.5);
+  ASSERT_EQ(s.notes.size(), 1u);
+  EXPECT_NE(s.notes[0].find("concept_bearing (1)"), std::string::npos);
+}
+
+TEST(Rexs, StagesAreInTheOrderOfTheirShafts) {
+  // Stage 20 comes first in the file and last in the chain. Its first gear is the output.
+  const std::string relations = stage("20", "4", "3") + stage("10", "1", "2") + on("s1", "1") +
+                                on("s2", "2") + on("s2", "3") + on("s3", "4") + on("s1", "9");
+  const std::string components =
+      gear("1", 20) + gear("2", 60) + gear("3", 21) + gear("4", 84) +
+      component("10", "cylindrical_stage") + component("20", "cylindrical_stage") +
+      component("s3", "shaft") + component("s1", "shaft") + component("s2", "shaft") +
+      component("9", "external_load",
+                "<attribute id=\"torque_around_u_axis\">-12.5</attribute>"
+                "<attribute id=\"defines_torque\">true</attribute>");
+  const RexsSpec s = read(file(relations, components));
+  ASSERT_EQ(s.tables["stage"].size(), 2u);
+  EXPECT_EQ(s.tables["stage"][0]["torque_Nm"], 12.5);
+  EXPECT_EQ(s.tables["stage"][0]["gears"][1]["teeth"], 60);
+  EXPECT_EQ(s.tables["stage"][1]["gears"][0]["teeth"], 21);
+  EXPECT_EQ(s.tables["stage"][1]["gears"][1]["teeth"], 84);
+}
+
+TEST(Rexs, APlanetaryStageHasItsMembers) {
+  const std::string relations =
+      stage("10", "1", "2") + stage("11", "1", "3") + stage("12", "2", "4") + stage("13", "3", "4");
+  std::string components = gear("1", 18) + gear("2", 24) + gear("3", 24) +
+                           gear("4", 66, "ring_gear") + component("5", "planetary_stage");
+  for (const char* id : {"10", "11", "12", "13"}) components += component(id, "cylindrical_stage");
+  const Json set = read(file(relations, components)).tables["planetary"];
+  EXPECT_EQ(set["sun"], 18);
+  EXPECT_EQ(set["planet"], 24);
+  EXPECT_EQ(set["ring"], -66);
+  EXPECT_EQ(set["planets"], 2);
+}
+
+TEST(Rexs, AModelReadsBack) {
+  RexsModel model{"1.7", "a & b", {}, {}};
+  model.components.push_back({"1", "cylindrical_gear", "<\"pinion\">"});
+  model.components.back().set("normal_module", 0.1 + 0.2, "mm");
+  model.relations.push_back({"stage", {{"gear_1", "1"}}});
+  const auto again = read_rexs(rexs_text(model));
+  ASSERT_TRUE(again) << again.error().rule;
+  EXPECT_EQ(again->application, "a & b");
+  EXPECT_EQ(again->components[0].name, "<\"pinion\">");
+  EXPECT_EQ(again->components[0].number("normal_module"), 0.1 + 0.2);
+  EXPECT_EQ(again->relations[0].of("gear_1"), "1");
+}
+
+TEST(Rexs, BrokenInputIsAnError) {
+  EXPECT_NE(rexs_refusal("gear1 = 3").find("XML"), std::string::npos);
+  EXPECT_NE(rexs_refusal("<model version=\"1.0\"><components>").find("line 1"), std::string::npos);
+  EXPECT_NE(rexs_refusal("<other/>").find("`model`"), std::string::npos);
+  EXPECT_NE(rexs_refusal(file("", "", "3.1")).find("3.1"), std::string::npos);
+  EXPECT_NE(rexs_refusal(file("", "")).find("no cylindrical stage"), std::string::npos);
+  EXPECT_NE(rexs_refusal(file(stage("3", "1", "2"), component("3", "cylindrical_stage")))
+                .find("no two cylindrical gears"),
+            std::string::npos);
+  std::string deep;
+  for (int i = 0; i < 100'000; ++i) deep += "<a>";
+  EXPECT_NE(rexs_refusal(deep).find("nested"), std::string::npos);
+  const std::string apart = stage("10", "1", "2") + stage("11", "3", "4");
+  EXPECT_NE(rexs_refusal(file(apart, gear("1", 20) + gear("2", 40) + gear("3", 20) + gear("4", 40) +
+                                         component("10", "cylindrical_stage") +
+                                         component("11", "cylindrical_stage")))
+                .find("do not form a chain"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,109 @@
+"""Tests REXS files: what `export --rexs` writes reads back to the same pair or drive, and foreign files are read."""
+import json
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+from cli import SOURCE, raw
+
+EXAMPLES = SOURCE / "examples"
+
+SET = """
+[planetary]
+sun = 19
+planet = 17
+ring = 56
+planets = 3
+normal_module_mm = 2
+face_width_mm = 20
+center_distance_mm = 37
+thickness_allowance_mm = -0.05
+torque_Nm = 100
+speed_rpm = 1000
+"""
+
+TRAIN = """
+[[stage]]
+teeth = [20, 61]
+normal_module_mm = 2
+helix_angle_deg = 15
+thickness_allowance_mm = -0.05
+torque_Nm = 10
+
+[[stage]]
+teeth = [18, 55]
+normal_module_mm = 2.5
+profile_shift = [0.3, 0.1]
+"""
+
+
+def numbers(tree, path=""):
+    """Returns every number of a tree with its path."""
+    if isinstance(tree, dict):
+        return {k: v for key, value in tree.items() for k, v in numbers(value, f"{path}.{key}").items()}
+    if isinstance(tree, list):
+        return {k: v for i, value in enumerate(tree) for k, v in numbers(value, f"{path}.{i}").items()}
+    return {path: tree} if isinstance(tree, (int, float)) and not isinstance(tree, bool) else {}
+
+
+class Rexs(unittest.TestCase):
+    def exported(self, spec, folder):
+        """Returns the path of the REXS file of a spec."""
+        path = Path(folder) / "made.rexs"
+        run = raw("export", str(spec), "--rexs", str(path))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return path
+
+    def same_numbers(self, one, two, but=()):
+        for path, value in one.items():
+            if not any(word in path for word in but):
+                self.assertTrue(math.isclose(value, two.get(path, math.nan), rel_tol=1e-9, abs_tol=1e-9),
+                                (path, value, two.get(path)))
+
+    def test_pairs_read_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("helical_pair", "spur_pair", "loaded_pair", "ring_pair", "planetary_ring", "shaft_pair"):
+                spec = EXAMPLES / f"{name}.toml"
+                made = self.exported(spec, folder)
+                one, two = (numbers(json.loads(raw("pair", str(f), "--json").stdout)) for f in (spec, made))
+                self.same_numbers(one, two, ("bore", "keyway", "interval", "warnings", "verdict"))
+
+    def test_drives_read_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for spec in (SET, TRAIN):
+                source = Path(folder) / "drive.toml"
+                source.write_text(spec)
+                made = self.exported(source, folder)
+                one, two = (numbers(json.loads(raw("drive", str(f), "--json").stdout)["drive"]) for f in (source, made))
+                self.same_numbers(one, two)
+
+    def test_import_prints_the_spec_that_every_verb_reads(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "drive.toml"
+            source.write_text(TRAIN)
+            made = self.exported(source, folder)
+            printed = raw("import", str(made)).stdout
+            for words in ("# From a REXS 1.7 file of Gearwright.", "[[stage]]", "[[stage.gears]]"):
+                self.assertIn(words, printed)
+            source.write_text(printed)
+            self.assertEqual(raw("drive", str(source), "--json").stdout, raw("drive", str(made), "--json").stdout)
+
+    def test_what_is_no_stage_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, word in (("crossed_pair", "parallel axes"), ("circular_arc_drive", "circular-arc"),
+                               ("herringbone_pair", "one helix"), ("printed_gear", "two gears"),
+                               ("steering_rack", "two gears")):
+                run = raw("export", str(EXAMPLES / f"{name}.toml"), "--rexs", str(Path(folder) / "made.rexs"))
+                self.assertEqual(run.returncode, 1, name)
+                self.assertIn(word, run.stderr)
+            self.assertEqual(list(Path(folder).iterdir()), [])
+            broken = Path(folder) / "broken.rexs"
+            broken.write_text("<model version=\"1.0\"><components></model>")
+            run = raw("pair", str(broken))
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("not XML", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
