@@ -360,4 +360,17 @@ const Quantities<Collision>& collision_quantities() {
   return kAll;
 }
 
+// The helix angle on the working pitch cylinder, because tan β grows with the radius.
+double working_helix(const ArcPair& p, std::size_t i) {
+  const Gear& g = p.gears[i];
+  return std::atan(std::tan(g.spec.helix_angle.rad()) * p.working_pitch_diameter()[i] /
+                   g.reference_diameter);
+}
+
+// The transverse angle of the rack's normal angle at the first contact.
+double working_transverse(const ArcPair& p, std::size_t i) {
+  return std::atan(std::tan(p.first_contact().at.theta.rad()) /
+                   std::cos(p.gears[i].spec.helix_angle.rad()));
+}
+
 }  // namespace gearwright

@@ -67,6 +67,11 @@ const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
+/// The helix angle of gear i on its working pitch cylinder, and the transverse angle there of the rack's
+/// normal angle at the first contact, rad.
+double working_helix(const ArcPair& pair, std::size_t i);
+double working_transverse(const ArcPair& pair, std::size_t i);
+
 /// One entry of `interference`.
 struct InterferenceView {
   WarningCode code;

@@ -48,19 +48,6 @@ Value each_gear(const Value& gear_1, const Value& gear_2) {
   return two_gears().of({gear_1, gear_2});
 }
 
-// The helix angle on the working pitch cylinder, because tan β grows with the radius.
-double working_helix(const ArcPair& p, std::size_t i) {
-  const Gear& g = p.gears[i];
-  return std::atan(std::tan(g.spec.helix_angle.rad()) * p.working_pitch_diameter()[i] /
-                   g.reference_diameter);
-}
-
-// The transverse angle of the rack's normal angle at the first contact.
-double working_transverse(const ArcPair& p, std::size_t i) {
-  return std::atan(std::tan(p.first_contact().at.theta.rad()) /
-                   std::cos(p.gears[i].spec.helix_angle.rad()));
-}
-
 bool flanks_meet(const V& v) {
   const InvolutePair* p = v.involute();
   return p && p->flanks_meet();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {
@@ -150,6 +151,16 @@ Json gears_or_search() {
           {"else", std::move(alone)}};
 }
 
+// The speed of a drive is that of its input, so the keys of [rating] need a speed in other specs only.
+// Removes the condition from the table.
+Json needs_outside_drives(Json& rating) {
+  Json needs = std::move(rating["dependentRequired"]);
+  rating.erase("dependentRequired");
+  const Json drive{{"anyOf", {required({"planetary"}), required({"stage"}), required({"drive"})}}};
+  return {{"if", drive},
+          {"else", {{"properties", {{"rating", {{"dependentRequired", std::move(needs)}}}}}}}};
+}
+
 Json whole_gear() {
   Json s = required({"teeth"});
   s["anyOf"] = {required({"normal_module_mm"}),
@@ -174,6 +185,7 @@ std::string spec_schema() {
     if (table != &spec_keys()) defs[std::string(table->name)] = table_schema(*table);
   }
   defs[std::string(gear_keys().name)].erase("required");
+  schema["allOf"].push_back(needs_outside_drives(defs[std::string(rating_keys().name)]));
   defs["whole_gear"] = whole_gear();
   defs[std::string(blank_keys().name)] = table_schema(blank_keys());
   schema["$defs"] = std::move(defs);

@@ -167,6 +167,7 @@ void ContactPair::set_mount() {
   const double turned = sign_if(place_.gear2_drives);
   tilt_ = detail::crossing_turn(mirror * e.crossing.rad()) *
           detail::intersecting_turn(turned * e.intersecting.rad());
+  // [T8.26]
   lift_ = Vec3(0, 0, turned * e.axial) + middle(1) * tilt_.col(2);
   const Mat3 shaft = detail::shaft_turn(mirror * place_.axis_angle.rad());
   relative_.rotation = shaft * tilt_;
