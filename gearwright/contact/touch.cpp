@@ -260,6 +260,75 @@ int best_row(const std::array<GridNode, kRows>& section) {
 
 }  // namespace
 
+bool TouchSearch::uneven() const {
+  const auto has = [](const FlankPatch& f) { return f.removal && f.removal->has_topography(); };
+  return has(field_.one()) || has(field_.two());
+}
+
+// T along the line of contact varies slowly, and across it fast. The greatest T of each section is
+// therefore found first, by Newton steps along the profile from each row that exceeds its
+// neighbours. Its peaks over the sections are the starts.
+std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
+  constexpr int kFine = 25;   // sections, 8 for each of three waves over the face
+  constexpr int kAcross = 7;  // rows
+  constexpr int kSteps = 4;
+  struct Crest {
+    double s = 0.0, s2 = 0.0, value = -kInfinity;
+  };
+  const FlankPatch& a = field_.one();
+  const double step = (a.s_hi - a.s_lo) / (kAcross - 1);
+  std::vector<std::vector<Crest>> sections(kFine);
+  const auto height = [&](int i) { return z_lo + (z_hi - z_lo) * i / (kFine - 1); };
+  const auto inside = [&](const GapJet& at, double s, double z) {
+    for (int j = 4; j < detail::kBounds; ++j)
+      if (bound(at, s, z, j) < 0.0) return false;
+    return true;
+  };
+  for (int i = 0; i < kFine; ++i) {
+    const double z = height(i);
+    std::array<Crest, kAcross> rows;
+    double s2 = 0.5 * (field_.two().s_lo + field_.two().s_hi);
+    for (int k = 0; k < kAcross; ++k) {
+      const double s = a.s_lo + step * k;
+      const GapJet at = field_.at(s, z, s2);
+      ++count_.evaluations;
+      if (inside(at, s, z)) rows[k] = {s, s2, at.t.v};
+    }
+    for (int k = 0; k < kAcross; ++k) {
+      const auto value = [&](int other) {
+        return other < 0 || other >= kAcross ? -kInfinity : rows[other].value;
+      };
+      if (value(k) == -kInfinity || value(k) < value(k - 1) || value(k) < value(k + 1)) continue;
+      Crest best = rows[k];
+      Crest at_step = best;
+      for (int n = 0; n < kSteps; ++n) {
+        const GapJet at = field_.at(at_step.s, z, at_step.s2);
+        ++count_.evaluations;
+        if (!inside(at, at_step.s, z)) break;
+        at_step.value = at.t.v;
+        if (at_step.value > best.value) best = at_step;
+        const double d = at.t.ss < 0.0 ? -at.t.s / at.t.ss : std::copysign(step, at.t.s);
+        at_step.s = std::clamp(at_step.s + std::clamp(d, -step, step), a.s_lo, a.s_hi);
+      }
+      sections[i].push_back(best);
+    }
+  }
+  std::vector<std::array<double, 3>> starts;
+  for (int i = 0; i < kFine; ++i) {
+    for (const Crest& c : sections[i]) {
+      // The next section may continue this crest at a place that the slant of the line displaces.
+      const auto higher = [&](int other) {
+        if (other < 0 || other >= kFine) return false;
+        return std::any_of(sections[other].begin(), sections[other].end(), [&](const Crest& o) {
+          return std::abs(o.s - c.s) < 1.5 * step && o.value > c.value;
+        });
+      };
+      if (!higher(i - 1) && !higher(i + 1)) starts.push_back({c.s, height(i), c.s2});
+    }
+  }
+  return starts;
+}
+
 std::vector<Touch> TouchSearch::every_maximum() const {
   std::vector<Touch> found;
   double z_lo = 0.0;
@@ -267,6 +336,25 @@ std::vector<Touch> TouchSearch::every_maximum() const {
   if (!window(z_lo, z_hi)) return found;
   ++count_.cold_starts;
   const FlankPatch& a = field_.one();
+  const auto search = [&](double s, double z, double s2) {
+    const Touch t = from(s, z, s2, {});
+    if (!t.found() || !within_a_turn(t)) return;
+    for (const Touch& other : found) {
+      if (std::abs(other.te - t.te) < kSameTe &&
+          std::abs(other.s - t.s) < kSamePlace * scale_.s_half &&
+          std::abs(other.z - t.z) < kSamePlace * scale_.z_half)
+        return;
+    }
+    found.push_back(t);
+  };
+  const auto greatest_first = [](const Touch& x, const Touch& y) { return x.te > y.te; };
+  if (uneven()) {
+    for (const auto& [s, z, s2] : crests(z_lo, z_hi)) search(s, z, s2);
+    if (!found.empty()) {
+      std::sort(found.begin(), found.end(), greatest_first);
+      return found;
+    }
+  }
   Grid grid;
   const auto height = [&](int i) { return z_lo + (z_hi - z_lo) * i / (kSections - 1); };
   for (int i = 0; i < kSections; ++i) {
@@ -282,17 +370,7 @@ std::vector<Touch> TouchSearch::every_maximum() const {
         node.broken = std::max(node.broken, -bound(at, node.s, height(i), j));
     }
   }
-  const auto start = [&](int i, int k) {
-    const Touch t = from(grid[i][k].s, height(i), grid[i][k].s2, {});
-    if (!t.found() || !within_a_turn(t)) return;
-    for (const Touch& other : found) {
-      if (std::abs(other.te - t.te) < kSameTe &&
-          std::abs(other.s - t.s) < kSamePlace * scale_.s_half &&
-          std::abs(other.z - t.z) < kSamePlace * scale_.z_half)
-        return;
-    }
-    found.push_back(t);
-  };
+  const auto start = [&](int i, int k) { search(grid[i][k].s, height(i), grid[i][k].s2); };
   const auto inside = [&](int i) { return grid[i][best_row(grid[i])].broken == 0.0; };
   int nearest = 0;
   bool any = false;
@@ -309,7 +387,7 @@ std::vector<Touch> TouchSearch::every_maximum() const {
   }
   // A thin D may lie between the nodes.
   if (!any) start(nearest, best_row(grid[nearest]));
-  std::sort(found.begin(), found.end(), [](const Touch& x, const Touch& y) { return x.te > y.te; });
+  std::sort(found.begin(), found.end(), greatest_first);
   return found;
 }
 

@@ -53,8 +53,12 @@ class TouchSearch {
   /// Searches from everywhere: a grid, then every peak over the sections, and both end sections of
   /// D.
   Touch cold() const;
-  /// Like cold(), but returns all local maxima, the greatest first.
+  /// Like cold(), but returns all local maxima, the greatest first. Flanks with a topography have a
+  /// maximum for each crest, and every section is a start of its own.
   std::vector<Touch> every_maximum() const;
+
+  /// True if a flank has a topography, so that T may have many maxima.
+  bool uneven() const;
 
   const TouchCount& count() const { return count_; }
   const GapField& field() const { return field_; }
@@ -69,6 +73,8 @@ class TouchSearch {
   /// The interval of z in which flank 1 can be in mesh. Returns false if it is empty.
   bool window(double& z_lo, double& z_hi) const;
   bool within_a_turn(const Touch& t) const;
+  /// Starts on uneven flanks: s, z and s2.
+  std::vector<std::array<double, 3>> crests(double z_lo, double z_hi) const;
 
   const GapField& field_;
   double mesh_azimuth_, reach_;

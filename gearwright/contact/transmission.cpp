@@ -230,11 +230,12 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
 }
 
 // Several maxima, and separate intervals of rotation: every maximum that a grid of cold starts
-// finds is followed until it meets one that was followed before.
+// finds is followed until it meets one that was followed before. On uneven flanks, a crest of a wave
+// may touch for a small part of a pitch only, so cold starts are closer.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
-  const int stride = std::max(1, n / 8);
+  const int stride = std::max(1, n / (search(fields).uneven() ? 32 : 8));
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {
