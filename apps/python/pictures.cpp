@@ -84,8 +84,12 @@ std::vector<Figure> contact_figures(const ContactValue& c) {
   std::vector<Figure> figures;
   for (const ContactResult* result : {&r.driving, &r.other})
     if (auto figure = transmission_error_figure(r, *result)) figures.push_back(*std::move(figure));
-  for (const std::size_t i : {0u, 1u})
-    figures.push_back(flank_figure(r, i, {.pattern = &r.patterns[i]}));
+  const auto add_flanks = [&](const ContactReport& of) {
+    for (const std::size_t i : {0u, 1u})
+      figures.push_back(flank_figure(of, i, {.pattern = &of.patterns[i]}));
+  };
+  if (r.halves.empty()) add_flanks(r);
+  for (const ContactReport& half : r.halves) add_flanks(half);
   return figures;
 }
 
@@ -113,7 +117,7 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
   if (gears.size() == 2) input.pair = job.pair;
   if (part) input.contact = &part->report;
   if (load && load->report) input.load = &*load->report;
-  input.verdict = judge(job, {.contact = part ? &part->answer.driving : nullptr});
+  input.verdict = judge(job, {.contact = part ? &part->answer.judged() : nullptr});
   input.spec_text = source.job.spec.text;
   input.version = kVersion;
   return report_html(input);

@@ -247,7 +247,9 @@ def test_a_double_helical_gear_is_the_whole_gear():
     vertices, _ = gear.mesh()
     assert vertices[:, 2].min() == -10 and vertices[:, 2].max() == 10 and 2 in vertices[:, 2]
     pair = gw.Pair(gear, gw.Gear(teeth=40, normal_module=1.5, helix_angle_deg=-30, face_width=20, double_helical={"gap": 4}))
-    first, second = pair.contact(errors={"intersecting": 0.0005})["halves"]
+    contact = pair.contact(errors={"intersecting": 0.0005})
+    assert len(contact.figures) == 6  # both flanks' curves, and the patterns of four gears' halves
+    first, second = contact.halves
     assert first["peak_to_peak_arcsec"] != second["peak_to_peak_arcsec"]
     with pytest.raises(gw.SpecError) as e:  # the curves of many mountings are for one helix
         pair.transmission_error([[0.0] * 6])
