@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 namespace gearwright {
@@ -82,9 +83,10 @@ std::optional<double> RexsComponent::number(std::string_view attribute) const {
   const auto it = attributes.find(attribute);
   if (it == attributes.end()) return std::nullopt;
   const std::string& text = it->second;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value))
+    return std::nullopt;
   return value == 0.0 ? 0.0 : value;  // 0, and not −0
 }
 
