@@ -37,7 +37,7 @@ const typed = (page, from, to) =>
   );
 
 describe("a picture of another spec", () => {
-  const shown = { contact: "misaligned_pair", load: "loaded_pair", rating: "rated_pair" };
+  const shown = { contact: "misaligned_pair", load: "loaded_pair", rating: "rated_pair", scatter: "scattered_pair" };
   for (const tab of kTabs.filter((one) => one !== "search"))
     it(`is dimmed, with a spinner, until the new one is there: ${tab}`, async () => {
       await put(page, example(shown[tab] ?? "helical_pair"), tab);
