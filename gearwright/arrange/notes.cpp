@@ -86,4 +86,15 @@ Warning not_read(const std::string& what) {
   return {WarningCode::not_read, what + " is not supported in this version and was ignored.", 0};
 }
 
+void add_new(std::vector<Warning> found, std::vector<Warning>& warnings, std::string_view before) {
+  for (Warning& w : found) {
+    const auto same = [&](const Warning& other) {
+      return w.code == other.code && w.message == other.message;
+    };
+    if (std::any_of(warnings.begin(), warnings.end(), same)) continue;
+    w.message.insert(0, before);
+    warnings.push_back(std::move(w));
+  }
+}
+
 }  // namespace gearwright

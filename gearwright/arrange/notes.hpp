@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "gearwright/arrange/given_pair.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -23,6 +25,11 @@ std::optional<Error> forbidden_shifts(const GivenPair& given);
 /// A note that the flanks of an internal pair on crossed axes overlap beside the line of action;
 /// none if the lead crowning of `given` prevents this on the flanks of both directions.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
+
+/// Adds the warnings that are not there yet, their messages after `before`.
+void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
+             std::string_view before = {});
+inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
 
 /// `what` is a key or a table.
 Warning not_read(const std::string& what);

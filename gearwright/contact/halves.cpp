@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "gearwright/contact/continuous.hpp"
+#include "gearwright/math/lowest.hpp"
 
 namespace gearwright {
 
@@ -51,28 +53,6 @@ class MeanError {
             of(b_, *mesh_.half[1], rotation1 + mesh_.behind().rad())) /
            2;
   }
-  /// The extreme of `sign` times the mean between two rotations, by golden section.
-  double extreme(double lo, double hi, double sign) {
-    constexpr double kGolden = 0.6180339887498949;
-    constexpr double kSame = 1e-10;  // of a rotation: TE is flat at a maximum, and at most as steep
-                                     // as 1e-2 at a handover
-    double x = hi - kGolden * (hi - lo), y = lo + kGolden * (hi - lo);
-    double at_x = sign * at(x), at_y = sign * at(y);
-    while (hi - lo > kSame) {
-      if (at_x > at_y) {
-        hi = y;
-        y = x;
-        at_y = at_x;
-        at_x = sign * at(x = hi - kGolden * (hi - lo));
-      } else {
-        lo = x;
-        x = y;
-        at_x = at_y;
-        at_y = sign * at(y = lo + kGolden * (hi - lo));
-      }
-    }
-    return sign * std::max(at_x, at_y);
-  }
 
  private:
   static double of(Transmission& transmission, const ContactPair& pair, double rotation1) {
@@ -95,16 +75,20 @@ FlankRaster in_mirror(const FlankRaster& raster) {
   return r;
 }
 
-std::vector<Angle> second_rotations(const HalvesMesh& mesh, std::vector<Angle> rotations,
-                                    int positions, int pitches) {
-  if (mesh.stagger == 0.0) return rotations;
+Angle behind(double stagger, const Gear& gear_1) {
+  return Angle::radians(-stagger * 2 * std::numbers::pi / gear_1.spec.teeth);
+}
+
+std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
+                                       std::vector<Angle> rotations, int positions, int pitches) {
+  if (stagger == 0.0) return rotations;
   if (rotations.empty()) {
-    const double pitch = mesh.half[1]->pitch();
+    const double pitch = 2 * std::numbers::pi / gear_1.spec.teeth;
     for (int i = 0; i < pitches * positions; ++i)
       rotations.push_back(
           Angle::radians(pitch * (static_cast<double>(i) / positions - 0.5 * pitches)));
   }
-  for (Angle& r : rotations) r += mesh.behind();
+  for (Angle& r : rotations) r += behind(stagger, gear_1);
   return rotations;
 }
 
@@ -164,8 +148,9 @@ std::vector<double> transmission_error(const HalvesMesh& mesh, int positions) {
   if (mesh.stagger == 0.0) {
     second = transmission_error(*mesh.half[1], positions);
   } else {
-    const ContactRequest at{.positions = positions,
-                            .rotations = second_rotations(mesh, {}, positions, 1)};
+    const ContactRequest at{
+        .positions = positions,
+        .rotations = rotations_of_second(*mesh.gear_1, mesh.stagger, {}, positions, 1)};
     for (const ContactPoint& p : analyse_contact(*mesh.half[1], at).positions)
       second.push_back(p.kind == TouchKind::none ? kNone : p.te.rad());
   }
@@ -194,7 +179,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const double middle = (i - positions / 2) * step;
-      best = std::max(best, sign * mean.extreme(middle - step, middle + step, sign));
+      const auto lowered = [&](double rotation1) { return -sign * mean.at(rotation1); };
+      best = std::max(best, -lowered(place_of_least(lowered, middle - step, middle + step)));
     }
     extreme[which] = sign * best;
   }

@@ -21,6 +21,14 @@
 
 namespace gearwright {
 
+/// The rotation of half B relative to that of the gears.
+Angle behind(double stagger, const Gear& gear_1);
+
+/// The rotations of half B and of its mirror image, for those of the gears. Empty if `rotations` is
+/// empty, which stands for `positions` per pitch, and half B is at the same ones.
+std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
+                                       std::vector<Angle> rotations, int positions, int pitches);
+
 /// A pattern on half B from that of its mirror image.
 FlankRaster in_mirror(const FlankRaster& raster);
 
@@ -31,19 +39,14 @@ struct HalvesMesh {
   double stagger = 0.0;                      ///< s
 
   /// The rotation of half B relative to that of the gear.
-  Angle behind() const { return Angle::radians(-stagger * half[0]->pitch()); }
+  Angle behind() const { return gearwright::behind(stagger, *gear_1); }
   /// True if half B equals the mirror image of half A at all rotations.
   bool alike() const {
     return stagger == 0.0 && half[0]->place().errors == half[1]->place().errors;
   }
 };
 
-/// The rotations at which the mirror image of half B is analysed, for those of the gears: empty if
-/// `rotations` is empty and half B is at the same ones.
-std::vector<Angle> second_rotations(const HalvesMesh& mesh, std::vector<Angle> rotations,
-                                    int positions, int pitches);
-
-/// Half B itself, from the analysis of its mirror image at second_rotations(): contact points,
+/// Half B itself, from the analysis of its mirror image at rotations_of_second(): contact points,
 /// normals and derivatives, which are by the errors of the pair and not by those of the image.
 ///
 /// Domain    `per_pitch` is the number of positions in one pitch, 0 if the rotations were given

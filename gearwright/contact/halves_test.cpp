@@ -41,7 +41,8 @@ struct Both {
 
 ContactResult analyse_second(const HalvesMesh& mesh, ContactRequest request) {
   const bool whole_pitch = request.rotations.empty();
-  request.rotations = second_rotations(mesh, request.rotations, request.positions, request.pitches);
+  request.rotations = rotations_of_second(*mesh.gear_1, mesh.stagger, request.rotations,
+                                          request.positions, request.pitches);
   return second_half(mesh, analyse_contact(*mesh.half[1], request), request.influences,
                      whole_pitch ? request.positions : 0);
 }

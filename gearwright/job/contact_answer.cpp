@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/contact/halves.hpp"
@@ -180,18 +181,6 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const 
   return answer;
 }
 
-// Adds the warnings of the second half that differ from those of the first.
-void add_of_second(const std::vector<Warning>& second, std::vector<Warning>& warnings) {
-  for (Warning w : second) {
-    const bool same = std::any_of(warnings.begin(), warnings.end(), [&](const Warning& other) {
-      return other.code == w.code && other.message == w.message;
-    });
-    if (same) continue;
-    w.message = "Half at z < 0: " + w.message;
-    warnings.push_back(std::move(w));
-  }
-}
-
 // Both halves, and the whole gears.
 class HalvesAnswer {
  public:
@@ -210,13 +199,13 @@ class HalvesAnswer {
     if (!first) return first.error();
     const Pairs driving(*this, setup_[0]->place().errors, drives_2);
     const Pairs other(*this, setup_[0]->place().errors, !drives_2);
-    input.rotations =
-        second_rotations(driving.mesh, input.rotations, input.positions, input.pitches);
+    input.rotations = rotations_of_second(setup_[0]->gear(1), stagger_, input.rotations,
+                                          input.positions, input.pitches);
     std::vector<Warning> of_second;
     auto found = answer_of(job_, *setup_[1], input, of_second, progress_);
     if (!found) return found.error();
     ContactAnswer second = std::move(found).take();
-    add_of_second(of_second, job_.warnings);
+    add_new(std::move(of_second), job_.warnings, kSecondHalf);
     std::vector<Influence> influences;
     for (const NamedInfluence& i : influences_of(job_)) influences.push_back(i.influence);
 

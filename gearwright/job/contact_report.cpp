@@ -167,7 +167,7 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
       {&gears[0], &gears[1]}, answer.setup.pair(input.driver == 2), input.marking, answer.driving);
   r.other = answer.other;
   r.min_play = given.min_play;
-  const Angle behind = Angle::radians(-job.halves[0]->given.stagger_pitches * pitch_of(r));
+  const Angle behind = gearwright::behind(job.halves[0]->given.stagger_pitches, gears[0]);
   r.halves.push_back(report_of_half(job, answer.halves[0], behind, false));
   if (!alike_halves(job)) r.halves.push_back(report_of_half(job, answer.halves[1], behind, true));
   return r;

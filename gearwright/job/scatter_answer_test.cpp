@@ -1,6 +1,7 @@
 // The verb scatter: rejected inputs with their messages, and tolerances of 0, for which the result
 // equals that of the verb contact.
 #include "gearwright/job/scatter_answer.hpp"
+#include "gearwright/job/testing/answered.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +10,14 @@
 
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/verbs.hpp"
-#include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 namespace {
+
+Json scatter_answered(const Json& tree, std::string_view verb = "scatter") {
+  return testing::answered(tree, verb);
+}
 
 Json spec_with(const std::string& scatter) {
   Json spec = Json::parse(R"({"gear1": {"teeth": 20, "normal_module_mm": 2, "profile_shift": 0.2,
@@ -23,15 +27,6 @@ Json spec_with(const std::string& scatter) {
     "pair": {"center_distance_mm": 60.4}, "contact": {"positions": 8}})");
   if (!scatter.empty()) spec["scatter"] = Json::parse(scatter);
   return spec;
-}
-
-// The answer, or its error with the keys of a file.
-Json scatter_answered(const Json& tree, std::string_view verb = "scatter") {
-  const auto spec = read_spec_tree(tree, {}, find_verb(verb)->use);
-  const auto answer = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
-  if (answer) return *answer;
-  const Error error = spec ? spelled(answer.error(), spec->given) : answer.error();
-  return {{"key", error.field}, {"rule", error.rule}};
 }
 
 void expect_spec_refused(const Json& spec, const std::string& key, const std::string& words) {
@@ -152,7 +147,6 @@ TEST(ScatterAnswer, RefusesCorrectionsThatAreNone) {
                  "gear1.lead_crowning_um");
   expect_refused(robust(R"({"range": [1, 20]})"), "scatter.robust.range", "must contain 0");
   expect_refused(robust(R"({"percentile": 100})"), "scatter.robust.percentile", "100");
-  if (!can_minimise()) return;
   expect_refused(robust(R"({"corrections": ["gear1.tip_relief_um"]})"),
                  "scatter.robust.corrections", "tip_relief_start_mm");
   expect_refused(robust(R"({"corrections": ["cutter_lead1_deg"]})"), "scatter.robust.corrections",
@@ -164,7 +158,6 @@ TEST(ScatterAnswer, TheCorrectedSpecHasTheCorrections) {
     "errors": {"crossing_deg": [-0.06, 0.06]},
     "robust": {"corrections": ["gear1.lead_crowning_um", "gear1.profile_crowning_um"],
                "percentile": 90, "range": [-8, 12]}})";
-  if (!can_minimise()) return expect_refused(kRobust, "scatter.robust", "no minimiser");
   const Json answer = scatter_answered(spec_with(kRobust))["scatter"];
   const Json& robust = answer["robust"];
   EXPECT_EQ(robust["percentile"], 90);

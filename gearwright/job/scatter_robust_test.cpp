@@ -4,10 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/verbs.hpp"
-#include "gearwright/math/minimise.hpp"
-#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/job/testing/answered.hpp"
 
 namespace gearwright {
 namespace {
@@ -23,15 +20,10 @@ Json loaded_spec(const char* scatter) {
 }
 
 Json answered(const Json& tree, std::string_view verb = "scatter") {
-  const auto spec = read_spec_tree(tree, {}, find_verb(verb)->use);
-  const auto answer = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
-  if (answer) return *answer;
-  const Error error = spec ? spelled(answer.error(), spec->given) : answer.error();
-  return {{"key", error.field}, {"rule", error.rule}};
+  return testing::answered(tree, verb);
 }
 
 TEST(ScatterRobust, UnderLoadTheAnswerIsThatOfTheCorrectedSpec) {
-  if (!can_minimise()) GTEST_SKIP();
   const Json answer = answered(loaded_spec(R"({"samples": 16, "replicates": 2,
     "errors": {"crossing_deg": [-0.02, 0.02]},
     "robust": {"aim": "loaded_transmission_error", "percentile": 80,
@@ -53,7 +45,6 @@ TEST(ScatterRobust, UnderLoadTheAnswerIsThatOfTheCorrectedSpec) {
 }
 
 TEST(ScatterRobust, UnderLoadNeedsATorque) {
-  if (!can_minimise()) GTEST_SKIP();
   Json spec = loaded_spec(R"({"errors": {"crossing_deg": [-0.02, 0.02]},
     "robust": {"aim": "loaded_transmission_error"}})");
   spec.erase("load");
@@ -66,7 +57,6 @@ TEST(ScatterRobust, UnderLoadNeedsATorque) {
 
 // Both searches have the same positions and the same only member.
 TEST(ScatterRobust, WithoutWidthItIsTheOptimumOfCompensate) {
-  if (!can_minimise()) GTEST_SKIP();
   Json spec = loaded_spec(R"({"samples": 1, "replicates": 1, "errors": {"crossing_deg": [0, 0]},
     "robust": {"aim": "loaded_transmission_error",
                "corrections": ["gear1.lead_slope_um", "gear1.lead_crowning_um"]}})");

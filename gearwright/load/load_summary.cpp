@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr int kMostHarmonics = 20;
 
 using Solved = std::vector<const LoadedPosition*>;
 
@@ -56,18 +53,9 @@ void summarise_points(LoadedTorque& t, const Solved& solved) {
 }  // namespace
 
 std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions) {
-  const auto n = static_cast<int>(positions.size());
-  std::vector<Angle> amplitude;
-  const double mean = positions[0].te.rad();  // without influence except for rounding
-  for (int h = 1; h <= std::min(kMostHarmonics, (n - 1) / 2); ++h) {
-    std::complex<double> sum = 0.0;
-    for (int i = 0; i < n; ++i) {
-      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
-      sum += (positions[i].te.rad() - mean) * std::polar(1.0, -turn);
-    }
-    amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
-  }
-  return amplitude;
+  std::vector<double> te;
+  for (const LoadedPosition& p : positions) te.push_back(p.te.rad());
+  return harmonics(te);
 }
 
 double share_of(const LoadedPosition& p, int pair) {

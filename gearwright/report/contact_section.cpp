@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
@@ -170,18 +169,13 @@ std::string arc_part(const ContactReport& report) {
 }
 
 // Where the halves of a double-helical pair touch.
-std::string halves_part(const ContactReport& report) {
-  constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
-  std::string text =
-      "<p>The results above are those of the whole gears. One of them floats along its axis, so "
-      "both halves transmit the same torque, and the transmission error is the mean of both.";
-  if (report.halves.size() == 1)
-    text += " The halves are mirror images of each other, so they touch at mirrored places.";
-  text += "</p>\n";
-  for (std::size_t i = 0; i < report.halves.size(); ++i)
-    text += fmt::format("<h3 class=\"half\">{}</h3>\n", kNames[i]) +
-            pattern_part(report.halves[i]) + gap_part(report.halves[i]);
-  return text;
+std::string halves_of(const ContactReport& report) {
+  std::vector<std::string> pictures;
+  for (const ContactReport& half : report.halves)
+    pictures.push_back(pattern_part(half) + gap_part(half));
+  return halves_part(
+      "both halves transmit the same torque, and the transmission error is the mean of both",
+      "The halves are mirror images of each other, so they touch at mirrored places.", pictures);
 }
 
 }  // namespace
@@ -199,7 +193,7 @@ std::string contact_section(const ContactReport& report) {
       contact_words(report.driving), assumed(report));
   return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
          in_columns(what, "\n" + facts(report)) + te_part(report) +
-         (report.halves.empty() ? pattern_part(report) + gap_part(report) : halves_part(report)) +
+         (report.halves.empty() ? pattern_part(report) + gap_part(report) : halves_of(report)) +
          multiples_part(report) + map_part(report) + arc_part(report) + "</section>\n";
 }
 

@@ -125,18 +125,12 @@ std::string pictures_of(const LoadScene& report, const std::array<std::string, 2
 }
 
 // The halves of a double-helical pair, under half of the torque each.
-std::string halves_part(const LoadScene& report, const std::array<std::string, 2>& shapes) {
-  constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
-  std::string text =
-      "<p>The results above are those of the whole gears. One of them floats along its axis, so "
-      "each half carries half of the torque.";
-  if (report.halves.size() == 1)
-    text += " The halves are mirror images of each other, and the pictures show one of them.";
-  text += "</p>\n";
-  for (std::size_t i = 0; i < report.halves.size(); ++i)
-    text += fmt::format("<h3 class=\"half\">{}</h3>\n", kNames[i]) +
-            pictures_of(report.halves[i], shapes);
-  return text;
+std::string halves_of(const LoadScene& report, const std::array<std::string, 2>& shapes) {
+  std::vector<std::string> pictures;
+  for (const LoadScene& half : report.halves) pictures.push_back(pictures_of(half, shapes));
+  return halves_part(
+      "each half carries half of the torque",
+      "The halves are mirror images of each other, and the pictures show one of them.", pictures);
 }
 
 }  // namespace
@@ -151,7 +145,7 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
       "flanks overlap and no force is tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}"
       "</section>\n",
       torques.front().positions.size(), finding(report), facts(report), te_part(report),
-      report.halves.empty() ? pictures_of(report, shapes) : halves_part(report, shapes));
+      report.halves.empty() ? pictures_of(report, shapes) : halves_of(report, shapes));
 }
 
 }  // namespace gearwright

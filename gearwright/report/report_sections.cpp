@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
@@ -203,6 +204,18 @@ std::string rating_section(const RatingView& view) {
       "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}. Scuffing and "
       "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
       method, plastic ? ", nor are wear and deformation" : "", finding(view.rating), table(view));
+}
+
+std::string halves_part(std::string_view shared, std::string_view alike,
+                        const std::vector<std::string>& pictures) {
+  constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
+  std::string text = fmt::format(
+      "<p>The results above are those of the whole gears. One of them floats along its axis, so "
+      "{}.{}</p>\n",
+      shared, pictures.size() == 1 ? fmt::format(" {}", alike) : "");
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    text += fmt::format("<h3 class=\"half\">{}</h3>\n", kNames[i]) + pictures[i];
+  return text;
 }
 
 }  // namespace gearwright

@@ -8,7 +8,6 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/load/loaded_score.hpp"
-#include "gearwright/math/minimise.hpp"
 #include "gearwright/scatter/robust.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
 #include "gearwright/scatter/testing/small_family.hpp"
@@ -65,7 +64,6 @@ double sorted_quantile(std::vector<double> f, double p) {
 }
 
 TEST(RobustLoad, ThePercentileIsThatOfTheMembers) {
-  if (!can_minimise()) GTEST_SKIP();
   const ContactSetup setup = testing::plain_helical_pair().setup();
   const ScatterTask task = loaded_housing(0.06);
   const RobustTask robust = crowning_under_load(setup, 20);
@@ -89,7 +87,6 @@ TEST(RobustLoad, ThePercentileIsThatOfTheMembers) {
 }
 
 TEST(RobustLoad, WithoutWidthItIsTheNominalOptimum) {
-  if (!can_minimise()) GTEST_SKIP();
   ContactErrors errors;
   errors.crossing = Angle::degrees(0.04);
   testing::DrawnPair drawn = testing::plain_helical_pair();
@@ -110,7 +107,6 @@ TEST(RobustLoad, WithoutWidthItIsTheNominalOptimum) {
 }
 
 TEST(RobustLoad, NothingIsWorseThanNothing) {
-  if (!can_minimise()) GTEST_SKIP();
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   const ScatterTask task = loaded_housing(0.02);
   RobustTask robust = crowning_under_load(setup, 50);
@@ -126,7 +122,6 @@ TEST(RobustLoad, NothingIsWorseThanNothing) {
 
 // A tool setting changes the teeth, so each trial repeats the whole contact.
 TEST(RobustLoad, SettingsWithoutInfluenceAreTriedExactly) {
-  if (!can_minimise()) GTEST_SKIP();
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = loaded_housing(0.02);
   task.samples = 4;
@@ -140,7 +135,6 @@ TEST(RobustLoad, SettingsWithoutInfluenceAreTriedExactly) {
 }
 
 TEST(RobustLoad, ThreadsDoNotMatter) {
-  if (!can_minimise()) GTEST_SKIP();
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = loaded_housing(0.06);
   const RobustTask robust = crowning_under_load(setup, 20);

@@ -1,0 +1,22 @@
+// The answer of a verb to the tree of a spec, for the tests of this room.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+
+namespace gearwright::testing {
+
+/// The record of the answer, or "key" and "rule" of its error with the keys of a file.
+inline Json answered(const Json& tree, std::string_view verb) {
+  const auto spec = read_spec_tree(tree, {}, find_verb(verb)->use);
+  const auto answer = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
+  if (answer) return *answer;
+  const Error error = spec ? spelled(answer.error(), spec->given) : answer.error();
+  return {{"key", error.field}, {"rule", error.rule}};
+}
+
+}  // namespace gearwright::testing
