@@ -6,7 +6,7 @@
 
 namespace gearwright {
 
-std::vector<Error> missing_inputs(const RatingInput& in) {
+std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
   if (in.edition == RatingEdition::vdi_2736) return missing_plastic_inputs(in);
   std::vector<Error> missing;
   if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
@@ -32,15 +32,19 @@ std::vector<Error> missing_inputs(const RatingInput& in) {
                      "or the factor itself"));
   }
   if (!in.face_load_factor && !in.mounting && !in.shafts) {
-    missing.push_back(absent_input("rating.face_load_factor",
-                                   "; give it, `face_load_factor` = 1.2 for example, or the "
-                                   "arrangement of the pinion, `mounting`"));
+    missing.push_back(absent_input(
+        "rating.face_load_factor",
+        halves == 1
+            ? "; give it, `face_load_factor` = 1.2 for example, or the arrangement of the "
+              "pinion, `mounting`"
+            : "; give it, `face_load_factor` = 1.2 for example; for double-helical gears it "
+              "does not follow from the arrangement of the pinion"));
   }
   return missing;
 }
 
-std::optional<Error> missing_input(const RatingInput& in) {
-  const std::vector<Error> missing = missing_inputs(in);
+std::optional<Error> missing_input(const RatingInput& in, int halves) {
+  const std::vector<Error> missing = missing_inputs(in, halves);
   if (missing.empty()) return std::nullopt;
   return all_missing(missing);
 }

@@ -8,7 +8,8 @@
 
 namespace gearwright {
 
-/// The parts of missing_input().
-std::vector<Error> missing_inputs(const RatingInput& input);
+/// The parts of missing_input(). `halves` is 2 for double-helical gears, whose face load factor does
+/// not follow from a mounting.
+std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
 
 }  // namespace gearwright

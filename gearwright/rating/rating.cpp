@@ -290,7 +290,7 @@ std::optional<Error> two_halves_error(const RatedPair& pair, const RatingInput& 
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
   GW_EXPECTS(input.torque > 0.0);
   if (auto error = two_halves_error(pair, input)) return *error;
-  if (auto error = missing_input(input)) return *error;
+  if (auto error = missing_input(input, pair.halves)) return *error;
   auto made = input.edition == RatingEdition::vdi_2736 ? rate_plastic(pair, input)
                                                        : rate_by_iso(pair, input);
   if (!made || !pair.exchanged) return made;

@@ -80,7 +80,7 @@ struct Rating {
 
 /// Inputs that the standard needs and that are missing, and a grade that its edition of ISO 1328-1
 /// does not have, independent of the pair, as the errors of rate().
-std::optional<Error> missing_input(const RatingInput& input);
+std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 
 /// Formula   [T11.1], [T11.22], [T11.40]
 /// Errors    `rating.speed` where K_v or the lives need it, `rating.quality`, `rating.face_load_factor`

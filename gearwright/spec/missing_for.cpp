@@ -30,7 +30,8 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
     if (spec.rating.material) materials[i] = *spec.rating.material;
     if (spec.gears[i]) materials[i] = spec.gears[i]->material;
   }
-  add(missing, missing_for_rating(spec.rating, materials, tables));
+  const int halves = spec.has(1) && spec.gear(1).double_helical ? 2 : 1;
+  add(missing, missing_for_rating(spec.rating, materials, tables, halves));
   std::erase_if(missing, [&](const Error& e) {
     // A material that was not read because other data of its gear are missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
@@ -71,7 +72,7 @@ std::string material_table(const JobSpec& spec, int which) {
 
 std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
-                                      const std::array<std::string, 2>& tables) {
+                                      const std::array<std::string, 2>& tables, int halves) {
   std::vector<Error> missing;
   if (!rating.torque && !rating.power) {
     missing.push_back(absent_input("rating.torque_Nm",
@@ -91,7 +92,7 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
   }
   // The inputs of VDI 2736 depend on the materials.
   if (known || input.edition != RatingEdition::vdi_2736)
-    for (const Error& error : missing_inputs(input)) missing.push_back(spelled(error));
+    for (const Error& error : missing_inputs(input, halves)) missing.push_back(spelled(error));
   return missing;
 }
 

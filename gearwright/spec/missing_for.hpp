@@ -32,10 +32,11 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 /// The same as one error; none if nothing is missing.
 std::optional<Error> missing_error(SpecUse use, const JobSpec& spec);
 
-/// The missing inputs of a rating alone. `tables` are those of the materials of both gears.
+/// The missing inputs of a rating alone. `tables` are those of the materials of both gears,
+/// and `halves` is 2 for double-helical gears.
 std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
-                                      const std::array<std::string, 2>& tables);
+                                      const std::array<std::string, 2>& tables, int halves = 1);
 
 /// The table of a gear's material: its own, that of gear 1, or [rating.material]; if there is none,
 /// its own or that of gear 1.

@@ -77,6 +77,10 @@ class TwoHalves(unittest.TestCase):
                       answer["verdict"]["headline"])
 
     def test_a_mounting_of_one_helix_is_an_error(self):
+        rating = "[gear1.material]\nname = \"18CrNiMo7-6\"\n[rating]\ntorque_Nm = 4000\nspeed_rpm = 1200\nquality = 6\n"
+        run = Run("rate", PAIR.format("") + rating)
+        self.assertIn("face_load_factor = 1.2", run.err)
+        self.assertNotIn("mounting", run.err)
         run = Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n[rating]\ntorque_Nm = 4000\n"
                   "speed_rpm = 1200\nquality = 6\n[rating.mounting]\nbearing_span_mm = 300\npinion_offset_mm = 0\n"
                   "shaft_diameter_mm = 60\narrangement = \"a\"\n")
