@@ -11,9 +11,10 @@ namespace gearwright {
 
 namespace {
 
-const Halves& narrower_of(const std::array<std::optional<Halves>, 2>& halves) {
+// The gear with the narrower half, 0 or 1.
+std::size_t narrower_of(const std::array<std::optional<Halves>, 2>& halves) {
   GW_EXPECTS(halves[0] && halves[1]);
-  return *halves[halves[1]->half_face_width < halves[0]->half_face_width ? 1 : 0];
+  return halves[1]->half_face_width < halves[0]->half_face_width ? 1 : 0;
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Ge
   for (double& torque : input.torques) torque /= 2;
   // Over the whole face, with x = z/b: slope · x + bow · (1 − 4x²), about the middle of this half.
   const double share = narrower.half_face_width / narrower.face_width;
-  const double x = narrower.middle() / narrower.face_width;
+  const double x = (1 - share) / 2;
   const double slope = below ? -whole.deflection_slope : whole.deflection_slope;
   input.deflection_slope = (slope - 8 * x * whole.deflection_bow) * share;
   input.deflection_bow = whole.deflection_bow * share * share;
@@ -41,7 +42,8 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const std::array<std::optional<Halves>, 2>& halves,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress) {
-  const Halves& narrower = narrower_of(halves);
+  const std::size_t of = narrower_of(halves);
+  const Halves& narrower = *halves[of];
   const Gear& gear_1 = arranged.gear(1);
   LoadAnalysis whole;
   if (!input.probes.empty() || input.torques.empty()) {
@@ -51,7 +53,8 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
     if (!made || input.torques.empty()) return made;
     whole = std::move(made).take();
   }
-  HalfPlace place{{narrower.middle(), narrower.middle()}};
+  const double middle = middle_of_half(arranged.gears[of]);
+  HalfPlace place{{middle, middle}};
   std::vector<Warning> found;
   auto made = loaded(arranged, errors, input_of_half(input, narrower, gear_1, false), found,
                      progress, place);

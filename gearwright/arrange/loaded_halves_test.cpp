@@ -90,7 +90,7 @@ TEST(LoadedHalves, HaveTheDeflectionOfTheWholeFace) {
   for (const bool below : {false, true}) {
     const LoadInput half = input_of_half(input, h, s.half.gear(1), below);
     for (const double z : {-0.5, -0.1, 0.3, 0.5}) {
-      const double there = h.middle() + z * h.half_face_width;
+      const double there = (h.face_width - h.half_face_width) / 2 + z * h.half_face_width;
       EXPECT_NEAR(at(half, z), at(input, (below ? -there : there) / h.face_width), 1e-13);
     }
     EXPECT_EQ(half.torques[0], 50.0);

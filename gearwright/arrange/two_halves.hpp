@@ -23,9 +23,6 @@ struct Halves {
   std::optional<double> hob_run_out;      ///< mm, the least gap for the run-out of the hob
   double axial_shift_per_index_error;  ///< Δz/e, the axial shift by which floating distributes an
                                        ///< index error
-
-  /// z of the middle of the half at z > 0, mm.
-  double middle() const { return (given.gap + half_face_width) / 2; }
 };
 
 /// Replaces each double-helical gear by its half.

@@ -75,6 +75,11 @@ FlankRaster in_mirror(const FlankRaster& raster) {
   return r;
 }
 
+double middle_of_half(const Gear& half) {
+  GW_EXPECTS(half.gap.has_value());
+  return (*half.gap + half.spec.face_width) / 2;
+}
+
 Angle behind(double stagger, const Gear& gear_1) {
   return Angle::radians(-stagger * 2 * std::numbers::pi / gear_1.spec.teeth);
 }

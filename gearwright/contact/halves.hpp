@@ -21,6 +21,11 @@
 
 namespace gearwright {
 
+/// z of the middle of half A of a double-helical gear, mm.
+///
+/// Domain    a gear with a gap, which may be 0 (contract)
+double middle_of_half(const Gear& half);
+
 /// The rotation of half B relative to that of the gears.
 Angle behind(double stagger, const Gear& gear_1);
 

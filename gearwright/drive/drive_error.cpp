@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/contact/halves.hpp"
 #include "gearwright/drive/drive_places.hpp"
 
 namespace gearwright {
@@ -115,6 +116,19 @@ class DriveCurves {
     return -a.factor() * load * turning(a.body, m) > 0.0;
   }
 
+  // Of a double-helical pair, the curve of the whole gears. If they are turned over, the half with the
+  // hand of the drawing is at z < 0.
+  static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
+    if (!setup.gear(1).gap)
+      return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
+    const double side = turned ? -1.0 : 1.0;
+    const std::array middles{side * middle_of_half(setup.gear(1)),
+                             side * middle_of_half(setup.gear(2))};
+    const ContactSetup one = setup.half_at(middles, false), image = setup.half_at(middles, true);
+    const ContactPair a = one.pair(gear2_drives), b = image.pair(gear2_drives);
+    return gearwright::transmission_error(HalvesMesh{&setup.gear(1), {&a, &b}}, kErrorPositions);
+  }
+
   bool find_waves(std::size_t m, const Pair& pair) {
     MeshCurve& curve = curves_[m];
     curve.waves.assign(kErrorPositions / 2 + 1, 0.0);
@@ -126,18 +140,19 @@ class DriveCurves {
     const bool whole = pair.involute()->contact_ratio_true() >= 1.0;
     if (!modified && whole && errors == ContactErrors()) return true;
     // The contact analysis of a pair turns gear 1 clockwise.
-    if (turning(graph.gear(graph.meshes[m], 0).body, m) > 0.0) {
+    const bool turned = turning(graph.gear(graph.meshes[m], 0).body, m) > 0.0;
+    if (turned) {
       for (Flanks& of_gear : flanks) {
-        const auto turned = turned_over(of_gear);
-        if (!turned) return false;
-        of_gear = *turned;
+        const auto over = turned_over(of_gear);
+        if (!over) return false;
+        of_gear = *over;
       }
       errors = turned_over(errors);
     }
     const auto setup = ContactSetup::of(pair, errors, flanks);
     if (!setup) return false;
     const bool gear2_drives = !curve.first_drives;
-    const auto te = gearwright::transmission_error(setup->pair(gear2_drives), kErrorPositions);
+    const auto te = curve_of(*setup, gear2_drives, turned);
     if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return false;
     if (peak_to_peak(te) < kRounding) return true;
     // The lead of gear 2 over gear 1. If gear 2 drives, the lead of gear 1 has the opposite sign.

@@ -186,7 +186,7 @@ class HalvesAnswer {
  public:
   HalvesAnswer(SolvedJob& job, const ContactSetup& setup, Progress* progress)
       : job_(job), progress_(progress), stagger_(job.halves[0]->given.stagger_pitches) {
-    const std::array middles{job.halves[0]->middle(), job.halves[1]->middle()};
+    const std::array middles{middle_of_half(setup.gear(1)), middle_of_half(setup.gear(2))};
     for (const bool below : {false, true}) setup_[below] = setup.half_at(middles, below);
   }
 

@@ -77,7 +77,6 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
   Json& pair = spec["pair"] = Json::object();
   if (const auto& distance = drive.geometry.distance[mesh]) pair["center_distance_mm"] = *distance;
   if (!rack && drive.graph.friction > 0.0) pair["friction_coefficient"] = drive.graph.friction;
-  // The tables of contact are for gears of one helix.
   const bool halves = drive.graph.gear(m, 0).double_helical.has_value();
   const bool locks = drive.flow && drive.flow->self_locking();
   const bool carries = drive.flow && !locks && drive.flow->driver[mesh] >= 0 && !rack;
@@ -86,10 +85,10 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
         drive, mesh,
         {std::abs(*drive.graph.torque_Nm), drive.speed_rpm(drive.graph.inputs.front()), {}});
     if (load.speed) pair["speed_rpm"] = *load.speed;
-    if (!halves) spec["load"]["torque_Nm"] = load.torque;
+    spec["load"]["torque_Nm"] = load.torque;
   }
   for (const std::string name : kShared)
-    if (expanded.contains(name) && (!halves || name == "drawing")) spec[name] = expanded[name];
+    if (expanded.contains(name) && !(halves && name == "scatter")) spec[name] = expanded[name];
   if (spec.contains("load") && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
 
   std::vector<std::string> notes{fmt::format(

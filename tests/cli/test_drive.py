@@ -240,8 +240,17 @@ class DoubleHelical(unittest.TestCase):
         self.assertIn("rating.face_load_factor", run.err)
 
     def test_the_spec_of_a_mesh_runs(self):
-        spec = Run("drive", self.stage() + "[errors]\ncrossing_deg = 0.01\n", "--take", "1").out
-        self.assertEqual([table in spec for table in ("[load]", "[errors]", "[gear2.double_helical]")], [False, False, True])
+        stage = self.stage() + "[errors]\nintersecting_deg = 0.01\ncrossing_deg = 0.004\n"
+        spec = Run("drive", stage, "--take", "1").out
+        for table in ("[load]", "[errors]", "[gear2.double_helical]"):
+            self.assertIn(table, spec)
+        # The transmission error of the drive is that of the whole gears, and not of a half.
+        # The input turns counter-clockwise, so the flanks that work are the other ones of `contact`.
+        drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
+        contact = Run("contact", spec, "--json").json["contact"]
+        self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)
+        for half in contact["halves"]:
+            self.assertGreater(half["non_working_flank"]["peak_to_peak_arcsec"], 1.1 * drive)
         run = Run("run", spec, "--out", "o")
         self.assertEqual(run.status, 0, run.err)
 
