@@ -1,0 +1,261 @@
+"""Tests the meshes of a drive as pairs: the spec that `drive --take` prints has the numbers of the drive, and a
+double-helical mesh has those of one half."""
+import math
+import re
+import unittest
+
+from cli import SOURCE, Run
+from test_drive import EXAMPLES, SET
+
+
+class Meshes(unittest.TestCase):
+    def test_the_spec_of_a_mesh_has_the_numbers_of_the_drive(self):
+        compared = 0
+        for example in EXAMPLES:
+            text = example.read_text()
+            meshes = Run("drive", text, "--json").json["drive"]["meshes"]
+            for number, (name, mesh) in enumerate(meshes.items(), 1):
+                with self.subTest(example=example.name, mesh=name):
+                    spec = Run("drive", text, "--take", str(number))
+                    self.assertEqual(spec.status, 0, spec.err)
+                    title = next(line for line in spec.out.splitlines() if line.startswith("title"))
+                    self.assertIn(name, title)
+                    pair = Run("pair", spec.out, "--json").json["pair"]
+                    self.assertEqual({key: pair[key] for key in mesh["pair"]}, mesh["pair"])
+                    compared += 1
+        self.assertGreaterEqual(compared, 12)
+
+    def test_a_mesh_carries_its_torque(self):
+        """Three planets share the torque of the sun, and the ring's mesh has the same tooth force as the sun's."""
+        sun = Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out
+        ring = Run("drive", SET + "torque_Nm = 60\n", "--take", "2").out
+        torque = [float(re.search(r"torque_Nm = (\S+)", spec).group(1)) for spec in (sun, ring)]
+        self.assertAlmostEqual(torque[0], 20, 9)
+        self.assertAlmostEqual(torque[1], 20 * 25 / 20, 0)  # less the loss of the first mesh
+        self.assertEqual(Run("load", sun, "--json").status, 0)
+
+    def test_a_mesh_without_load_has_no_torque(self):
+        text = (SOURCE / "examples/drives/ravigneaux.toml").read_text()
+        loads = ["[load]" in Run("drive", text, "--take", str(n)).out for n in (1, 2, 3, 4)]
+        self.assertEqual(loads, [True, True, False, True])
+        still = Run("drive", SET + "torque_Nm = 0\n", "--take", "1")
+        self.assertEqual(still.status, 0, still.err)
+        self.assertNotIn("[load]", still.out)
+
+    def test_the_head_of_a_mesh_gives_faults_of_the_drive(self):
+        """A Wolfrom set with a high ratio locks itself backwards; with its ring driving it locks."""
+        locked = """
+[planetary]
+sun = 12
+planet = 30
+planet2 = 29
+ring = 72
+ring2 = 71
+planets = 3
+normal_module_mm = 1
+friction_coefficient = 0.3
+input = "ring2"
+output = "sun"
+torque_Nm = 5
+"""
+        drive = Run("drive", locked, "--json").json
+        self.assertTrue(drive["drive"]["self_locking"])
+        head = [line for line in Run("drive", locked, "--take", "1").out.splitlines() if line.startswith("#")]
+        self.assertIn("locks itself", " ".join(head))
+        thick = SET + "thickness_allowance_mm = 0.4\n"
+        self.assertEqual(Run("drive", thick, "--json").json["verdict"]["level"], "red")
+        spec = Run("drive", thick, "--take", "1")
+        self.assertIn("does not run as specified", spec.out.split("title")[0].replace("\n# ", " "))
+        self.assertIn("does not run as specified", Run("drive", thick, "--take", "1", "--json").err)
+        self.assertEqual(Run("drive", SET, "--take", "1", "--json").err, "")
+        self.assertTrue(all(line.startswith("# ") and len(line) <= 80 for line in spec.out.split("title")[0].splitlines()))
+
+    def test_a_mesh_carries_its_rating(self):
+        """The safeties of a mesh are those of the drive; of the gear with the fewer engagements they are lower."""
+        rating = ('\n[rating]\ntorque_Nm = 40\nspeed_rpm = 1450\nlife_h = 20000\nquality = 6\nface_load_factor = 1.3\n'
+                  'lubricant_viscosity_40C_mm2_s = 220\nmaterial = { name = "16MnCr5" }\n')
+        train = (SOURCE / "examples/drives/two_stage_gearbox.toml").read_text() + rating
+        for drive, meshes in ((train, 2), (SET + rating, 2)):
+            rated = list(Run("rate", drive, "--json").json["drive"]["meshes"].values())
+            for number in range(1, meshes + 1):
+                spec = Run("drive", drive, "--take", str(number))
+                pair = Run("rate", spec.out, "--json")
+                self.assertEqual(pair.status, 0, pair.err + spec.out)
+                of_drive, of_pair = rated[number - 1]["rating"], pair.json["rating"]
+                self.assertEqual(of_pair["F_t_N"], of_drive["F_t_N"])
+                if "engage" not in spec.out:
+                    for key in ("S_H", "S_F", "K_v"):
+                        self.assertEqual(of_pair[key], of_drive[key])
+                else:
+                    for key in ("S_H", "S_F"):
+                        for a, b in zip(of_pair[key], of_drive[key]):
+                            self.assertLessEqual(a, b)
+        idle = (SOURCE / "examples/drives/ravigneaux.toml").read_text() + rating.replace("torque_Nm = 40\nspeed_rpm = 1450\n", "")
+        self.assertIn("The table [rating] is left out", Run("drive", idle, "--take", "3").out)
+
+    def test_the_driving_gear_is_that_of_the_drive(self):
+        back = SET + 'torque_Nm = 60\ninput = "carrier"\noutput = "sun"\n'
+        self.assertIn("driver = 2", Run("drive", back, "--take", "1").out)
+        self.assertNotIn("driver", Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out)
+
+    def test_a_rack_is_gear_2(self):
+        drive = """
+[drive]
+fixed = ["frame"]
+input = "pinion"
+output = "bar"
+body = [{ name = "frame" }, { name = "pinion" }, { name = "bar" }]
+gear = [{ name = "r", body = "bar", form = "rack", teeth = 20 }, { name = "p", body = "pinion", teeth = 17, normal_module_mm = 2 }]
+mesh = [{ gears = ["r", "p"] }]
+"""
+        spec = Run("drive", drive, "--take", "1")
+        self.assertEqual(spec.status, 0, spec.err)
+        pair = Run("pair", spec.out, "--json")
+        self.assertEqual(pair.status, 0, pair.err)
+        self.assertEqual(pair.json["pair"]["kind"], "rack_and_pinion")
+
+    LIFT = """
+[drive]
+input = "shaft"
+output = "bar"
+speed_rpm = 60
+torque_Nm = 10
+body = [{ name = "shaft" }, { name = "bar" }]
+gear = [{ name = "p", body = "shaft", teeth = 20, normal_module_mm = 2, helix_angle_deg = 10 },
+        { name = "r", body = "bar", form = "rack", teeth = 30, height_mm = 18, normal_module_mm = 2 }]
+mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
+"""
+
+    def test_a_rack_moves(self):
+        """In a turn per second the rack moves by the pitch circle of its pinion, and its force has the arm of d/2."""
+        drive = Run("drive", self.LIFT, "--json").json
+        d = 20 * 2 / math.cos(math.radians(10))
+        bar = drive["drive"]["bodies"]["bar"]
+        self.assertAlmostEqual(bar["speed_m_per_s"], math.pi * d / 1000, 12)
+        self.assertAlmostEqual(abs(bar["force_N"]), 0.98 * 10 / (d / 2000), 9)
+        self.assertAlmostEqual(bar["power_kW"] * 1000, bar["force_N"] * bar["speed_m_per_s"], 9)
+        self.assertEqual([bar[key] for key in ("speed_rpm", "torque_Nm")], [None, None])
+        shaft = drive["drive"]["bodies"]["shaft"]
+        self.assertEqual([shaft[key] for key in ("speed_m_per_s", "force_N")], [None, None])
+        self.assertIn("Meshes with a rack are not checked", drive["verdict"]["headline"])
+        text = Run("drive", self.LIFT).out
+        for words in ("0.1276 m/s", "482.56 N", "pitches per turn"):
+            self.assertIn(words, text)
+        page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
+        self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
+
+    def test_the_height_of_a_rack_reaches_its_pair(self):
+        pair = Run("pair", Run("drive", self.LIFT, "--take", "1").out, "--json")
+        self.assertEqual(pair.status, 0, pair.err)
+        self.assertAlmostEqual(pair.json["pair"]["mounting_distance_mm"], pair.json["pair"]["center_distance_mm"] + 18, 9)
+        for height, word in (("height_mm = -1", "greater than 0"), ("form = \"gear\", teeth = 30, height_mm = 18", "form")):
+            run = Run("drive", self.LIFT.replace('form = "rack", teeth = 30, height_mm = 18',
+                                                 height if "form" in height else 'form = "rack", ' + height + ", teeth = 30"))
+            self.assertEqual(run.status, 1)
+            for words in ("drive.gear[2].height_mm", word):
+                self.assertIn(words, run.err)
+
+    def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
+        run = Run("contact", SET)
+        self.assertEqual(run.status, 1)
+        self.assertIn("--take 1", run.err)
+
+    def test_a_mesh_that_is_not_there(self):
+        run = Run("drive", SET, "--take", "3")
+        self.assertEqual(run.status, 1)
+        self.assertIn("must be 1 to 2", run.err)
+
+
+GEAR = "teeth = {}, normal_module_mm = 2, helix_angle_deg = {}, face_width_mm = 50"
+HALVES = ", double_helical = { gap_mm = 10 }"
+STAGE = "[[stage]]\ngears = [{{ {}{} }}, {{ {}{} }}]\nspeed_rpm = 1500\ntorque_Nm = 60\n"
+
+
+class DoubleHelical(unittest.TestCase):
+    """A half of a double-helical gear is a helical gear of its own face under half of the torque."""
+
+    def stage(self, pinion=HALVES, wheel=HALVES):
+        return STAGE.format(GEAR.format(21, 25), pinion, GEAR.format(64, -25), wheel)
+
+    def test_a_mesh_has_the_numbers_of_one_half(self):
+        both = Run("drive", self.stage(), "--json")
+        self.assertEqual(both.status, 0, both.err)
+        one = Run("drive", self.stage("", "").replace("= 50", "= 20"), "--json")
+        pairs = [next(iter(run.json["drive"]["meshes"].values()))["pair"] for run in (both, one)]
+        self.assertEqual(pairs[0]["overlap_ratio"], pairs[1]["overlap_ratio"])
+        whole, face = [pair.pop("needed_face_width_mm") for pair in pairs]
+        self.assertAlmostEqual(whole["whole_overlap_1"], 2 * face["overlap_1"] + 10, 9)
+        self.assertEqual(*pairs)
+        pair = Run("pair", Run("drive", self.stage(), "--take", "1").out, "--json").json["pair"]
+        self.assertEqual(pair["overlap_ratio"], pairs[0]["overlap_ratio"])
+
+    def test_the_halves_share_the_load(self):
+        rating = "[rating]\nquality = 6\nface_load_factor = 1.2\nmaterial = \"16MnCr5\"\n"
+        both = Run("rate", self.stage() + rating, "--json")
+        self.assertEqual(both.status, 0, both.err)
+        one = Run("rate", self.stage("", "").replace("= 50", "= 20").replace("= 60", "= 30") + rating, "--json")
+        safeties = [next(iter(run.json["drive"]["meshes"].values()))["rating"] for run in (both, one)]
+        for key in ("S_H", "S_F"):
+            self.assertEqual(safeties[0][key], safeties[1][key])
+        mounted = rating.replace("face_load_factor = 1.2\n", "") + ("[rating.mounting]\nbearing_span_mm = 300\n"
+                                                                    "shaft_diameter_mm = 60\n")
+        run = Run("rate", self.stage() + mounted)
+        self.assertEqual(run.status, 1)
+        self.assertIn("rating.face_load_factor", run.err)
+
+    def test_the_spec_of_a_mesh_runs(self):
+        stage = self.stage() + "[errors]\nintersecting_deg = 0.01\ncrossing_deg = 0.004\n"
+        spec = Run("drive", stage, "--take", "1").out
+        for table in ("[load]", "[errors]", "[gear2.double_helical]"):
+            self.assertIn(table, spec)
+        # The transmission error of the drive is that of the whole gears, and not of a half.
+        # The input turns counter-clockwise, so the flanks that work are the other ones of `contact`.
+        drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
+        contact = Run("contact", spec, "--json").json["contact"]
+        self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)
+        for half in contact["halves"]:
+            self.assertGreater(half["non_working_flank"]["peak_to_peak_arcsec"], 1.1 * drive)
+        run = Run("run", spec, "--out", "o")
+        self.assertEqual(run.status, 0, run.err)
+
+    def test_the_files_have_both_halves(self):
+        run = Run("run", self.stage(), "--out", "o", "--json")
+        self.assertEqual(run.status, 0, run.err)
+        step = (run.folder / "o/drive.step").read_text()
+        self.assertEqual(step.count("MANIFOLD_SOLID_BREP"), 2)
+        expanded = Run("drive", self.stage(), "--expand").out
+        self.assertEqual(expanded.count("double_helical"), 2)
+        again = Run("drive", expanded, "--json").json["drive"]["meshes"]
+        self.assertEqual(again, Run("drive", self.stage(), "--json").json["drive"]["meshes"])
+
+    def test_halves_that_do_not_mesh_are_errors(self):
+        lift = Meshes.LIFT.replace("helix_angle_deg = 10", "helix_angle_deg = 10, face_width_mm = 50" + HALVES)
+        for spec, *words in (
+                (SET + "double_helical = { gap_mm = 5 }\n", "planetary.double_helical", "--expand"),
+                ("[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\ndouble_helical = { gap_mm = 5 }\n",
+                 "stage[1].double_helical", "gears = ["),
+                (self.stage(HALVES.replace("10", "50")), "less than the face width 50"),
+                (self.stage(HALVES.replace("}", ", stagger_pitches = 0.5 }")), "staggered halves"),
+                (self.stage().replace(", face_width_mm = 50", ""), "stage[1].gears[1].face_width_mm"),
+                (self.stage().replace(", helix_angle_deg = 25", "").replace(", helix_angle_deg = -25", ""), "helix_angle"),
+                (lift, "its pinion is double-helical")):
+            run = Run("drive", spec)
+            self.assertEqual(run.status, 1, spec)
+            for word in words:
+                self.assertIn(word, run.err)
+
+    def test_a_bore_of_a_drive_is_in_its_files_and_its_verdict(self):
+        bore = ", bore = { diameter_mm = %s }"
+        good = Run("drive", self.stage(HALVES + bore % 20), "--json")
+        self.assertNotEqual(good.json["verdict"]["level"], "red", good.json["verdict"]["headline"])
+        meshed = Run("export", self.stage(HALVES + bore % 20), "--stl", "a.stl")
+        self.assertEqual(meshed.status, 0, meshed.err)
+        solid = Run("export", self.stage(), "--stl", "a.stl")
+        self.assertGreater((meshed.folder / "a.stl").stat().st_size, (solid.folder / "a.stl").stat().st_size)
+        wide = Run("drive", self.stage(HALVES + bore % 41), "--json")
+        self.assertEqual(wide.json["verdict"]["level"], "red")
+        self.assertIn("bore", wide.json["verdict"]["headline"])
+
+
+if __name__ == "__main__":
+    unittest.main()
