@@ -14,6 +14,8 @@
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/load_report.hpp"
+#include "gearwright/report/arc_contact_figures.hpp"
+#include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
@@ -55,7 +57,7 @@ std::string gear_html(const GearValue& g) {
   return framed(fmt::format("Gear with {} teeth", gear.spec.teeth),
                 definitions({&gear}) + "<div class=\"columns\"><div>" +
                     gear_table({&gear}, {g.halves()}) + "</div><div>" +
-                    tooth_figure(gear, kShapes[0], "Gear") + "</div></div>\n");
+                    tooth_part(gear, kShapes[0], "Gear") + "</div></div>\n");
 }
 
 std::string pair_html(const PairValue& p) {
@@ -64,9 +66,41 @@ std::string pair_html(const PairValue& p) {
   const bool picture = parallel && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
   return framed(fmt::format("Gear pair {} / {}", pair.gear(1).spec.teeth, pair.gear(2).spec.teeth),
                 definitions({&pair.gear(1), &pair.gear(2)}) + verdict_line(judge(p.model->job)) +
-                    (picture ? mesh_figures(*parallel, kShapes) : std::string()) +
-                    pair_table(pair));
+                    (picture ? mesh_part(*parallel, kShapes) : std::string()) + pair_table(pair));
 }
+
+std::vector<Figure> gear_figures(const GearValue& g) {
+  const Gear& gear = g.gear();
+  if (!has_outline(gear)) return {};
+  Figure tooth = tooth_figure(gear, kShapes[0], "Gear");
+  tooth.definitions = gear_definition(gear, kShapes[0]);
+  return {std::move(tooth)};
+}
+
+// The figures of the report on a pair, by its kind.
+struct PairFigures {
+  std::vector<Figure> operator()(const ParallelPair& pair) const {
+    std::vector<Figure> figures;
+    for (Figure& f : mesh_figures(pair, kShapes)) {
+      for (std::size_t i = 0; i < kShapes.size(); ++i)
+        f.definitions += gear_definition(pair.gears[i], kShapes[i]);
+      figures.push_back(std::move(f));
+    }
+    if (!pair.flanks_meet()) return figures;
+    figures.push_back(path_figure(pair));
+    figures.push_back(ratio_figure(pair));
+    return figures;
+  }
+  std::vector<Figure> operator()(const CrossedPair& pair) const {
+    const auto [plan, whole] = plan_figures(pair);
+    std::vector<Figure> figures{plan, whole, section_figure(pair), face_width_figure(pair)};
+    if (!pair.flanks_meet()) return figures;
+    figures.push_back(face_use_figure(pair));
+    figures.push_back(speed_figure(pair));
+    return figures;
+  }
+  std::vector<Figure> operator()(const ArcPair& pair) const { return arc_contact_figures(pair); }
+};
 
 // Makes a part of the report in an interruptible way.
 template <class Part>
@@ -136,10 +170,17 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def("_repr_html_", [](const Figure& f) { return framed(f.title, figure_html(f)); })
       .def("__repr__", [](const Figure& f) { return fmt::format("Figure({})", f.title); });
   gear.def("_repr_html_", &gear_html)
+      .def_property_readonly("figures", &gear_figures,
+                             "The figure of the report: one tooth with its arcs and circles; none "
+                             "if the gear has no outline")
       .def(
           "report", [](const GearValue& g) { return page_of(*g.model, g.gears(), false); },
           "The program's report as one HTML page");
   pair.def("_repr_html_", &pair_html)
+      .def_property_readonly(
+          "figures", [](const PairValue& p) { return p.pair().visit(PairFigures()); },
+          "The figures of the report: the mesh and both gears, path of contact and contact ratios; "
+          "on crossed axes plan, section, faces and sliding; of circular arcs, rack and teeth")
       .def(
           "report", [](const PairValue& p) { return page_of(*p.model, p.gears(), false); },
           "The program's report as one HTML page");

@@ -5,10 +5,10 @@
 //                                              theory: docs/theory/07-circular-arc.md, 7.1, 7.4
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "gearwright/curve/curve.hpp"
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 
@@ -35,7 +35,7 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
                                  int teeth);
 
 /// The two racks that cut circular-arc teeth, in one normal section, and the teeth themselves in
-/// the plane across the tooth through the contact point. Empty if the arcs do not touch.
-std::string arc_contact_figures(const ArcPair& pair);
+/// the plane across the tooth through the contact point. There are none if the arcs do not touch.
+std::vector<Figure> arc_contact_figures(const ArcPair& pair);
 
 }  // namespace gearwright

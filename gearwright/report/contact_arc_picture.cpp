@@ -7,7 +7,6 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/arc_contact_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
@@ -18,7 +17,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
 constexpr double kAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, the width of a picture
 
@@ -110,7 +108,7 @@ std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) 
                      symbol_html("b"), fixed(arc.b, 4));
 }
 
-std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
+Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   if (!contact.nominal_theta) return {};  // the racks themselves do not touch
   const double theta = contact.nominal_theta->rad();
   const Arcs arcs = arcs_of_contact(pair, contact, theta);
@@ -163,10 +161,10 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
     f.text(upright(center + 0.3 * (M - center)), symbol_svg("ρ_" + number), Anchor::middle,
            std::string("halo ") + kInk[gear], {0.0, up ? -12.0 : 24.0});
   }
-  return figure_html(f, kWidth);
+  return f;
 }
 
-std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
+Figure teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
   const double m = pair.gears[0].spec.normal_module;
   Figure f = plane_of("arc-teeth", "The teeth across the contact point",
                       "Both gears cut by the plane across the tooth through the contact point, "
@@ -184,7 +182,7 @@ std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
       Vec2(contact.at.normal.x(), contact.at.normal.dot(plane.across)).normalized() * 1.4 * m;
   f.line({upright(-n), upright(n)}, "action-line");
   f.dot({0, 0}, 4.2, "mark action-dot");
-  return figure_html(f, kWidth);
+  return f;
 }
 
 }  // namespace
@@ -268,10 +266,10 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
   return section;
 }
 
-std::string arc_contact_figures(const ArcPair& pair) {
+std::vector<Figure> arc_contact_figures(const ArcPair& pair) {
   if (pair.contacts.empty()) return {};
   const ArcPairContact& contact = pair.first_contact();
-  return side_by_side(rack_figure(pair, contact) + teeth_figure(pair, contact));
+  return {rack_figure(pair, contact), teeth_figure(pair, contact)};
 }
 
 }  // namespace gearwright

@@ -88,10 +88,11 @@ TEST(ArcPicture, BothTeethPassTheContactPointInTheNormalSection) {
 }
 
 TEST(ArcPicture, TwoFiguresThatNameThePressureAngle) {
-  const std::string text = arc_contact_figures(litvin_tsay_pair());
-  EXPECT_NE(text.find("30.000°"), text.npos);
-  EXPECT_NE(text.find("id=\"racks\""), text.npos);
-  EXPECT_NE(text.find("id=\"arc-teeth\""), text.npos);
+  const std::vector<Figure> figures = arc_contact_figures(litvin_tsay_pair());
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_NE(figures[0].caption.find("30.000°"), std::string::npos);
+  EXPECT_EQ(figures[0].id, "racks");
+  EXPECT_EQ(figures[1].id, "arc-teeth");
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr double kArcFigure = 640.0;  // px
+
 double share(const ContactResult& result, bool (*is)(TouchKind)) {
   const auto n = std::count_if(result.positions.begin(), result.positions.end(),
                                [&](const ContactPoint& p) { return is(p.kind); });
@@ -158,14 +160,16 @@ std::string map_part(const ContactReport& report) {
 
 std::string arc_part(const ContactReport& report) {
   if (!report.arc_pair) return {};
-  const std::string figures = arc_contact_figures(*report.arc_pair);
+  std::string figures;
+  for (const Figure& figure : arc_contact_figures(*report.arc_pair))
+    figures += figure_html(figure, kArcFigure);
   if (figures.empty()) return {};
   return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave arc and touches it "
          "in a point. Both centres lie on the common normal through this point. Across the tooth "
          "the fit is close, so such teeth carry high loads. The point moves along the tooth while "
          "the gears turn. However, a wrong centre distance changes the angle at which the arcs "
          "touch, and the point moves up or down the flank.</p>\n" +
-         figures;
+         side_by_side(figures);
 }
 
 // Where the halves of a double-helical pair touch.

@@ -22,6 +22,7 @@
 #include <string>
 
 #include "gearwright/base/vector.hpp"
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -32,8 +33,11 @@ Vec2 in_plan(const Point<Housing>& p);
 /// Corners in plan of gear `which` (0, 1), from its cylinder of `radius` from face to face.
 std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
-/// The figures of the lines of action in plan and of both complete gears.
-std::string plan_figures(const InvolutePair& pair);
+/// The lines of action in plan, and both complete gears.
+std::array<Figure, 2> plan_figures(const InvolutePair& pair);
+
+/// Both figures for a page.
+std::string plan_part(const InvolutePair& pair);
 
 /// A point of the housing in section, mm: (h, x).
 ///
@@ -52,7 +56,7 @@ struct SectionEllipse {
 /// Domain    radius > 0 (contract)
 SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius);
 
-std::string section_figure(const InvolutePair& pair);
+Figure section_figure(const InvolutePair& pair);
 
 /// Centre distance, shaft angle and contact ratio without backlash over the pressure angle α_wn of
 /// the common rack, one curve per panel. Marks show the least centre distance, its approximations
@@ -61,18 +65,23 @@ std::string range_figure(const CrossedPair& pair);
 
 /// The face widths required by the lines of action, f and f′, over α_wn, with the actual face
 /// widths.
-std::string face_width_figure(const CrossedPair& pair);
+Figure face_width_figure(const CrossedPair& pair);
 
 /// The faces from end to end, with the parts that the leading and the trailing line use.
 ///
 /// Domain    the flanks meet (contract)
-std::string face_use_figure(const CrossedPair& pair);
+Figure face_use_figure(const CrossedPair& pair);
 
-/// Sliding of the flanks, across the teeth as on parallel axes and along them as in a screw. A
-/// figure and a table show the speeds of the contact over the flanks, mm per radian of gear 1.
+/// Sliding of the flanks, across the teeth as on parallel axes and along them as in a screw: the
+/// speeds of the contact over the flanks, mm per radian of gear 1.
 ///
 /// Domain    the flanks meet (contract)
-std::string speed_figures(const CrossedPair& pair);
+Figure speed_figure(const CrossedPair& pair);
+
+/// These speeds at the points of the path of contact.
+///
+/// Domain    the flanks meet (contract)
+std::string speed_table(const CrossedPair& pair);
 
 /// The least centre distance, exact and by approximations for manual calculation. The solutions of
 /// pair/series.hpp are shown on the curve a(α_wn), magnified. Empty if there is nothing to compare:

@@ -195,9 +195,14 @@ std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, do
   return {f.at(-half, -radius), f.at(-half, radius), f.at(half, radius), f.at(half, -radius)};
 }
 
-std::string plan_figures(const InvolutePair& pair) {
-  return "<div class=\"figures mesh\">\n" + figure_html(plan_figure(pair), kPlanWidth) +
-         figure_html(whole_figure(pair), kWholeWidth) + "</div>\n";
+std::array<Figure, 2> plan_figures(const InvolutePair& pair) {
+  return {plan_figure(pair), whole_figure(pair)};
+}
+
+std::string plan_part(const InvolutePair& pair) {
+  const auto [plan, whole] = plan_figures(pair);
+  return "<div class=\"figures mesh\">\n" + figure_html(plan, kPlanWidth) +
+         figure_html(whole, kWholeWidth) + "</div>\n";
 }
 
 }  // namespace gearwright

@@ -43,7 +43,7 @@ TEST(CrossedPicture, LinesStandSquareOnTheTeeth) {
 }
 
 TEST(CrossedPicture, EveryLetterOnce) {
-  const std::string text = plan_figures(testing::crossed_pair());
+  const std::string text = plan_part(testing::crossed_pair());
   const auto count = [&](const std::string& letter) {
     std::size_t n = 0;
     const std::string tspan = ">" + letter + "</tspan>";

@@ -170,7 +170,7 @@ std::string gears_part(const Drive& drive) {
   std::string pictures;
   for (std::size_t g = 0; g < drive.geometry.gears.size(); ++g)
     if (const auto& gear = drive.geometry.gears[g])
-      pictures += tooth_figure(*gear, shape_name(g), drive.graph.gears[g].name);
+      pictures += tooth_part(*gear, shape_name(g), drive.graph.gears[g].name);
   if (pictures.empty()) return {};
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + "</section>\n";
 }

@@ -7,7 +7,6 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -34,7 +33,58 @@ double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samp
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-Figure widths_figure(const CrossedPair& pair) {
+// The part of the face used by a line: the reach of the tips, and within it the part that flanks
+// and faces leave.
+void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, double y) {
+  const Mesh<double>& m = pair.mesh;
+  const double sign = leading ? 1.0 : -1.0;
+  const auto at = [&](double rho1) { return Vec2(sign * axial_place(m, rho1)[i], y); };
+  const Vec2 A = at(m.rho1_A), E = at(m.rho1_E);
+  const std::string style = leading ? "action" : "trailing";
+  f.line({A, E}, style + "-line reached");
+  if (m.rho1_true_begin < m.rho1_true_end)
+    f.line({at(m.rho1_true_begin), at(m.rho1_true_end)}, style);
+  const double side = A.x() <= E.x() ? -12.0 : 12.0;
+  f.point(A, 3.0, "mark " + style + "-dot", leading ? "A" : "A′", {side, 0.0});
+  f.point(E, 3.0, "mark " + style + "-dot", leading ? "E" : "E′", {-side, 0.0});
+}
+
+// Describes the parts of the lines outside the faces.
+std::string beyond(const CrossedPair& pair) {
+  std::string text;
+  for (const std::size_t i : {0u, 1u}) {
+    const double more = (pair.face_widths.both_flanks[i] - pair.input.face_width[i]) / 2;
+    if (more > 0.0)
+      text +=
+          fmt::format(" Gear {}: its lines reach {} mm beyond the face.", i + 1, fixed(more, 2));
+  }
+  return text.empty() ? " Both lines lie within both faces." : text;
+}
+
+constexpr int kSpeedSteps = 96;
+
+// Sliding of flank 1 over flank 2, mm per radian of gear 1.
+struct Sliding {
+  double across, along;
+  double whole() const { return std::hypot(across, along); }
+};
+
+Sliding sliding_of(const FlankSpeeds<double>& w) {
+  return {w.across[0] - w.across[1], w.along[0] - w.along[1]};
+}
+
+Sliding sliding_at(const CrossedPair& pair, double rho1) {
+  return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
+}
+
+// Distance from C along the line of action, mm.
+double along_line(const CrossedPair& pair, double rho1) {
+  return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
+}
+
+}  // namespace
+
+Figure face_width_figure(const CrossedPair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   Figure f{"widths",
            "Face widths",
@@ -81,35 +131,8 @@ Figure widths_figure(const CrossedPair& pair) {
   return f;
 }
 
-// The part of the face used by a line: the reach of the tips, and within it the part that flanks
-// and faces leave.
-void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, double y) {
-  const Mesh<double>& m = pair.mesh;
-  const double sign = leading ? 1.0 : -1.0;
-  const auto at = [&](double rho1) { return Vec2(sign * axial_place(m, rho1)[i], y); };
-  const Vec2 A = at(m.rho1_A), E = at(m.rho1_E);
-  const std::string style = leading ? "action" : "trailing";
-  f.line({A, E}, style + "-line reached");
-  if (m.rho1_true_begin < m.rho1_true_end)
-    f.line({at(m.rho1_true_begin), at(m.rho1_true_end)}, style);
-  const double side = A.x() <= E.x() ? -12.0 : 12.0;
-  f.point(A, 3.0, "mark " + style + "-dot", leading ? "A" : "A′", {side, 0.0});
-  f.point(E, 3.0, "mark " + style + "-dot", leading ? "E" : "E′", {-side, 0.0});
-}
-
-// Describes the parts of the lines outside the faces.
-std::string beyond(const CrossedPair& pair) {
-  std::string text;
-  for (const std::size_t i : {0u, 1u}) {
-    const double more = (pair.face_widths.both_flanks[i] - pair.input.face_width[i]) / 2;
-    if (more > 0.0)
-      text +=
-          fmt::format(" Gear {}: its lines reach {} mm beyond the face.", i + 1, fixed(more, 2));
-  }
-  return text.empty() ? " Both lines lie within both faces." : text;
-}
-
-Figure faces_figure(const CrossedPair& pair) {
+Figure face_use_figure(const CrossedPair& pair) {
+  GW_EXPECTS(pair.flanks_meet());
   double reach = 0.0;
   for (const std::size_t i : {0u, 1u}) {
     reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths.both_flanks[i] / 2});
@@ -138,28 +161,8 @@ Figure faces_figure(const CrossedPair& pair) {
   return f;
 }
 
-constexpr int kSpeedSteps = 96;
-
-// Sliding of flank 1 over flank 2, mm per radian of gear 1.
-struct Sliding {
-  double across, along;
-  double whole() const { return std::hypot(across, along); }
-};
-
-Sliding sliding_of(const FlankSpeeds<double>& w) {
-  return {w.across[0] - w.across[1], w.along[0] - w.along[1]};
-}
-
-Sliding sliding_at(const CrossedPair& pair, double rho1) {
-  return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
-}
-
-// Distance from C along the line of action, mm.
-double along_line(const CrossedPair& pair, double rho1) {
-  return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
-}
-
 Figure speed_figure(const CrossedPair& pair) {
+  GW_EXPECTS(pair.flanks_meet());
   const Mesh<double>& m = pair.mesh;
   Figure f{"speeds",
            "Sliding of the flanks",
@@ -204,22 +207,6 @@ std::string speed_table(const CrossedPair& pair) {
   }
   return value_table("Speeds of the contact over the flanks, mm per radian of gear 1",
                      {"Point", "across 1", "across 2", "along 1", "along 2", "sliding"}, rows);
-}
-
-}  // namespace
-
-std::string face_width_figure(const CrossedPair& pair) {
-  return figure_html(widths_figure(pair), 640.0);
-}
-
-std::string face_use_figure(const CrossedPair& pair) {
-  GW_EXPECTS(pair.flanks_meet());
-  return figure_html(faces_figure(pair), 640.0);
-}
-
-std::string speed_figures(const CrossedPair& pair) {
-  GW_EXPECTS(pair.flanks_meet());
-  return figure_html(speed_figure(pair), 640.0) + speed_table(pair);
 }
 
 }  // namespace gearwright

@@ -4,16 +4,18 @@
 
 #include <cstdio>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
 namespace {
 
 TEST(FacePicture, SaysWhatLiesBeyondTheFaces) {
-  EXPECT_NE(face_use_figure(testing::crossed_pair()).find("Both lines lie within both faces."),
-            std::string::npos);
+  EXPECT_NE(
+      face_use_figure(testing::crossed_pair()).caption.find("Both lines lie within both faces."),
+      std::string::npos);
   const CrossedPair askew = testing::nearly_parallel_pair();
-  const std::string text = face_use_figure(askew);
+  const std::string text = face_use_figure(askew).caption;
   const double more = (askew.face_widths.both_flanks[0] - 20.0) / 2;
   char words[80];
   std::snprintf(words, sizeof words, "Gear 1: its lines reach %.2f mm beyond the face.", more);
@@ -23,7 +25,7 @@ TEST(FacePicture, SaysWhatLiesBeyondTheFaces) {
 
 TEST(FacePicture, EqualFacesShareALine) {
   const auto labels = [](const CrossedPair& pair) {
-    const std::string text = face_width_figure(pair);
+    const std::string text = figure_html(face_width_figure(pair));
     std::size_t n = 0;
     for (std::size_t at = text.find("\"face-line"); at != text.npos;
          at = text.find("\"face-line", at + 1))
@@ -38,8 +40,10 @@ TEST(FacePicture, EqualFacesShareALine) {
 }
 
 TEST(FacePicture, WithoutContactThereAreNoDots) {
-  EXPECT_EQ(face_width_figure(testing::crossed_apart()).find("Dots"), std::string::npos);
-  EXPECT_NE(face_width_figure(testing::crossed_pair()).find("Dots"), std::string::npos);
+  EXPECT_EQ(figure_html(face_width_figure(testing::crossed_apart())).find("Dots"),
+            std::string::npos);
+  EXPECT_NE(figure_html(face_width_figure(testing::crossed_pair())).find("Dots"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -41,9 +41,13 @@ void add_upright_arcs(Figure& figure, const Gear& gear,
 /// where it leaves the plot, unless that point is outside the plot.
 void lead_circle(Figure& figure, double radius, std::string markup);
 
-/// The tooth, upright, with its arcs in colours, the circles of the drawing and a legend. If there
-/// is no outline, a paragraph gives the reason.
-std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
+/// The tooth, upright, with its arcs in colours, the circles of the drawing and a legend.
+///
+/// Domain    the gear has an outline (contract)
+Figure tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
+
+/// This figure for a page. If there is no outline, a paragraph gives the reason.
+std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name);
 
 /// True if the picture of the root is useful. The gear must be cut by a rack and have an outline,
 /// and it must have a circular root fillet, undercut, or at most 12 teeth.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
@@ -28,8 +29,8 @@ std::string about_ring(const Gear& gear_2) {
 
 }  // namespace
 
-std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
-                         const std::string& below) {
+std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
+                                   const std::array<std::string, 2>& shapes) {
   const MeshScene scene = mesh_scene(pair, shapes);
   const Bounds window = mesh_window(scene, MeshFrame::mesh, kMeshAspect);
   Figure mesh = mesh_figure(scene, window);
@@ -46,6 +47,12 @@ std::string mesh_figures(const InvolutePair& pair, const std::array<std::string,
   Figure whole = whole_figure(scene, mesh_window(scene, MeshFrame::whole, aspect), window);
   whole.caption = fmt::format(", centre distance {} mm; the frame is the picture of the mesh.",
                               fixed(pair.center_distance, kLengthDigits));
+  return {std::move(mesh), std::move(whole)};
+}
+
+std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
+                      const std::string& below) {
+  const auto [mesh, whole] = mesh_figures(pair, shapes);
   return "<div class=\"figures mesh\">\n" + figure_html(mesh, kMeshWidth, "", turn_control(pair)) +
          "<div>" + figure_html(whole, kWholeWidth) + below + "</div>\n</div>\n";
 }

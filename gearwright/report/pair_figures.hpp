@@ -8,20 +8,25 @@
 #include <array>
 #include <string>
 
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
 /// The mesh and the whole pair. `shapes` are the names of the gears' definitions (gear_shape.hpp).
-/// `below` contains further figures, placed under the whole pair if the mesh leaves room beside it.
-std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
-                         const std::string& below = {});
+std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
+                                   const std::array<std::string, 2>& shapes);
+
+/// Both for a page. `below` contains further figures, placed under the whole pair if the mesh leaves
+/// room beside it.
+std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
+                      const std::string& below = {});
 
 /// The path of contact as a strip with its zones, and the specific sliding along it.
-std::string path_figure(const InvolutePair& pair);
+Figure path_figure(const InvolutePair& pair);
 
 /// Transverse, overlap and total contact ratio as bars.
-std::string ratio_figure(const InvolutePair& pair);
+Figure ratio_figure(const InvolutePair& pair);
 
 /// True if the centrodes are worth a picture. The axes are parallel, the centre distance differs
 /// from the reference one by at least 0.02 m_n, and the gears explain it (shifts, or a gear cut by

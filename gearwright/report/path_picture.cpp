@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/pair/contact_zones.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
@@ -96,7 +95,11 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   }
 }
 
-Figure path_of(const InvolutePair& pair) {
+constexpr double kCharacter = 0.032, kSpace = 0.05;  // of the width of the plot
+
+}  // namespace
+
+Figure path_figure(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double last = mesh.path_ratio < 1.0 ? std::max(mesh.rho1_E, mesh.rho1_D) : mesh.rho1_E;
   Figure f{
@@ -127,10 +130,7 @@ Figure path_of(const InvolutePair& pair) {
   return f;
 }
 
-constexpr double kBarWidth = 420.0;  // px, that of the picture of the whole pair, above it
-constexpr double kCharacter = 0.032, kSpace = 0.05;  // of the width of the plot
-
-Figure ratios_of(const InvolutePair& pair) {
+Figure ratio_figure(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double e_alpha = mesh.path_ratio, e_true = mesh.true_ratio, e_beta = mesh.overlap_ratio;
   const bool differs = std::abs(e_alpha - e_true) > 1e-9;
@@ -174,14 +174,6 @@ Figure ratios_of(const InvolutePair& pair) {
     f.text({crossed ? 1.0 : end, middle}, bar.value(), Anchor::start, "halo", {7.0, 5.0});
   }
   return f;
-}
-
-}  // namespace
-
-std::string path_figure(const InvolutePair& pair) { return figure_html(path_of(pair), 640.0); }
-
-std::string ratio_figure(const InvolutePair& pair) {
-  return figure_html(ratios_of(pair), kBarWidth);
 }
 
 }  // namespace gearwright

@@ -5,19 +5,22 @@
 #include <cstdlib>
 #include <string>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
 namespace {
 
 TEST(PathFigures, SaysWhereTheInvoluteEnds) {
-  EXPECT_NE(path_figure(testing::undercut_pair()).find("no involute"), std::string::npos);
-  EXPECT_EQ(path_figure(testing::helical_pair()).find("no involute"), std::string::npos);
+  EXPECT_NE(figure_html(path_figure(testing::undercut_pair()), 640.0).find("no involute"),
+            std::string::npos);
+  EXPECT_EQ(figure_html(path_figure(testing::helical_pair()), 640.0).find("no involute"),
+            std::string::npos);
 }
 
 // The specific sliding is −5.1 and −5.4 at the ends, so the axis extends to −6.
 TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
-  const std::string figure = path_figure(testing::two_and_sixty());
+  const std::string figure = figure_html(path_figure(testing::two_and_sixty()), 640.0);
   EXPECT_NE(figure.find(">−6<"), std::string::npos);
   EXPECT_NE(figure.find("mark g1"), std::string::npos);
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
@@ -32,14 +35,15 @@ double label_x(const std::string& figure, const std::string& words) {
 
 // The bar for ε_β 0.824 would cross the line at 1, whose number is above it.
 TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
-  const std::string figure = ratio_figure(testing::helical_pair());
+  const std::string figure = figure_html(ratio_figure(testing::helical_pair()), 420.0);
   EXPECT_EQ(label_x(figure, "0.824"), label_x(figure, "1"));
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
 }
 
 // A wide face has room for ticks only at steps of five, but also for the tick and the line at 1.
 TEST(RatioFigure, ManyPairsInContact) {
-  const std::string figure = ratio_figure(testing::two_and_sixty(150.0));  // ε_γ 14.3
+  const std::string figure =
+      figure_html(ratio_figure(testing::two_and_sixty(150.0)), 420.0);  // ε_γ 14.3
   EXPECT_NE(figure.find("class=\"one\""), std::string::npos);
   EXPECT_GT(label_x(figure, "1"), label_x(figure, "0") + 8.0);
   EXPECT_GT(label_x(figure, "10"), label_x(figure, "5") + 25.0);

@@ -27,6 +27,9 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
+// px of figures with a table beside them, and of the bars below the picture of the whole pair.
+constexpr double kWideFigure = 640.0, kBarWidth = 420.0;
+
 std::string default_title(const ReportInput& input) {
   const int z1 = input.gears[0]->spec.teeth;
   if (input.rack) return fmt::format("Rack and pinion with {} teeth", z1);
@@ -100,7 +103,7 @@ std::string few_teeth_section(const ReportInput& input) {
 std::string gear_section(const ReportInput& input) {
   std::string pictures;
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
-    pictures += tooth_figure(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
+    pictures += tooth_part(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
   }
   const std::string table = gear_table(input.gears, input.halves);
   if (input.gears.size() == 1) {
@@ -169,24 +172,25 @@ std::string finding_list(const Verdict& verdict, std::string_view whole) {
 
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes) {
   const bool meet = pair.flanks_meet();
-  const std::string path =
-      meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
-           : path_table(pair);
-  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
-                     mesh_figures(pair, shapes, meet ? ratio_figure(pair) : std::string()),
-                     pair_table(pair), interference_table(pair), path, centrode_figures(pair));
+  const std::string path = meet ? side_by_side(figure_html(path_figure(pair), kWideFigure) +
+                                               "<div>" + path_table(pair) + "</div>")
+                                : path_table(pair);
+  return fmt::format(
+      "<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
+      mesh_part(pair, shapes, meet ? figure_html(ratio_figure(pair), kBarWidth) : std::string()),
+      pair_table(pair), interference_table(pair), path, centrode_figures(pair));
 }
 
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&) {
-  const auto if_they_meet = [&](std::string (*figures)(const CrossedPair&)) {
-    return pair.flanks_meet() ? figures(pair) : std::string();
-  };
-  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_figures(pair) +
+  const auto wide = [](const Figure& figure) { return figure_html(figure, kWideFigure); };
+  const std::string flanks = pair.flanks_meet() ? wide(face_use_figure(pair)) +
+                                                      wide(speed_figure(pair)) + speed_table(pair)
+                                                : std::string();
+  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair) +
          in_columns(pair_table(pair) + interference_table(pair),
-                    section_figure(pair) + if_they_meet(face_use_figure) +
-                        if_they_meet(speed_figures) + path_table(pair)) +
+                    wide(section_figure(pair)) + flanks + path_table(pair)) +
          "<h3>Other places for these gears</h3>\n" +
-         in_columns(range_figure(pair), face_width_figure(pair)) + min_distance_part(pair) +
+         in_columns(range_figure(pair), wide(face_width_figure(pair))) + min_distance_part(pair) +
          "</section>\n";
 }
 

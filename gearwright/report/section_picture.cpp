@@ -7,7 +7,6 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -17,7 +16,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
 constexpr double kPlot = 480.0;                // px, its width without the columns of names
 constexpr double kLow = 220.0, kHigh = 460.0;  // px, of the height
 constexpr int kSteps = 500;                    // points of a quarter of an ellipse
@@ -130,7 +128,7 @@ SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, 
   return {{aside, which == 0 ? 0.0 : pair.center_distance}, radius / side.cos_helix, radius};
 }
 
-std::string section_figure(const InvolutePair& pair) {
+Figure section_figure(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   Figure f = section_of(pair);
   f.caption = fmt::format(
@@ -141,7 +139,7 @@ std::string section_figure(const InvolutePair& pair) {
       pair.side() > 0.0 ? "gear 1 below" : "both axes above", symbol_html("α_wn"),
       fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
       fixed(m.pitch_plane_distance, kLengthDigits), fixed(std::abs(m.line_offset), kLengthDigits));
-  return figure_html(f, kWidth);
+  return f;
 }
 
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
@@ -51,8 +52,9 @@ TEST(SectionPicture, CylindersPassThroughTheEndsOfTheLine) {
 }
 
 TEST(SectionPicture, TrailingLineIsLeftOutWhereItIsFarAway) {
-  EXPECT_NE(section_figure(testing::crossed_pair()).find("A′"), std::string::npos);
-  EXPECT_EQ(section_figure(testing::nearly_parallel_pair()).find("A′"), std::string::npos);
+  EXPECT_NE(figure_html(section_figure(testing::crossed_pair())).find("A′"), std::string::npos);
+  EXPECT_EQ(figure_html(section_figure(testing::nearly_parallel_pair())).find("A′"),
+            std::string::npos);
 }
 
 }  // namespace

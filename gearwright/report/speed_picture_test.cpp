@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
@@ -19,7 +20,7 @@ TEST(SpeedPicture, AtThePitchPointTheScrewsSlideAlongTheTeeth) {
   const auto& sides = pair.mesh.rack.sides;
   const double along = sides[0].pitch_radius * std::sin(sides[0].helix_angle) +
                        sides[1].pitch_radius * std::sin(sides[1].helix_angle) * 20 / 30;
-  const std::string text = speed_figures(pair);
+  const std::string text = speed_table(pair);
   const std::size_t at = text.find("<strong>C</strong>");
   ASSERT_NE(at, text.npos);
   const std::string row = text.substr(at, text.find("</tr>", at) - at);
@@ -27,7 +28,7 @@ TEST(SpeedPicture, AtThePitchPointTheScrewsSlideAlongTheTeeth) {
 }
 
 TEST(SpeedPicture, ThreeCurves) {
-  const std::string text = speed_figures(testing::crossed_pair());
+  const std::string text = figure_html(speed_figure(testing::crossed_pair()));
   for (const char* style :
        {"\"curve ink\"", "\"curve action-curve\"", "\"curve trailing-curve dash\""})
     EXPECT_NE(text.find(style), text.npos) << style;

@@ -199,11 +199,14 @@ void lead_circle(Figure& f, double radius, std::string markup) {
   if (y > f.y.lo && y < f.y.hi) f.leaders.push_back({{x, y}, std::move(markup)});
 }
 
-std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name) {
-  if (!has_outline(gear)) {
-    return fmt::format("<p class=\"nopicture\"><strong>{}: no picture.</strong> {}</p>\n", name,
-                       escaped(why_no_outline(gear)));
-  }
+std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name) {
+  if (has_outline(gear)) return figure_html(tooth_figure(gear, shape, name), kWidth);
+  return fmt::format("<p class=\"nopicture\"><strong>{}: no picture.</strong> {}</p>\n", name,
+                     escaped(why_no_outline(gear)));
+}
+
+Figure tooth_figure(const Gear& gear, const std::string& shape, const std::string& name) {
+  GW_EXPECTS(has_outline(gear));
   Figure f = plane_figure(
       "tooth-" + shape, name,
       fmt::format("One tooth of {} teeth with its arcs in colours, neighbouring teeth in grey, and "
@@ -227,7 +230,7 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
     shown.push_back(arc.name);
     f.keys.push_back({arc_style(arc.name), words_of(gear, arc.name)});
   }
-  return figure_html(f, kWidth);
+  return f;
 }
 
 bool shift_is_worth_a_picture(const Gear& gear) {

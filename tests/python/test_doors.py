@@ -193,5 +193,11 @@ def test_plots():
     figure = contact.figures[0]
     assert figure.title == "Transmission error" and figure.data["curves"]
     assert "&lt;svg" in figure._repr_html_() and figure.plot().get_lines()
+    tooth, = p.gear1.figures
+    assert tooth.title == "Gear" and "gear1-tooth" in tooth._repr_html_() and tooth.data["circles"]
+    titles = [one.title for one in p.figures]
+    assert titles == ["The mesh at the pitch point", "The whole pair", "Path of contact", "Contact ratios"]
+    sliding = {one["name"]: one["points"] for one in p.figures[2].data["curves"]}
+    assert len(sliding) == 2 and p.figures[2].plot().get_xlabel().endswith("mm")
     assert p.animate(frames=3)._draw_frame is not None
     assert gw.search(SEARCH, progress=False).plot().get_xlabel() == "center_distance_mm"
