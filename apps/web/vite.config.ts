@@ -1,6 +1,7 @@
 // Two builds of one page: `vite build` makes static files for any host, `vite build --mode single`
 // one self-contained gearwright.html.
 
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { resolve } from "node:path";
@@ -26,10 +27,14 @@ function engineModule(): Plugin {
   };
 }
 
-const packed = (bytes: string | Buffer) => gzipSync(bytes, { level: 9 }).toString("base64");
+/** A file compressed by Debian's zstd; zlib of node has it from version 22.15 only. */
+const zstd = (file: string) => execFileSync("zstd", ["--ultra", "-22", "-qc", file], { maxBuffer: 1e8 });
 
-/** Everything into one HTML file: the style as it is, the script and the engine as gzip in base64, which
- *  src/unpack.js reads. Three quarters of the script are three.js, which most visits do not need. */
+const kLicences =
+  "<!-- Contains three.js, © 2010-2026 three.js authors, and fzstd, © 2020 Arjun Barrett, both under the MIT licence. -->";
+
+/** Everything into one HTML file: the style as it is, the script and the engine compressed and in base64,
+ *  which src/unpack.js reads. Three quarters of the script are three.js, which most visits do not need. */
 function single(): Plugin {
   return {
     name: "gearwright-single",
@@ -37,14 +42,14 @@ function single(): Plugin {
     generateBundle(_, bundle) {
       const page = bundle["index.html"];
       if (page?.type !== "asset") throw new Error("no index.html");
-      let html = String(page.source);
-      const place = (id: string, bytes: string | Buffer) =>
-        `<script id="${id}" type="text/plain">${packed(bytes)}</script>\n`;
+      let html = String(page.source).replace("<html", `${kLicences}\n<html`);
+      const place = (id: string, bytes: Buffer) =>
+        `<script id="${id}" type="text/plain">${bytes.toString("base64")}</script>\n`;
       for (const [name, part] of Object.entries(bundle)) {
         if (part.type === "chunk" && part.isEntry) {
           const parts =
-            place("page-script", part.code) +
-            place("engine-wasm", readFileSync(resolve(engine, "gearwright.wasm"))) +
+            place("page-script", gzipSync(part.code, { level: 9 })) +
+            place("engine-wasm", zstd(resolve(engine, "gearwright.wasm"))) +
             `<script type="module">${readFileSync(resolve(here, "src/unpack.js"))}</script>\n`;
           html = html.replace(/<script[^>]*src="[^"]*"[^>]*><\/script>/, "");
           html = html.replace("</body>", () => `${parts}</body>`);

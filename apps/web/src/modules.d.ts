@@ -10,8 +10,8 @@ declare module "*.css?inline" {
 }
 declare module "*/figure_script.js";
 declare module "*/zoom_script.js";
-/** Of unpack.js, in the one file: a part of it. */
-declare function unpacked(id: string): Response;
+/** Of unpack.js, in the one file: the compressed bytes of a part. */
+declare function packedPart(id: string): Uint8Array;
 /** Of zoom_script.js. */
 declare function figureZoom(
   holder: Element,

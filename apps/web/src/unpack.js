@@ -1,9 +1,10 @@
-// Starts the one file: its parts are gzip as base64 in elements of the page.
-globalThis.unpacked = (id) => {
+// Starts the one file, whose parts are compressed, as base64 in elements of the page: the script by gzip, the
+// engine by zstd.
+globalThis.packedPart = (id) => {
   const letters = atob(document.getElementById(id).textContent);
-  const packed = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; ++i) packed[i] = letters.charCodeAt(i);
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
 };
-const script = await unpacked("page-script").text();
-import(URL.createObjectURL(new Blob([script], { type: "text/javascript" })));
+const script = new Blob([packedPart("page-script")]).stream().pipeThrough(new DecompressionStream("gzip"));
+import(URL.createObjectURL(new Blob([await new Response(script).text()], { type: "text/javascript" })));
