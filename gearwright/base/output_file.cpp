@@ -36,7 +36,8 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
 // The file that is finally written. A link is followed to its target, so the link is kept.
 struct Target {
   fs::path path;
-  bool straight;  // a device or a pipe cannot be replaced by renaming, so it is written directly
+  bool
+      straight;  // true for a device or a pipe, which renaming cannot replace and which is written directly
 };
 
 Target target_of(const fs::path& path) {

@@ -24,7 +24,7 @@ int open_file(const std::filesystem::path& path, int flags) {
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMegabyte = 1 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the greatest value that glibc takes
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the greatest value that glibc accepts
   ::mallopt(M_TRIM_THRESHOLD, 1024 * kMegabyte);
   ::mallopt(M_TOP_PAD, 16 * kMegabyte);
 #endif

@@ -33,17 +33,17 @@ class BSplineBasis {
   int degree() const { return degree_; }
   int poles() const { return poles_; }
 
-  /// Full knot vector, every knot as often as its multiplicity: poles + degree + 1 numbers.
+  /// The full knot vector of poles + degree + 1 numbers, in which each knot is repeated by its multiplicity.
   const std::vector<double>& knots() const { return knots_; }
 
   /// The distinct knots in increasing order, used with multiplicities() (the form that OCCT needs).
   std::vector<double> distinct_knots() const;
   std::vector<int> multiplicities() const;
 
-  /// g_i; the first and last are the ends of the knot vector exactly.
+  /// The Greville abscissae g_i. The first and the last are exactly the ends of the knot vector.
   const std::vector<double>& greville() const { return greville_; }
 
-  /// Poles of the spline through `samples`: row i of the result belongs to row i of `samples`.
+  /// Poles of the spline through `samples`. Row i of the result belongs to row i of `samples`.
   ///
   /// Units     those of the samples
   /// Domain    samples.rows() == poles() (contract); any number of columns
@@ -53,8 +53,8 @@ class BSplineBasis {
   /// C(u) for poles in rows.   Domain: knots.front() ≤ u ≤ knots.back() (contract)
   Eigen::VectorXd evaluate(const Eigen::MatrixXd& poles, double u) const;
 
-  /// dᵏC/duᵏ; zero for k > degree; at a knot the derivative from the right (from the left at the
-  /// end).
+  /// dᵏC/duᵏ, which is zero for k > degree. At a knot it is the derivative from the right, and at the
+  /// end of the last span the derivative from the left.
   Eigen::VectorXd derivative(const Eigen::MatrixXd& poles, double u, int k = 1) const;
 
   /// The p + 1 nonzero basis functions at u; values[j] belongs to pole first + j.
