@@ -28,8 +28,8 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
-    if (std::nextafter(a, b) == b)
-      return true;  // near a root at 0 a relative criterion is never met
+    // Near a root at 0, the relative criterion below is never met.
+    if (std::nextafter(a, b) == b) return true;
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };

@@ -57,8 +57,8 @@ void write_range(Thrift& out, const std::string& values) {
   if (!numbers.empty() && not_numbers == 0) {
     auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     Number range[] = {*least, *greatest};
-    if constexpr (
-        real) {  // the format requires a range that includes both zeros, because they are equal
+    if constexpr (real) {
+      // The two zeros are equal, so the format requires that a range with one includes the other.
       if (range[0] == 0) range[0] = -0.0;
       if (range[1] == 0) range[1] = 0.0;
     }

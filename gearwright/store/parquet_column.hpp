@@ -23,11 +23,10 @@ void append_bytes(std::string& bytes, Number value) {
 
 struct ColumnChunk {
   ParquetColumn column;
-  std::string values = {};  ///< the values that are not null, PLAIN
-  std::string defined =
-      {};  ///< for an optional column, one bit per row, which is 1 if the value is not null
-  std::size_t count = 0;  ///< number of values that are not null
-  bool is_set = false;    ///< true if the value was set in the current row
+  std::string values = {};   ///< the values that are not null, PLAIN
+  std::string defined = {};  ///< one bit per row of an optional column, 1 for a value, 0 for null
+  std::size_t count = 0;     ///< number of values that are not null
+  bool is_set = false;       ///< true if the value was set in the current row
 };
 
 /// Ends row number `row` of the group, whose value was set or is null.

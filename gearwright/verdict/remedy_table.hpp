@@ -25,8 +25,7 @@ struct Means {
 
 struct Cure {
   WarningCode code;
-  const char*
-      then;  ///< "gear {} is not undercut"; in the clauses of contact ratio and backlash, {} is that number
+  const char* then;  ///< "gear {} is not undercut"; {} is a gear, a contact ratio or a backlash
   std::vector<Means> means{};
   bool needs_contact = false;  ///< true for a finding of a contact analysis
 };

@@ -111,8 +111,8 @@ struct Judged {
   const ContactResult* contact = nullptr;          ///< of the working flanks; null if not computed
   bool errors = false;                             ///< true if `contact` was computed under errors
   bool shifts_follow = false;  ///< true if a given centre distance determines an absent shift
-  bool distance_sets_shifts = false;     ///< true if they are also judged at the tolerance ends
-  bool tolerances = false;               ///< true if findings are also judged at the tolerance ends
+  bool distance_sets_shifts = false;  ///< true if a centre distance, not given, would set a shift
+  bool tolerances = false;            ///< true if findings are also judged at the tolerance ends
   std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 
