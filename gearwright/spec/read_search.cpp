@@ -25,8 +25,7 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-constexpr std::size_t kMaxAngles =
-    100'000;  // limit for the number of angles in a range with a step
+constexpr std::size_t kMaxAngles = 100'000;  // greatest number of angles in a range with a step
 
 std::vector<double> read_modules(TableReader& t) {
   const Json* given = t.any("modules_mm");

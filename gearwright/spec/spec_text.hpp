@@ -18,9 +18,7 @@ struct SpecText {
   std::string name;  ///< as given by the user; "standard input" for "-"
   std::string text;
   SpecFormat format = SpecFormat::toml;
-  std::filesystem::path
-      folder{};  ///< base of relative file names in the text; the working directory if
-                 ///< empty
+  std::filesystem::path folder{};  ///< base of relative file names; if empty, the working directory
 };
 
 /// Reads a file; "-" is standard input. The format is JSON if the name ends in .json. Text from a

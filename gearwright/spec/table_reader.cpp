@@ -29,8 +29,7 @@ bool has_any(const Json& table, const std::vector<std::string>& keys) {
 }
 
 std::string shown(const Json& value) {
-  if (value.is_number_float())
-    return fmt::format("{}", value.get<double>());  // includes nan and inf
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // also nan and inf
   if (value.is_object()) return "(a table)";
   if (value.is_array()) {
     // A short list is shown as it was written. JSON has no words for nan and inf, so dump() is not used.

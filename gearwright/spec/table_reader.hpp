@@ -98,8 +98,7 @@ T read_table(const KeyTable& keys, const Json& node, const std::string& path) {
   return input;
 }
 
-constexpr double kSameInput =
-    1e-9;  ///< relative rounding error by which two forms of one number may differ
+constexpr double kSameInput = 1e-9;  ///< relative difference allowed between two forms of a number
 
 bool has_any(const Json& table, const std::vector<std::string>& keys);
 
