@@ -10,9 +10,9 @@ declare module "*.css?inline" {
 }
 declare module "*/figure_script.js";
 declare module "*/zoom_script.js";
-/** Of unpack.js, in the one file: a part of it. */
+/** Defined by unpack.js in the self-contained file. It returns a part of that file. */
 declare function unpacked(id: string): Response;
-/** Of zoom_script.js. */
+/** Defined by zoom_script.js. */
 declare function figureZoom(
   holder: Element,
   on: { always?: boolean; touch?: boolean; home?: () => void; settled?: () => void },

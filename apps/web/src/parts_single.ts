@@ -1,4 +1,4 @@
-// The engine inside the one file, which unpack.js unpacks.
+// The parts of the page that is one self-contained file. unpack.js unpacks the engine in this file.
 import EngineWorker from "./engine_worker.ts?worker&inline";
 import * as scene from "./solid/scene";
 
