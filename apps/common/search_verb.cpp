@@ -236,7 +236,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // If only the spec of a pair is printed, no regions are needed. The table needs only those of its
+  // If only the spec of a pair is printed, no regions are needed. The table needs only the regions of its
   // rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;

@@ -52,8 +52,8 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
-// Compares a word with the name, the other names and the symbol of a key. A match with the name has the greatest
-// value.
+// Compares a word with the name of a key, its other names and its symbol. The result is 3, 2 or 1 for a match
+// with these, and otherwise 0.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -151,7 +151,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// The key that contains the word, or that the word contains, with the fewest other letters.
+// The key whose name contains the word, or is contained in the word. The key with the fewest other letters is returned.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));

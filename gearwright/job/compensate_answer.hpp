@@ -18,7 +18,7 @@ struct CompensateAnswer : CompensateView {
   Verdict verdict;  ///< verdict on the corrected pair under the spec's errors
 };
 
-/// Errors    those of answer_contact; `errors` if nothing touches in the uncorrected pair;
+/// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
 ///           `compensate.range` if nothing touches in a corner of the range with any correction
 /// `curves`  like CompensationTask::curves

@@ -16,7 +16,7 @@ namespace gearwright {
 
 class LoadedAim {
  public:
-  /// Errors    those of load_task; those of judge_load if nothing touches or if the slices are too fine
+  /// Errors    the errors of load_task; the errors of judge_load if nothing touches or if the slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
   /// The peak to peak in rad, or the pressure in MPa, for the worst of the torques.

@@ -31,7 +31,7 @@ struct ContactAnswer {
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
-/// Errors    those of setup_of; `errors` if no teeth touch at any position
+/// Errors    the errors of setup_of; `errors` if no teeth touch at any position
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -23,9 +23,9 @@ struct ContactPart {
 
 /// The contact part of a report, or nothing if the spec does not request it. If the result cannot be
 /// computed, there is no part either, and the job gets a warning. The report needs equal positions over
-/// one pitch, so if the spec has other rotations, only the result has those.
+/// one pitch, so if the spec has other rotations, the result has them but the report does not.
 ///
-/// Errors    those of answer_contact: modifications that do not fit, an impossible lead
+/// Errors    the errors of answer_contact: modifications that do not fit, an impossible lead
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

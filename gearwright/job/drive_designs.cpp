@@ -137,7 +137,7 @@ class Candidates {
     return which;
   }
 
-  // The candidates that have not been computed but are on the Pareto front of those not left out.
+  // The candidates on the Pareto front that have not been computed. Candidates that were left out do not count.
   std::vector<std::size_t> next_of_front(std::size_t count) const {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;

@@ -24,7 +24,7 @@ struct DriveJob {
 
 /// The drive of a spec. Every mesh has the transmission error under the [errors] of the spec.
 ///
-/// Errors    a spec without a drive; those of make_drive(), with the keys of the spec
+/// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
 /// The load of a rating, which is given in [rating] or by the drive.
@@ -34,12 +34,12 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
 /// Rates each mesh under the load of [rating], or under the torque of the drive.
 ///
-/// Errors    `rating.…` for a missing load; those of material_of() and rate_meshes()
+/// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 
 /// The drive of a spec with rated meshes, and the verdict on the drive and the ratings.
 ///
-/// Errors    those of solve_drive() and rate_drive()
+/// Errors    the errors of solve_drive() and rate_drive()
 Result<DriveJob> solve_rated_drive(const JobSpec& spec);
 
 /// The required safeties of [rating]; 1 if they are absent.

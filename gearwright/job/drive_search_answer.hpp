@@ -16,7 +16,7 @@ bool searches_drives(const JobSpec& spec);
 /// The best drives of the search, each computed by the verb drive. `specs` contains their specs.
 ///
 /// Domain    a spec with a search for drives (contract)
-/// Errors    those of search_drives(), with the keys of the spec
+/// Errors    the errors of search_drives(), with the keys of the spec
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefaultDrives,
                                    int threads = 0);
 

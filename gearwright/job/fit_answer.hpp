@@ -23,7 +23,7 @@ struct FitAnswer {
   std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
 };
 
-/// Errors    those of fit, with the keys of the spec; `gear2` if it is missing
+/// Errors    the errors of fit, with the keys of the spec; `gear2` if it is missing
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
 
 /// The quantities of a result. The view points into `answer`.

@@ -17,7 +17,7 @@ struct IdentifyAnswer {
   std::vector<Json> specs;  ///< for each candidate, the spec as read with that gear
 };
 
-/// Errors    `gear1.measured` if it is missing; those of identify, with the keys of the spec
+/// Errors    `gear1.measured` if it is missing; the errors of identify, with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 
 /// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}

@@ -13,7 +13,7 @@ namespace gearwright {
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)
-/// Errors    those of ContactSetup::of
+/// Errors    the errors of ContactSetup::of
 Result<ContactSetup> setup_of(const SolvedJob& job);
 
 /// The errors, with the error `index` of error_entries() set to a value in its own unit.

@@ -7,10 +7,10 @@
 
 namespace gearwright {
 
-/// Errors    `load` if there is neither a torque nor a probe; `gear2` if it is missing; those of loaded()
+/// Errors    `load` if there is neither a torque nor a probe; `gear2` if it is missing; the errors of loaded()
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 
-/// Errors    those of answer_load; `load` if there is no torque
+/// Errors    the errors of answer_load; `load` if there is no torque
 Result<LoadTask> load_task(SolvedJob& job);
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);

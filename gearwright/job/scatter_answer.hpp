@@ -26,11 +26,11 @@ struct ScatterAnswer {
 
 /// The setup and the task of [scatter], before the load, the scatter and the corrections are computed.
 ///
-/// Errors    those of answer_scatter()
+/// Errors    the errors of answer_scatter()
 Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 
 /// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a group
-///           with an unknown input; those of scatter_of() and ContactSetup::of
+///           with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
 
 /// Replaces the names in an error of the room scatter by keys of [scatter].

@@ -20,14 +20,14 @@ struct SolvedJob : Arranged {
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
-/// Errors    keys with their table, "gear2.profile_shift"; those of arrange(), halve() and halves_of();
+/// Errors    keys with their table, "gear2.profile_shift"; the errors of arrange(), halve() and halves_of();
 ///           `pair.shaft_angle` for double-helical gears on crossed axes; `gear2.form` for a rack, if
 ///           the scope is more than the gears
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
 /// Like solve(), but gear 2 may also be a rack.
 ///
-/// Errors    those of solve() and mount_rack()
+/// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
 /// The error for a result that needs single-helical gears, or nothing if the gears are single-helical.

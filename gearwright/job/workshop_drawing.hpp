@@ -25,7 +25,7 @@ struct WorkshopSheets {
 
 /// One sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
 ///
-/// Errors    those of make_body and make_file
+/// Errors    the errors of make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 

@@ -76,7 +76,6 @@ struct Found {
 };
 // The smallest change of one number that has the best score. Values are multiples of the step, so that the printed
 // value is the value that was tried.
-// is printed is what was tried.
 std::optional<Found> least_change(Trials& trials, const Finding& finding, const Lever& lever,
                                   TryDepth depth) {
   const double step = lever.step();
@@ -153,7 +152,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     for (const Lever& lever : levers(*cure, finding, judged)) {
       const auto found = least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
-      // A contact analysis takes milliseconds, so the first change that helps is used.
+      // For a finding of a contact analysis, the first change that helps is used, because a trial takes milliseconds.
       if (best && (best->score == Score{} || cure->needs_contact)) break;
     }
     if (!best) continue;

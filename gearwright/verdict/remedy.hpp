@@ -17,7 +17,7 @@
 namespace gearwright::detail {
 
 /// Fills `remedy` of all findings. `change` is filled only for the findings of the worst level,
-/// because the other findings are treated after those.
+/// because findings of a lower level are treated later.
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);
 
 }  // namespace gearwright::detail

@@ -8,7 +8,6 @@
 // Findings are computed for the nominal values, or for all ends of the tolerances. In the second
 // case they are merged, and the worst of each finding is kept. verdict_of adds tried remedies
 // (remedy.hpp) and the headline.
-// headline.
 #pragma once
 
 #include <functional>

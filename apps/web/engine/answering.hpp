@@ -13,7 +13,7 @@ namespace gearwright::web {
 /// The text of a spec. It is JSON if it begins with a brace, otherwise TOML.
 SpecText spec_text(std::string text);
 
-/// Reads the spec.   Errors  a text of more than kMaxSpec bytes; those of read_spec
+/// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
 /// Returns {"error": …} with the keys of the spec and the line, like the program.

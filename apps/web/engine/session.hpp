@@ -44,7 +44,7 @@ struct ShiftView {
 
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  /// Errors    those of read_spec and solve
+  /// Errors    the errors of read_spec and solve
   static Result<std::shared_ptr<Session>> open(std::string text);
 
   const SolvedJob& job() const { return job_; }

@@ -70,7 +70,7 @@ class ToothTables {
 };
 
 /// Teeth under load. First a table for each gear is computed, which takes longest, then one position after the other.
-/// Errors    those of load_task
+/// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);
 

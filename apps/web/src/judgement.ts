@@ -1,5 +1,5 @@
-// Combines the results of the engine into one verdict on the spec on screen: those of the mounted pair, its
-// contact, its load and its rating. The worst level is the level of the verdict, and every finding is listed
+// Combines the results of the engine for the mounted pair, its contact, its load and its rating into one verdict
+// on the spec on screen. The worst level is the level of the verdict, and every finding is listed
 // once. The verdict names the parts that are pending and those that the engine has rejected.
 
 import type { Verdict } from "./engine_worker";
