@@ -20,7 +20,7 @@ struct Swept {
   int gear;  ///< 1 or 2; 0 for a key of the pair
   std::string path;
   Numbers numbers;
-  double unit;  ///< value of one unit of the numbers in the unit of the key
+  double unit;  ///< one unit of `numbers`, expressed in the unit of the key
 
   double at(std::size_t row) const { return numbers.data()[row] * unit; }
 };

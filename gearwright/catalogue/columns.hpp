@@ -22,7 +22,7 @@ struct RecordColumn {
   const QuantityInfo& info() const { return *path.back(); }
   /// True for a record. The quantities of the record are the columns after this one.
   bool opened() const { return info().of && info().list.empty(); }
-  /// The keys of the path: "ellipse.semi_minor_mm".
+  /// The keys of the path, separated by `between`: "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
   /// True if this interface has the column.
   bool has(Doors door) const;

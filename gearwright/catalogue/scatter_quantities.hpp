@@ -41,8 +41,8 @@ const std::array<LoadedEntry, 3>& loaded_entries();
 struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
-  ValueList
-      samples;  ///< for each percentile, the next sample as errors of a spec with its other changes
+  /// For each percentile, the nearest sample: its errors as in a spec, and its other changes.
+  ValueList samples;
 };
 
 struct IndexView {

@@ -1,7 +1,7 @@
 // Clamped B-splines and their interpolation at the Greville abscissae.
 //
 //   p      degree                          n     number of poles, n ≥ p + 1
-//   t_j    knots, n + p + 1 of them: p + 1 equal ones at each end, non-decreasing between
+//   t_j    knots, n + p + 1 of them: p + 1 equal knots at each end, non-decreasing in between
 //   N_i    basis functions, i = 0 … n−1, nonzero on [t_i, t_(i+p+1)]; their sum is 1 at every u
 //   g_i    Greville abscissae (t_(i+1) + … + t_(i+p)) / p; poles g_i give the function u itself
 //   P_i    poles, rows of an n × dim matrix;  C(u) = Σ N_i(u) P_i
@@ -12,7 +12,7 @@
 //
 //   Laws  (1) the first and last pole are the first and last sample, bit for bit
 //         (2) polynomials of degree ≤ p are reproduced
-//         (3) poles mirrored end to end draw the same curve backwards (symmetric knots)
+//         (3) poles in reverse order give the same curve in the opposite direction (symmetric knots)
 #pragma once
 
 #include <Eigen/Core>

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// Steele, Lea and Flood's splitmix64: 64 bits in, 64 well mixed bits out.
+/// Steele, Lea and Flood's splitmix64, which converts 64 bits to 64 well mixed bits.
 std::uint64_t hash64(std::uint64_t x);
 
 /// Points of Sobol's sequence, each coordinate as 32 bits, from the direction numbers of Joe and Kuo

@@ -220,7 +220,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   refuse_halves(gear_2, "gear2", tree);
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth",
-               "gear2.normal_module_mm");  // with them, gear 2 takes the material of gear 1
+               "gear2.normal_module_mm");  // with teeth, gear 2 takes the module of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   const bool drives = search && is_drive_search(*search);
   if (drives) {

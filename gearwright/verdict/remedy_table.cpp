@@ -198,7 +198,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     case A::lead_crowning:
     case A::lead_slope:
       if (gear(which).internal()) return std::nullopt;
-      lever.span = 80;  // µm; the gear lacks the present value, so the change starts at 0
+      lever.span = 80;  // µm; Gear does not contain the present value, so the change starts at 0
       lever.digits = 0;
       return lever;
     case A::center_distance:

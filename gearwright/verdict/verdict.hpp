@@ -131,7 +131,7 @@ enum class TryDepth { as_drawn, at_tolerances, with_contact };
 /// Solves a spec with one change. Nothing is returned if such gears cannot be made or mounted.
 using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, TryDepth)>;
 
-/// All findings of one state of the gears, without remedies, in no order.
+/// All findings of one state of the gears, without remedies, in no particular order.
 ///
 /// Domain    one or two gears, warnings (contract)
 std::vector<Finding> findings_of(const Judged& judged);
