@@ -22,7 +22,7 @@ enum class FailureKind {
   value,            ///< the value, or the input as a whole, violates the rule
   missing,          ///< the input lacks the field
   no_flank,         ///< a gear has no usable flank
-  placement,        ///< the gears cannot have the placement, helix or shift that the input requires
+  placement,        ///< the gears cannot be placed or shaped as the input requires
   nothing_touches,  ///< the teeth of the two gears touch at no position
   not_under_load,   ///< teeth of this kind are not computed under load
   not_in_build,     ///< this build cannot compute the result

@@ -69,8 +69,9 @@ struct SobolIndices {
   std::vector<double> first, total;  ///< by group
 };
 
-/// Jansen's estimates. They need n values of f at A, n at B and, for each group, n at A with the columns of that group
-/// taken from B. There are none if the variance is at most `least_variance` or a value is not a number.
+/// Jansen's estimates. `a` and `b` contain n values of f at A and at B. For each group, `mixed` contains n values of f
+/// at A with the columns of the group taken from B. There are no estimates if the variance is at most `least_variance`
+/// or a value is not a number.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)

@@ -244,7 +244,7 @@ void ChunkFolder::remove_stale_parts() const {
     const std::size_t part = name.find(kPart);
     if (part == std::string::npos || name.find(kEnding) > part) continue;
     const std::string_view owner = std::string_view(name).substr(part + kPart.size());
-    // A file that cannot be removed only occupies space.
+    // An error is ignored, because a file that cannot be removed only occupies space.
     std::error_code ignored;
     if (owner_is_dead(owner, host_) || is_old(entry)) fs::remove(entry, ignored);
   }
