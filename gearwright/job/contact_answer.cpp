@@ -97,8 +97,8 @@ std::optional<Angle> play_between(const ContactPoint& driving, const ContactPoin
   return (gear2_drives ? -1.0 : 1.0) * (behind.te - driving.te);
 }
 
-// Warns if a tip meets a root fillet before the flanks meet. This is called only under errors, because without
-// errors the outlines of the pair already show it, [T2.34] and [T4.33].
+// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the outlines of the
+// gears determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;

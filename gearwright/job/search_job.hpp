@@ -46,8 +46,8 @@ struct SearchOptions {
   std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
   int threads = 0;                     ///< 0 means as many as the machine has
   std::string writer = "search";       ///< name of this process in the journal
-  /// Returns the number of the next chunk from a shared queue. If it is empty, this process uses its own
-  /// queue. Only one thread at a time calls it.
+  /// Returns the number of the next chunk from a shared queue. Without this function, the process uses a queue of
+  /// its own. Only one thread at a time calls the function.
   std::function<std::int64_t()> next_chunk;
   /// Called when the folder has been opened; the argument is false if this failed. Ranks that join call it
   /// before they open the folder. It returns true to continue.

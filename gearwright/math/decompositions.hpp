@@ -1,7 +1,7 @@
 // Small dense problems of linear algebra, solved by decompositions of Eigen.
 //
-// The Eigen templates take the longest of the engine to compile, two to seven seconds each. They
-// are instantiated once, behind these functions.
+// These templates of Eigen take longer to compile than anything else in the engine, two to seven seconds
+// each. They are instantiated once, behind these functions.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 // Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket. The bracket is bisected instead of a step that would leave
-// it or that is longer than half the previous step. The function is a template over the scalar, like
+// Every evaluation narrows the bracket. If a step would leave the bracket, or is longer than half the
+// previous step, the bracket is bisected instead. The function is a template over the scalar, like
 // the formulas.
 #pragma once
 

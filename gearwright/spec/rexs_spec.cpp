@@ -158,8 +158,8 @@ class Reader {
     return table;
   }
 
-  // The thickness allowance, from the generating profile shift. A drive has no tolerances, so for a gear of a drive it
-  // is the mean of the allowances of the series.
+  // The thickness allowance, computed from the generating profile shift. In a drive, which has no tolerances, it is the
+  // mean allowance of the series.
   std::optional<double> allowance_of(const Component& gear,
                                      const std::optional<std::string>& series,
                                      bool of_drive) const {

@@ -125,8 +125,8 @@ struct ChangedState {
   double contact_ratio = 0.0;  ///< 0 without a pair
   double backlash = 0.0;       ///< j_n  mm
 };
-/// The extent of the computation of a changed spec: the gears and the pair as drawn; these also at the
-/// ends of the tolerances; or these and the contact under the errors.
+/// The extent of the computation of a changed spec. as_drawn computes the gears and the pair as drawn,
+/// at_tolerances also at the ends of the tolerances, and with_contact also the contact under the errors.
 enum class TryDepth { as_drawn, at_tolerances, with_contact };
 /// Solves a spec with one change. Nothing is returned if such gears cannot be made or mounted.
 using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, TryDepth)>;
