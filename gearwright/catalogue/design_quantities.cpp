@@ -8,7 +8,7 @@
 namespace gearwright {
 
 double tidy_degrees(Angle angle) {
-  constexpr double kPlaces = 1e9;      // powers of ten for the decimals of a degree in usual input
+  constexpr double kPlaces = 1e9;      // for nine decimals of a degree, as in usual input
   constexpr double kRounding = 1e-13;  // relative error of the conversion to radians and back
   const double value = angle.deg();
   const double tidy = std::round(value * kPlaces) / kPlaces;

@@ -27,7 +27,7 @@ struct RatingView {
   Rating rating;
   std::optional<SpectrumRating> spectrum;
   std::optional<double> torque_holding;  ///< N m, greatest torque with the required safeties
-  std::optional<double> face_holding;    ///< mm, least common face width with them
+  std::optional<double> face_holding;    ///< mm, least common face width for these safeties
   std::optional<ToothContact> contact;   ///< if the spec requests it
 };
 

@@ -50,7 +50,7 @@ struct ScatterInput {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
-  bool loaded = false;                        ///< true to compute the torques of [load] as well
+  bool loaded = false;                        ///< true if contact under [load] is also computed
   std::optional<std::array<int, 2>> quality;  ///< A for both gears; by default their own grades
   /// A distribution for each of error_entries(), in the unit of its key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;

@@ -75,7 +75,7 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines. `compensate` corrects its lead by slopes, not here.
+  // An involute pair touches along lines. `compensate` corrects its lead by slopes instead of a lead angle.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -224,8 +224,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // The correct length of the teeth is checked before the search, because no correction in a workshop makes
-  // teeth longer.
+  // Contact at every position is checked before the search. If the teeth are too short for this, no correction in a
+  // workshop makes them longer.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);

@@ -112,7 +112,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "pinion cutter or circular fillets."});
     return;
   }
-  // Only one pitch is examined. All pitches are equal, and the positions of several might have the same phase.
+  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have the same phase.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;

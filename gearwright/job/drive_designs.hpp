@@ -1,5 +1,5 @@
-// The designs of a search for drives. The candidates are computed in their order, like by the verb
-// drive. They are rated if the search requires safeties, and listed if the verdict is green.
+// The designs of a search for drives. The candidates are computed in their order, in the same way as by the
+// verb drive. They are rated if the search requires safeties, and listed if the verdict is green.
 // Internal to job/.
 #pragma once
 

@@ -66,7 +66,8 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::pa
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 
-/// One file of the whole drive, made like in make_file(). In a 3MF file the bodies are laid out for printing.
+/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies are laid out for
+/// printing.
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::filesystem::path& path, const FileOptions& options);
 

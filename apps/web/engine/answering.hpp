@@ -16,7 +16,7 @@ SpecText spec_text(std::string text);
 /// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// Returns {"error": …} with the keys of the spec and the line, like the program.
+/// Returns {"error": …} with the keys of the spec and the line, as in the program.
 std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});
 

@@ -1,4 +1,4 @@
-// The parts of the page that is one self-contained file. unpack.js unpacks the engine in this file.
+// The parts of the self-contained page, which is one file. unpack.js unpacks the engine from this file.
 import EngineWorker from "./engine_worker.ts?worker&inline";
 import * as scene from "./solid/scene";
 

@@ -201,7 +201,7 @@ export class MeshView implements Tab {
         place = `translate(${x.px(pose[12]!)} ${y.px(pose[13]!)})`;
         angle = Math.atan2(pose[1]!, pose[0]!);
         meshing = true;
-      } else angle = turnAt(motion, gear, t); // a single gear, or a gear that meshes on a crossed axis
+      } else angle = turnAt(motion, gear, t); // a single gear, or a gear of a crossed pair
       use.setAttribute("transform", `${place} ${scale} rotate(${(-angle * 180) / Math.PI})`);
     }
     const touch = meshing ? touchAt(motion, t) : null;
