@@ -63,9 +63,9 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
                                const SearchOptions& options) {
   SearchRun run = begun(spec, search);
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
-  // Ranks that a scheduler restarts always use --resume. They continue with the existing chunks, if there are any.
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
+  // Ranks that a scheduler restarts always have --resume. They continue with the existing chunks, if there are any.
   const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
                     : options.resume                                     ? OpenAs::resume
                                                                          : OpenAs::fresh;

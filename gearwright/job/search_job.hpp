@@ -39,7 +39,8 @@ struct SearchOptions {
   bool resume = false;
   int shard = 1, shards = 1;  ///< this process computes every `shards`-th chunk, from shard − 1 on
   bool many = false;          ///< other processes may have opened the folder (shards, ranks)
-  bool together = false;      ///< for ranks: always a campaign, which the first rank opens
+  /// True for ranks. The first rank then opens a campaign, even for a small search.
+  bool together = false;
   bool yes_large = false;
   std::optional<std::size_t> top;      ///< number of designs to keep; by default kDefaultDesigns
   std::optional<std::int64_t> chunk;   ///< trials of a chunk; the default depends on the search

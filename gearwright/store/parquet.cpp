@@ -112,8 +112,8 @@ struct ParquetWriter::State {
     const std::size_t size =
         ZSTD_compress2(zstd.get(), bytes.data(), bytes.size(), page.data(), page.size());
     if (ZSTD_isError(size))
-      throw std::bad_alloc();  // the buffer is large enough, so nothing else
-                               // can fail
+      throw std::bad_alloc();  // the only possible failure, because the
+                               // buffer is large enough
     bytes.resize(size);
     return bytes;
   }
@@ -201,7 +201,8 @@ std::string ParquetWriter::State::footer() const {
     out.binary(4, chunk.column.name);
     if (chunk.column.type == ParquetType::text) {
       out.i32(6, kUtf8);
-      out.open(10);  // the same type for newer readers, as a union with the empty struct of strings
+      // Newer readers read the type UTF-8 from this union, which contains the empty struct of strings.
+      out.open(10);
       out.open(1);
       out.close();
       out.close();

@@ -118,7 +118,7 @@ std::string gears_alone(const Judged& judged) {
   return fmt::format("{} can be cut as specified.", who);
 }
 
-// The statement on how the pair runs, if no finding is red.
+// The sentence that says how the gears run. It is used if no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +

@@ -110,8 +110,9 @@ struct Judged {
   const ContactResult* contact = nullptr;          ///< of the working flanks; null if not computed
   bool errors = false;                             ///< true if `contact` was computed under errors
   bool shifts_follow = false;  ///< true if a given centre distance determines an absent shift
-  bool distance_sets_shifts = false;  ///< true if a centre distance, not given, would set a shift
-  bool tolerances = false;            ///< true if findings are also judged at the tolerance ends
+  /// True if no centre distance is given, and a given centre distance would determine an absent shift.
+  bool distance_sets_shifts = false;
+  bool tolerances = false;               ///< true if findings are also judged at the tolerance ends
   std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 

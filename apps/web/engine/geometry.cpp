@@ -242,8 +242,8 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // The rotations are the same for either direction of the mirror into N, so D M D is applied to
-        // each axis.
+        // The map D between the housing and N is its own inverse. Therefore the tilt M in N is the rotation D M D in
+        // the housing. It is computed for each axis.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;

@@ -42,7 +42,7 @@ export interface Verdict {
   level: string;
   headline: string;
   findings: Finding[];
-  /** Parts of the verdict that are possible for the spec but that this verb did not compute. */
+  /** Parts of the verdict that this verb did not compute although the spec allows them. */
   not_judged?: string[];
 }
 type Edit = [key: string, valueJson: string];
