@@ -45,7 +45,7 @@ std::string number(const QuantityInfo& info, double value) {
   return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
-// The sign of a number may be dropped, because a drawing gives a hand instead of a sign.
+// Whether the sign of a helix angle or lead is written. A drawing gives the hand instead of the sign.
 enum class Sign { kept, dropped };
 
 /// A record, and the same record at the lower and at the upper end of its tolerances.

@@ -69,16 +69,16 @@ std::string lower_case(std::string text) {  // changes only A to Z, in every loc
 
 struct ParquetWriter::State {
   std::filesystem::path path;
-  std::vector<ColumnChunk> chunks = {};  // of the group being filled
+  std::vector<ColumnChunk> chunks = {};  // columns of the group being filled
   std::vector<std::pair<std::string, std::string>> key_values = {};
   std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> zstd{ZSTD_createCCtx(), ZSTD_freeCCtx};
   FileHandle file;                 // open as long as rows may be added
   std::size_t position = 0;        // bytes written
-  std::size_t rows = 0;            // of the group being filled
-  std::size_t text_bytes = 0;      // of all texts of that group
-  std::size_t written_rows = 0;    // of the groups that have been written
-  std::size_t written_groups = 0;  // the same groups, whose entries in the footer are:
-  std::string group_entries = {};
+  std::size_t rows = 0;            // rows of the group being filled
+  std::size_t text_bytes = 0;      // bytes of all texts of this group
+  std::size_t written_rows = 0;    // rows of the groups that have been written
+  std::size_t written_groups = 0;  // number of these groups
+  std::string group_entries = {};  // their entries in the footer
 
   explicit State(const std::filesystem::path& part) : path(part) {
     if (!zstd) throw std::bad_alloc();

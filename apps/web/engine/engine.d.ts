@@ -17,7 +17,7 @@
 //     loaded again.
 //
 // Housing frame, rotations and signs are described in docs/theory/01-frames.md. Gear 1 turns clockwise seen
-// from +z when `rotation1` increases, and gear 2 turns as it is driven.
+// from +z when `rotation1` increases, and gear 2 turns accordingly.
 
 /** An error: the key of the spec, its value, and one sentence. */
 export interface Failed {
