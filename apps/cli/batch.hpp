@@ -1,4 +1,4 @@
-// The verb batch: many specs through one process.
+// The verb batch, which computes many specs in one process.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace gearwright::apps {
 
-/// Reads specs from lines of JSON and writes answers as lines of JSON. Returns 1 if one of the
-/// answers is an error, and 5 if one is a defect of Gearwright.
+/// Reads specs from lines of JSON and writes answers as lines of JSON. Returns 1 if an answer is an
+/// error of a spec, and 5 if an answer is a defect of Gearwright.
 /// Throws    IoError
 int batch_verb(const Options& o);
 

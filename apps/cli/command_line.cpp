@@ -20,11 +20,11 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr std::size_t kLettersOff = 3;  // number of letters of a verb per permitted wrong letter
+constexpr std::size_t kLettersOff = 3;  // one letter in this many may be wrong in a verb
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
 
-// The range check of CLI11 accepts nan.
+// Checks a tolerance. It replaces the range check of CLI11, which accepts nan.
 CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {
@@ -64,7 +64,7 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
 CommandLine::CommandLine() : app_(kIntroduction, "gearwright") {
   app_.set_version_flag("-V,--version", version_text());
   app_.require_subcommand(1);
-  app_.allow_windows_style_options(false);  // a path may begin with a slash on Windows too
+  app_.allow_windows_style_options(false);  // a path may begin with a slash, also on Windows
   add_run();
   add_answering();
   add_files();
@@ -232,7 +232,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
-    // `gaer` is `gear` with two letters exchanged. That is two edits but only one typing error.
+    // `gaer` is `gear` with two letters exchanged. This counts as two edits, but it is only one typing error.
     const bool turned =
         word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
     if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;

@@ -1,5 +1,5 @@
-// Defines the command line once: verbs, options and their texts. Parsing, --help, completion and
-// the manual page use it.
+// Defines the verbs, the options and their texts in one place. Parsing, --help, completion and the manual
+// page use this definition.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@ namespace gearwright::apps {
 class CommandLine {
  public:
   CommandLine();
-  CommandLine(const CommandLine&) = delete;  // options point into it
+  CommandLine(const CommandLine&) = delete;  // CLI11's options point into this object
   CommandLine& operator=(const CommandLine&) = delete;
 
   const CLI::App& app() const { return app_; }
@@ -29,7 +29,7 @@ class CommandLine {
   void add_files();
   void add_others();
 
-  /// Handles `help`, `help VERB`, and a first word that is not a verb.
+  /// Handles `help`, `help VERB`, and a first word that is not a verb. Returns nothing for other commands.
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int answer(const std::string& verb) const;
@@ -39,7 +39,7 @@ class CommandLine {
   CLI::App app_;
 };
 
-/// The verbs that a user sees, in order.
+/// The verbs that a user sees, in the order of --help.
 std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 
 }  // namespace gearwright::apps

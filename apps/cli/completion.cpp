@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-// The words at the position at which other verbs have the spec.
+// The words that may follow this verb instead of a spec.
 std::vector<std::string> words_after(const CLI::App& app, const CLI::App& verb) {
   const std::string& name = verb.get_name();
   if (name == "schema") return {"spec", "result"};
@@ -99,7 +99,7 @@ complete -F _gearwright gearwright
       joined(verbs), values, cases);
 }
 
-// A text inside brackets or quotes of zsh.
+// Escapes a text for use inside brackets or quotes of zsh.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {

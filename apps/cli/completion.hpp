@@ -1,4 +1,4 @@
-// Makes the completion for shells from the command line itself.
+// Makes the completion scripts for shells from the definition of the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@ namespace gearwright::apps {
 /// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)
 std::string completion(const std::string& shell, const CLI::App& app);
 
-/// Returns the values of an option that completion offers. Empty if the option takes a file name or
+/// Returns the values that completion offers for an option. The list is empty if the option takes a file name or
 /// any text.
 std::vector<std::string> words_of(const CLI::Option& option);
 

@@ -12,13 +12,13 @@
 
 namespace gearwright::apps {
 
-/// The spec of a verb. It is read once, from a file or a pipe, and its errors are reported with
+/// Reads the spec of a verb once, from a file or a pipe, and reports its errors with
 /// their lines.
 class Door {
  public:
   explicit Door(const Options& o) : options_(o) {}
 
-  /// An input that `use` requires and that is missing is also an error.
+  /// Reads the spec. If an input that `use` requires is missing, the result is an error.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);
   Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
   /// Reports the error in the keys of the spec and returns the exit status.
@@ -30,7 +30,7 @@ class Door {
   std::optional<GivenKeys> given_;
 };
 
-// Returns 4, for scripts, if --strict is given and the verdict is not green.
+// Returns 4 if --strict is given and the verdict is not green, for use in scripts. Otherwise returns 0.
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }

@@ -60,7 +60,7 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   return parts;
 }
 
-// Returns the first output that would overwrite another one or the spec. Empty if there is none.
+// Returns the first output that would overwrite another output or the spec. The text is empty if there is none.
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
   for (const std::string* name :
@@ -78,7 +78,7 @@ std::string collision(const Options& o) {
 // Prints the result of a run and returns its exit status.
 int end_run(const Options& o, const RunFiles& made, const std::string& listing) {
   if (o.json) {
-    // The same JSON as in result.json, including the list of all files.
+    // The output is the JSON of result.json, but `files` lists all files.
     Json j = parse_json(made.result);
     j["files"] = files_json(made.files);
     print_json(j);
@@ -196,7 +196,7 @@ int export_verb(const Options& o) {
   const auto spec = door.read();
   if (!spec) return door.fail(spec.error());
   if (spec->drive) return export_drive(o, door, *spec, wanted);
-  // A drawing contains data of the mating gear.
+  // A drawing contains data of the mating gear, so the pair must be solved.
   const bool alone = o.gear && o.drawing.empty();
   const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());

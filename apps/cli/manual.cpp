@@ -10,8 +10,8 @@ namespace gearwright::apps {
 
 namespace {
 
-// Text for troff, with hyphens that can be copied as typed, and without lines that troff would read
-// as requests.
+// Escapes a text for troff. Hyphens can be copied as typed, and troff does not read any line as a
+// request.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;

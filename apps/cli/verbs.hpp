@@ -1,4 +1,4 @@
-// The actions of the verbs. Each reads a spec, calls the job room, prints the result and returns
+// The functions of the verbs. Each reads a spec, calls the job room, prints the result and returns
 // the exit status.
 #pragma once
 
@@ -13,10 +13,10 @@ namespace gearwright::apps {
 struct Options {
   std::string spec;
   bool json = false;
-  bool strict = false;  // a verdict that is not green gives status 4
+  bool strict = false;  // if true, a verdict that is not green gives status 4
   bool csv = false;
   std::optional<std::string> out;
-  std::optional<std::string> only;  // of run: words of kRunParts
+  std::optional<std::string> only;  // for run: words of kRunParts
   std::optional<int> gear;
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg, drawing, rexs;
@@ -26,24 +26,24 @@ struct Options {
   double drawing_tolerance = 0.001;  // mm
   bool drawing_splines = false;
   std::vector<std::string> cases;
-  std::optional<std::string> as_rack;  // of gear: "module,angle"
-  std::optional<int> take;             // rank of the proposal whose spec is printed
-  bool expand = false;                 // whether the graph of a drive is printed
-  std::optional<int> harmonics;        // of drive: number of harmonics
-  std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
-  std::optional<int> fillet_points;    // of measure: number of points along each root fillet
-  std::string schema;                  // of schema: its subject, spec or result
-  std::string shell;                   // of completion
-  std::vector<std::string> words;      // of batch: a verb and a file
-  int threads = 0;                     // of batch; 0 means all cores
+  std::optional<std::string> as_rack;  // for gear: "module,angle"
+  std::optional<int> take;             // number of the proposal whose spec is printed
+  bool expand = false;                 // if true, the graph of a drive is printed
+  std::optional<int> harmonics;        // for drive: number of harmonics
+  std::optional<std::string> grid;     // for measure: grid of nominal points of the flanks, "9x5"
+  std::optional<int> fillet_points;    // for measure: number of points along each root fillet
+  std::string schema;                  // for schema: its subject, spec or result
+  std::string shell;                   // for completion
+  std::vector<std::string> words;      // for batch: a verb and a file
+  int threads = 0;                     // for batch; 0 means all cores
 };
 
 // All functions throw IoError if the system fails.
-/// Runs any verb of the table. Prints its answer as JSON, CSV or text, or a spec that it proposes.
+/// Runs any verb of the table. Prints the answer as JSON, CSV or text, or the spec of one of its proposals.
 int answering_verb(const Verb& verb, const Options& o);
-/// `gear --as-rack`: prints the teeth in terms of another rack.
+/// `gear --as-rack`: prints the description of the teeth by another rack.
 int gear_as_rack(const Options& o);
-/// `measure --points`: nominal points of the flanks.
+/// `measure --points`: prints nominal points of the flanks.
 int nominal_points(const Options& o);
 int run_verb(const Options& o);
 int outline_verb(const Options& o);

@@ -54,7 +54,7 @@ namespace {
 
 std::atomic<bool> stop_wanted{false};
 
-// The first Ctrl-C ends the search at the next trial. The second one ends the program.
+// The first Ctrl-C ends the search at the next trial. The second Ctrl-C ends the program.
 extern "C" void on_interrupt(int signal) {
   stop_wanted = true;
   std::signal(signal, SIG_DFL);
@@ -166,8 +166,8 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   return 0;
 }
 
-// A search for drives takes seconds. It creates no result folder, and the answer is printed as for
-// other verbs.
+// A search for drives takes only seconds. It makes no folder, and its answer is printed like that of other
+// verbs.
 int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
   if (c.out || c.shard || c.resume || c.chunk)
     return usage(
@@ -236,8 +236,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // If only the spec of a pair is printed, no region is needed. For the table, only the first rows
-  // need one.
+  // If only the spec of a pair is printed, no regions are needed. The table needs only the regions of its
+  // rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

@@ -1,4 +1,4 @@
-// The verb search for one process or several: command line, progress, Ctrl-C and output.
+// The verb search, for one process or several: command line, progress, Ctrl-C and output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,11 +23,11 @@ struct SearchCommand {
 /// Adds the verb `search` to a program.
 CLI::App* add_search(CLI::App& app, SearchCommand& command);
 
-/// Several processes that work on one search. Absent if there is only one.
+/// Several processes that work on one search. A single process does not use this.
 struct Together {
   int rank = 0, ranks = 1;
   std::function<std::int64_t()> next_chunk;
-  /// Is called once the folder is open or could not be opened. The first process opens it, and the
+  /// Called when the folder has been opened or could not be opened. The first process opens the folder, and the
   /// others wait.
   std::function<bool(bool opened)> folder_is_open;
   std::function<bool()> finish_together;

@@ -14,8 +14,8 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr double kFirst = 2.0;                        // s until the first line
-constexpr double kTerminal = 0.5, kElsewhere = 10.0;  // s between lines
+constexpr double kFirst = 2.0;                        // s until the first line is printed
+constexpr double kTerminal = 0.5, kElsewhere = 10.0;  // s between two lines
 constexpr std::chrono::milliseconds kNap(100);        // between checks of the work and of signals
 constexpr int kStopped = 3;
 
@@ -25,7 +25,7 @@ std::atomic<int> received{0};
 
 extern "C" void on_stop(int signal) {
   received = signal;
-  std::signal(signal, on_stop);  // some systems forget a handler once it has been called
+  std::signal(signal, on_stop);  // some systems forget a handler after its first call
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Watch::~Watch() {
   if (signal_ != 0)
     std::fprintf(stderr, "gearwright: stopped by a signal after all files had been written\n");
   for (std::size_t i = 0; i < kStops.size(); ++i) std::signal(kStops[i], before_[i]);
-  if (const int signal = received.exchange(0)) std::raise(signal);  // arrived since the last check
+  if (const int signal = received.exchange(0)) std::raise(signal);  // arrived after the last check
 }
 
 void Watch::wait() {
@@ -76,7 +76,7 @@ void Watch::say(double seconds) {
   const char* stage = s.stage ? s.stage : "reading";
   std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s", terminal_ ? "\r" : "", verb_.c_str(),
                seconds, stage);
-  // The number of steps is an estimate of the work. Work beyond it is nearly complete.
+  // The number of steps is only an estimate. If more steps are done, the work is nearly complete.
   if (s.of > 0)
     std::fprintf(stderr, " %.0f %%",
                  100 * std::min(0.99, static_cast<double>(s.done) / static_cast<double>(s.of)));

@@ -13,8 +13,8 @@ namespace gearwright::apps {
 
 /// While this object exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with
 /// status 3. Nothing is printed or written before the computation is complete, so no partial result
-/// remains. While files are written, signals wait until the files are complete. After two seconds a
-/// line reports the progress. In a terminal it is overwritten, and elsewhere it is repeated every
+/// remains. While files are being written, signals wait until the files are complete. After two seconds, a
+/// line reports the progress. A terminal overwrites this line. Elsewhere a new line is printed every
 /// ten seconds.
 class Watch {
  public:
@@ -41,7 +41,7 @@ class Watch {
   std::thread thread_;
 };
 
-/// Runs a possibly long computation with a line of progress.
+/// Runs a computation that may be long, with a line of progress.
 template <class Work>
 auto watched(const char* verb, const Work& work) {
   Watch watch(verb);

@@ -1,9 +1,9 @@
-// The program gearwright-mpi: the verb search on many ranks.
+// The program gearwright-mpi, which runs the verb search on many ranks.
 //
 //   mpirun -n 8 gearwright-mpi search spec.toml --out found
 //
 // Every rank computes. The number of the next chunk is a counter in a window of rank 0. Ranks
-// increment it by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in
+// increment the counter by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in
 // the folder, and rank 0 combines them in order, so the result equals that of one process, byte for
 // byte.
 #include <mpi.h>
@@ -53,7 +53,7 @@ class Queue {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit acts like a full disk: write() reports it
+  std::signal(SIGXFSZ, SIG_IGN);  // if a file reaches its size limit, write() then returns an error
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   int rank = 0;
@@ -74,8 +74,8 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must outlive the catch, because freeing its window waits for all ranks. After an
-  // error, these may be waiting for this one.
+  // The queue must still exist in the catch block, because freeing its window waits for all ranks. After an
+  // error, the other ranks may be waiting for this rank.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;
@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     if (provided < MPI_THREAD_SERIALIZED && command.threads > 1) command.threads = 1;
     status = gearwright::apps::run_search_verb(command, &together);
   } catch (const std::exception& e) {
-    // The other ranks wait for this one, so they must be ended too.
+    // The other ranks wait for this rank, so they must also be ended.
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";
     MPI_Abort(MPI_COMM_WORLD, 3);
   }

@@ -1,4 +1,4 @@
-// Results of the verbs: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
+// Results of the verbs: Contact, Rating and Loaded for a pair, and the functions solve, fit, compensate and verify.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,8 +24,8 @@ namespace gearwright::python {
 
 namespace {
 
-// Runs find(job, progress) and makes a Self with record(job, answer) and judged(job, answer).
-// Ctrl-C stops it.
+// Runs find(job, progress) and makes a Self. record(job, answer) gives its quantities, and judged(job, answer)
+// its verdict. Ctrl-C stops the computation.
 template <class Self, class Find, class Record, class Judge>
 Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
   const auto model = std::make_shared<Model>(*asked);
@@ -79,7 +79,7 @@ py::array positions_of(const ContactValue& c) {
   return table_array(position_quantities().table(), *quantity(c.record(), "positions").list());
 }
 
-// There is a row for each torque, which contains the positions.
+// Returns an array with a row for each torque. The row contains the positions under this torque.
 py::object load_positions_of(const LoadedValue& loaded) {
   const ValueList& torques = *quantity(loaded.record(), "torques").list();
   if (torques.empty()) return py::none();
@@ -91,7 +91,7 @@ py::object load_positions_of(const LoadedValue& loaded) {
       .attr("reshape")(torques.size(), all.size() / torques.size());
 }
 
-// Returns a column of the positions in mm and rad.
+// Returns a column of the positions, converted to mm and rad.
 py::object column(const ContactValue& c, const QuantityInfo& info) {
   const py::object one = positions_of(c).attr("__getitem__")(info.key);
   const double unit = house_unit(info.unit);
@@ -117,8 +117,8 @@ std::string repr_of(const LoadedValue& l) {
   return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
 }
 
-// Declares a type of result with every quantity of the table. Unpickling computes it again by
-// of(pair).
+// Declares a type of result. Every quantity of the table is an attribute. Unpickling computes the result again
+// with of(pair).
 template <class Self>
 void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
   bind_made(type, [of](Json spec, const std::filesystem::path& folder) {
@@ -133,7 +133,7 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// Returns the spec of a dict, or of an object with a spec, a Pair or a Gear.
+// Returns the spec and its folder from a dict, a Pair, a Gear, or another object with a spec.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
@@ -180,8 +180,8 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   return by_name(Value(compensate_quantities().of(found)));
 }
 
-// There is a row for each sample with its inputs by name, "errors.crossing_deg" or
-// "bearings.bore_a.x_mm", followed by its quantities by key.
+// Returns an array with a row for each sample. The row contains the inputs by name, "errors.crossing_deg" or
+// "bearings.bore_a.x_mm", followed by the quantities by key.
 py::array members_of(const ScatterAnswer& a) {
   StructuredArray rows;
   std::vector<std::size_t> inputs, quantities;

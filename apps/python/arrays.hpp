@@ -1,8 +1,8 @@
-// Quantities of many objects as one structured array, with a field for each column of the catalogue
+// Quantities of many objects in one structured array. It has a field for each column of the catalogue
 // (columns.hpp).
 //
-// Fields are named by key, such as "transmission_error_arcsec", and have the unit of the key. The
-// names of record members combine both keys, "ellipse_semi_minor_mm". A missing number is NaN, and
+// The name of a field is the key, such as "transmission_error_arcsec", and the unit is that of the key. For
+// a member of a record, the name combines both keys, "ellipse_semi_minor_mm". A missing number is NaN, and
 // a missing word is "".
 #pragma once
 
@@ -19,16 +19,16 @@
 
 namespace gearwright::python {
 
-/// value of a missing number
+/// The value of a missing number.
 inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Returns the real numbers of an array or of lists. None for other contents, which numpy would
-/// convert without a warning: complex numbers, times, texts, flags, masked arrays.
+/// Returns the real numbers of an array or of lists, or nothing for other contents: complex numbers, times,
+/// texts, flags and masked arrays. numpy would convert these without a warning.
 std::optional<Numbers> real_numbers(py::handle value);
 
-/// Returns an array that owns the vector, so no number is copied.
+/// Returns an array that keeps the owner of the data alive, so no number is copied.
 template <class T, class Owner>
 py::array_t<T> array_of(std::shared_ptr<Owner> owner, const T* data,
                         std::vector<py::ssize_t> shape) {
@@ -54,10 +54,10 @@ class StructuredArray {
                   const std::vector<py::ssize_t>& shape = {});
   /// Allocates this number of rows of the added columns.
   void allocate(std::size_t rows);
-  /// Sets the values of a row in one column, as many as its shape has. A missing value is NaN,
-  /// false or "".
+  /// Sets the values of a row in one column. There must be as many values as the column's shape has. A missing
+  /// value becomes NaN, false or "".
   void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
-  /// Sets these columns of the table from one of its records.
+  /// Sets the columns of the table in this row from one of its records.
   void fill(std::size_t row, const ValueRecord& record);
   py::array take() { return std::move(array_); }
 

@@ -1,4 +1,4 @@
-// The tables of the catalogue, for the type stubs.
+// The tables of the catalogue as Python objects, from which the type stubs are made.
 #include <array>
 
 #include "apps/python/model.hpp"
@@ -9,7 +9,7 @@ namespace gearwright::python {
 
 namespace {
 
-// Words of Type and of KeyKind, in the order of their enumerators.
+// The names of Type and of KeyKind, in the order of their enumerators.
 constexpr std::array kTypes{"number", "whole", "index", "flag", "word", "text", "record", "map"};
 constexpr std::array kKinds{"number", "whole", "boolean", "text", "word", "table", "any"};
 

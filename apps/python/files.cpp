@@ -1,4 +1,4 @@
-// The tooth as points, as triangles and as files.
+// The tooth as points and triangles, and the files of gears.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPoints = 100'000;            // per arc
-constexpr std::size_t kMostOfAll = 20'000'000;  // per section
+constexpr int kMostPoints = 100'000;            // points of one arc
+constexpr std::size_t kMostOfAll = 20'000'000;  // points of one section
 
 int points_in_range(int points) {
   if (points < 2 || points > kMostPoints)
@@ -36,7 +36,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   return tolerance;
 }
 
-// Reports the error with the keys of a single gear if there is only one gear.
+// Raises the error. If there is only one gear, the keys are those of a single gear.
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
   if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
@@ -74,7 +74,7 @@ py::dict outline(const GearValue& gear, int points) {
   return all;
 }
 
-// A land is a sequence of points on its circle, starting at `begin`.
+// The points of a land, which lie on its circle and begin at `begin`.
 std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
   std::vector<Vec2> all;
   const Vec2 across(-piece.begin.y(), piece.begin.x());
@@ -125,14 +125,14 @@ py::tuple mesh(const GearValue& gear, double tolerance) {
                         array_of<std::uint32_t>(owner, owner->triangles.data()->data(), {m, 3}));
 }
 
-// Returns the bytes of the file, or the path to which it was written.
+// Returns the bytes of the file. If there is a path, it writes the file and returns the path.
 py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& path) {
   if (!path) return py::bytes(file.bytes);
   write_file(*path, file.bytes);
   return py::cast(*path);
 }
 
-// Makes one file of the gears. Two gears are in their mounted position.
+// Makes one file with these gears. Two gears are in their mounted positions.
 py::object exported(FileKind kind, const std::vector<int>& gears, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
   FileOptions options;
@@ -149,8 +149,8 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
       path);
 }
 
-// Makes the workshop drawing with a sheet for each gear. The extension of the path takes precedence
-// over `format`.
+// Makes the workshop drawing with a sheet for each gear. If there is a path, its extension determines the format
+// instead of `format`.
 py::object drawing(const std::vector<int>& gears, const Model& model,
                    const std::optional<fs::path>& path, const std::string& format,
                    const std::string& sheet, double tolerance) {

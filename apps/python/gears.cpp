@@ -1,4 +1,4 @@
-// Gear and Pair, made from named values. Every quantity of the catalogue is an attribute.
+// The types Gear and Pair, which are made from named values. Every quantity of the catalogue is an attribute.
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Changes by name; None removes a key.
+// The changes by name. None becomes null, which removes a key.
 Json changes_of(const py::kwargs& kwargs) {
   Json changes = Json::object();
   for (const auto& [name, value] : kwargs) {
@@ -26,7 +26,7 @@ Json changes_of(const py::kwargs& kwargs) {
   return changes;
 }
 
-// Splits keywords into keys of [pair] and keys of the file itself, which may be given side by side.
+// Separates the keywords of [pair] from those of the file itself, because both may be given together.
 Json pair_changes(const py::kwargs& kwargs) {
   Json spec = Json::object();
   const Json changes = changes_of(kwargs);
@@ -74,7 +74,7 @@ PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
   return pair_value(std::move(spec), pair.model->folder);
 }
 
-// Returns the gear or the pair of a file or of a dict.
+// Returns the Gear or the Pair of a file or a dict.
 py::object load(const py::object& given) {
   Json spec;
   fs::path folder;
@@ -94,7 +94,7 @@ Value value_of(const Quantity<S>& q, const S& s) {
   return q.exists && !q.exists(s) ? Value() : q.get(s);
 }
 
-// Adds every quantity as an attribute, which is value(self, quantity).
+// Adds every quantity as an attribute. Its value is value(self, quantity).
 template <class Self, class S, class GetValue>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                      const GetValue& value) {
@@ -102,7 +102,7 @@ void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
     bind_quantity(type, q.info, [&q, value](const Self& self) { return value(self, q); });
 }
 
-// The quantity of a gear; of a double-helical gear, that of the whole gear.
+// The quantity of a gear. If the gear is double-helical, it is the quantity of the whole gear.
 Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
   if (!g.halves()) return value_of(q, g.gear());
   for (Member& member : g.record())
@@ -110,7 +110,7 @@ Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
   return {};
 }
 
-// Values are equal if their specs are equal.
+// Adds the common methods of Gear and Pair. Two values are equal if their specs are equal.
 template <class Self>
 void bind_value(py::class_<Self>& type) {
   type.def("__getitem__",

@@ -7,7 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-# Excludes the sources of the package, which are next to this script.
+# Replaces the folder of this script, which contains the sources of the package, by that of the built package.
 sys.path[0] = str(Path(sys.argv[1]).parent)
 import gearwright._core as core  # noqa: E402
 
@@ -16,7 +16,7 @@ PLAIN = {"number": "float", "whole": "int", "index": "int", "flag": "bool", "wor
 
 
 def class_of(table):
-    """"pair.backlash" as _PairBacklash."""
+    """Returns the class name for a table, _PairBacklash for "pair.backlash"."""
     words = table.replace(".", " ").replace("_", " ").split()
     return "_" + "".join(word[0].upper() + word[1:] for word in words)
 
@@ -62,7 +62,7 @@ def doc_of(member):
 
 
 def with_docs(text):
-    """Returns the stubs with the module's docstring of each class, and of each member that ends in an ellipsis."""
+    """Returns the stubs with the docstrings of the module, for each class and each member that ends in an ellipsis."""
     lines, owner, name = [], core, ""
     for line in text.splitlines():
         if found := re.match(r"class (\w+):", line):
@@ -98,7 +98,7 @@ def main():
         text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)
         assert count, f"core.pyi.in has no {mark}"
     records = ""
-    for name, entries in tables.items():  # a table precedes those of the records in it
+    for name, entries in tables.items():  # a table precedes the tables of its records
         if re.search(rf"\b{class_of(name)}\b", text + records):
             records += f"class {class_of(name)}(Record):\n" + "".join(map(attribute, entries)) + "\n"
     text = with_docs(text.replace("# records\n", records))

@@ -22,7 +22,7 @@
 namespace gearwright::python {
 
 struct Model {
-  Json spec;                     ///< by key, as given
+  Json spec;                     ///< the spec as given, by key
   std::filesystem::path folder;  ///< folder of relative file names in the spec
   SolvedJob job;
 
@@ -30,23 +30,23 @@ struct Model {
 };
 using ModelPtr = std::shared_ptr<const Model>;
 
-/// Solves the spec without the GIL.   Errors  in the keys of the spec
+/// Solves the spec without the GIL.   Errors  with the keys of the spec
 Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope);
-/// The same, but throws the error.   Throws  SpecError
+/// The same, but raises the error.   Throws  SpecError
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope);
 
-/// Raises the error in the keys of the spec.
+/// Raises the error with the keys of the spec.
 [[noreturn]] void raise(const Error& error, const Model& model);
 
-/// Converts names in mm and rad to keys: helix_angle of 0.26 becomes helix_angle_deg of 14.9. Names
-/// that the tables do not contain are unchanged, and the reader rejects them.
+/// Converts names in mm and rad to keys: helix_angle = 0.26 becomes helix_angle_deg = 14.9. A name
+/// that is not in the tables is unchanged, and the reader rejects it.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// Returns the name in mm and rad for a key, such as normal_module for normal_module_mm. If the key
-/// has no such unit, it returns the key itself.
+/// Returns the name in mm and rad for a key, such as normal_module for normal_module_mm. If the unit of the
+/// key has no such name, it returns the key itself.
 std::string house_key(const Key& key);
-/// Number of units of the key in one mm or rad.
+/// The number of units of the key in one mm or rad.
 double units_per_house(const Key& key);
-/// Converts a whole spec in the same way.
+/// Converts all tables of a spec like with_keys.
 Json spec_with_keys(Json tree);
 
 /// Replaces members of `tree` by those of `changes`, also in nested tables. Null removes a member.
@@ -59,7 +59,7 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// If the gear is double-helical; `gear()` is then one half.
+  /// The halves of a double-helical gear, of which gear() is one.
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }
@@ -79,10 +79,10 @@ struct PairValue {
   Verdict verdict() const { return judge(model->job); }
 };
 
-/// The result of a verb for a pair: the pair's spec with the additional input, and every quantity
+/// The result of a verb for a pair. It contains the pair's spec with the additional input, and every quantity
 /// of the result.
 struct AnswerValue {
-  ModelPtr model;  ///< with the warnings of the result
+  ModelPtr model;  ///< includes the warnings of the result
   std::shared_ptr<const ValueRecord> quantities;
   std::function<Verdict()> verdict;
 
@@ -93,8 +93,8 @@ struct ContactValue : AnswerValue {};
 struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
-/// Returns the pair's spec with other errors and modifications, and with `keys` in its table of
-/// this name. None leaves the errors or modifications unchanged.
+/// Returns a model of the pair with other errors and modifications, and with `keys` in the table `name` of its
+/// spec. None leaves the errors or modifications unchanged.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);
@@ -129,7 +129,7 @@ void bind_verdict(py::class_<Self>& type) {
       "The verdict: level, headline and findings, the worst one first");
 }
 
-/// Adds a quantity as an attribute with the value get(self), unless the type already has an
+/// Adds a quantity as an attribute whose value is get(self), unless the type already has an
 /// attribute of this name.
 template <class Self, class Get>
 void bind_quantity(py::class_<Self>& type, const QuantityInfo& info, const Get& get) {

@@ -1,4 +1,4 @@
-// A pair under errors of its mounting: one set of errors as a table or a row, many sets as an
+// A pair under errors of its mounting. One set of errors is a table or a row, and many sets are an
 // array.
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ Json errors_tree(const py::object& errors) {
   return errors_of_row(errors);
 }
 
-// Checks the errors of a pair row by row: they must be finite and within the ranges of their keys.
+// Checks rows of errors for a pair. The numbers must be finite and within the ranges of their keys.
 void check_rows(const Numbers& rows, const ContactSetup& setup) {
   const auto numbers = rows.unchecked<2>();
   for (py::ssize_t r = 0; r < rows.shape(0); ++r) {

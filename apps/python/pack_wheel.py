@@ -1,9 +1,9 @@
 """Packs a staged package into a wheel, with the shared libraries that it needs.
 
-    pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT: the package in the build folder
+    pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT is the package in the build folder
 
-The tag is that of this system. A manylinux tag is determined by the version of glibc, and with fmt, TBB and the other
-libraries in gearwright.libs, the module needs nothing else that a wheel may not require.
+The tag names this system. The version of glibc determines the manylinux tag. The folder gearwright.libs contains
+fmt, TBB and the other libraries, so the module needs only libraries on which a wheel may depend.
 """
 
 import platform
@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Libraries that every Linux on which pip accepts manylinux wheels provides (PEP 600).
+# The libraries that every Linux provides on which pip accepts manylinux wheels (PEP 600).
 OF_THE_SYSTEM = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libz.so.1",
                  "libpthread.so.0", "libdl.so.2", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
 
@@ -24,7 +24,7 @@ def needed(library):
 
 
 def bundle(stage, built):
-    """Copies the libraries of `built` that are not the system's to the folder in which the staged module searches."""
+    """Copies the libraries of `built` to the folder in which the staged module searches, except those of the system."""
     into = stage / "gearwright.libs"
     into.mkdir()
     for name, path in sorted(needed(built).items()):

@@ -1,6 +1,6 @@
-// Display of values in a notebook: the pictures and tables of the report, and whole pages.
+// Display of values in a notebook, with the pictures and tables of the report and with whole pages.
 //
-// A picture has its own frame, so its style and that of the notebook do not interfere. The colours
+// Each picture is in a frame of its own, so its style and that of the notebook do not interfere. The colours
 // follow the user's preference, dark or light.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -29,7 +29,7 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// A frame as high as its content if the notebook permits scripts. Otherwise the frame scrolls.
+// A frame for a picture. If the notebook permits scripts, it is as high as its content. Otherwise it scrolls.
 std::string framed(const std::string& title, const std::string& body) {
   const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
                            body + "</main>\n</body>\n</html>\n";
@@ -102,16 +102,16 @@ struct PairFigures {
   std::vector<Figure> operator()(const ArcPair& pair) const { return arc_contact_figures(pair); }
 };
 
-// Makes a part of the report in an interruptible way.
+// Makes a part of the report. Ctrl-C interrupts this.
 template <class Part>
 Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
   return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });
 }
 
-// The figures of a contact; none if nothing touches.
+// The figures of a contact. There are none if nothing touches.
 std::vector<Figure> contact_figures(const ContactValue& c) {
   SolvedJob job = c.model->job;
-  job.spec.contact.given = true;  // as if the spec had the table
+  job.spec.contact.given = true;  // makes the part as if the spec had the table [contact]
   const auto part = part_of(job, contact_part);
   if (!part) return {};
   const ContactReport& r = part->report;

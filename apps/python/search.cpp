@@ -1,4 +1,4 @@
-// The design search.
+// The design search and the type Search of its result.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A finished search, with designs ordered from the best.
+// A finished search. Its designs are ordered from the best.
 struct Found {
   explicit Found(SpecText given) : text(std::move(given)), spec(value_or_raise(read_spec(text))) {
     if (!spec.search) raise(no_search());
@@ -47,7 +47,7 @@ struct Found {
 };
 using FoundPtr = std::shared_ptr<const Found>;
 
-// Words of SearchProgress::Stage, in its order.
+// The names of SearchProgress::Stage, in the order of the enumerators.
 constexpr std::array kStages{"candidates", "what would help", "regions"};
 
 FoundPtr search(const py::object& given, const std::optional<long long>& top, int threads,
@@ -96,7 +96,7 @@ py::object design(const Found& found, py::ssize_t i) {
   return by_name(Value(design_quantities().of(view)));
 }
 
-// The columns of search.parquet and best.csv as a structured array.
+// Returns the columns of search.parquet and best.csv as a structured array.
 py::array to_numpy(const Found& found) {
   const auto& columns = design_columns(found.search->problem());
   const auto& heads = columns.heads();
@@ -151,7 +151,7 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
-// A pickle contains the finished run, which may have taken hours. Designs and changes are packed.
+// A pickle contains the finished run, because the search may have taken hours. Designs and changes are packed.
 template <class Run>
 auto plain_members(Run& run) {
   auto& answer = run.answer;

@@ -1,4 +1,4 @@
-// Computes one pair with columns of numbers in place of some of its own. The result has a row of
+// Computes a pair again for columns of numbers that replace some of its own numbers. The result has a row of
 // quantities for each row of numbers.
 #include <fmt/format.h>
 
@@ -17,10 +17,10 @@ namespace {
 // A key whose value changes from row to row.
 struct Swept {
   const Key* key;
-  int gear;  ///< 1 or 2; 0 for keys of the pair
+  int gear;  ///< 1 or 2; 0 for a key of the pair
   std::string path;
   Numbers numbers;
-  double unit;  ///< value of one unit of the numbers in the unit of the key
+  double unit;  ///< one unit of `numbers`, expressed in the unit of the key
 
   double at(std::size_t row) const { return numbers.data()[row] * unit; }
 };
@@ -73,7 +73,7 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   return all;
 }
 
-// Returns the error of a value that its key does not permit, as for a file with this value.
+// Sets a value. If its key does not permit the value, the error is the same as for a file with this value.
 std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   const double x = s.at(row);
   if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};
@@ -90,7 +90,7 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   return std::nullopt;
 }
 
-// Returns the pair with the numbers of a row.
+// Solves the pair with the numbers of one row.
 Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::size_t row) {
   for (const Swept& s : keys)
     if (auto error = put(spec, s, row)) return *error;

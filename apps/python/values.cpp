@@ -17,7 +17,7 @@ py::object type_of(const char* module, const char* name) {
 }
 
 struct ToPython {
-  bool by_name;       // as an attribute: in mm and rad, lists as tuples, records as Records
+  bool by_name;       // true for an attribute, in mm and rad, with tuples and Records
   double unit = 1.0;  // unit of the numbers of an attribute
 
   py::object operator()(std::monostate) const { return py::none(); }
@@ -68,8 +68,8 @@ Json whole_of(py::handle value, const std::string& path) {
   return whole;
 }
 
-// A time or an array of times. The tolist() of numpy would convert it to whole numbers if it is in
-// ns.
+// True for a time or an array of times. If times are in ns, numpy's tolist() would convert them to whole
+// numbers.
 bool is_time(py::handle value) {
   const py::object type = py::getattr(value, "dtype", py::none());
   const std::string kind = py::str(py::getattr(type, "kind", py::none()));
@@ -79,11 +79,11 @@ bool is_time(py::handle value) {
 Json mapping_of(py::handle value, const std::string& path) {
   Json tree = Json::object();
   const py::object keys =
-      value.attr("keys")();  // the only method that dicts, Records and tables share
+      value.attr("keys")();  // the only method that dicts, Records and tables all have
   for (const auto& name : keys) {
     const std::string key = py::str(name);
     const py::object member = value[name];
-    if (member.is_none()) continue;  // not given
+    if (member.is_none()) continue;  // None means that no value is given
     tree[key] = tree_of(member, path.empty() ? key : path + "." + key);
   }
   return tree;
@@ -140,7 +140,7 @@ py::object by_name(const Value& without_unit) {
 
 namespace {
 
-// A tree that contains itself causes a RecursionError.
+// Raises RecursionError if a tree contains itself.
 struct Depth {
   Depth() {
     if (Py_EnterRecursiveCall(" in a spec") != 0) throw py::error_already_set();
@@ -200,7 +200,7 @@ std::optional<std::filesystem::path> path_or_none(py::handle value, const std::s
 }
 
 int threads_in_range(int threads) {
-  constexpr int kMostThreads = 1024;  // the same limit as for batch and search
+  constexpr int kMostThreads = 1024;  // the same limit as in batch and search
   if (threads < 0 || threads > kMostThreads)
     raise(refused("threads", threads,
                   "must lie between 1 and " + std::to_string(kMostThreads) +

@@ -1,9 +1,9 @@
 // Runs a long computation on a separate thread, while the main thread of Python checks for Ctrl-C
 // and reports the progress.
 //
-// Python handles a signal only between two of its own instructions, so it would not handle one
-// during a call of several seconds. The calling thread waits here without the GIL, except for a
-// check every kLook.
+// Python handles a signal only between two of its own instructions, so it could not handle a signal
+// during a call of several seconds. Here the calling thread waits without the GIL and takes it only for
+// a check every kLook.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -24,7 +24,7 @@ namespace gearwright::python {
 
 constexpr std::chrono::milliseconds kLook{50};
 
-/// A computation that counts its steps, or checks `stop`. After end(), it ends at the next step.
+/// A computation that counts its steps or checks `stop`. After end(), it ends at the next step.
 struct Watched {
   std::atomic<bool> stop{false};
   Progress progress;
@@ -35,8 +35,8 @@ struct Watched {
   }
 };
 
-/// Runs the computation to its end and passes on its exceptions. On Ctrl-C, or if `look` raises,
-/// the computation is ended and then the exception is raised.
+/// Runs the computation to its end and passes on its exceptions. If Ctrl-C is pressed or `look` raises an
+/// exception, the computation is ended first, and then the exception is raised.
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
   std::exception_ptr raised;
@@ -60,7 +60,7 @@ inline void watch(Watched& watched, const std::function<void()>& work,
   ended.get();
 }
 
-/// Returns the result of work(progress).   Throws  SpecError in the keys of the spec
+/// Returns the result of work(progress).   Throws  SpecError with the keys of the spec
 template <class Work>
 auto watched_result(const GivenKeys& given, const Work& work) {
   std::optional<decltype(work(static_cast<Progress*>(nullptr)))> found;
@@ -70,7 +70,7 @@ auto watched_result(const GivenKeys& given, const Work& work) {
   return std::move(*found).take();
 }
 
-/// Calls row(0) … row(n − 1) from this number of threads. 0 means as many as the machine has.
+/// Calls row(0) … row(n − 1) from this number of threads; 0 means as many as the machine has.
 template <class Row>
 void watched_rows(std::size_t n, int threads, const Row& row) {
   Watched watched;

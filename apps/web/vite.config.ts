@@ -1,4 +1,4 @@
-// Two builds of one page: `vite build` makes static files for any host, `vite build --mode single`
+// The page has two builds: `vite build` makes static files for any host, and `vite build --mode single` makes
 // one self-contained gearwright.html.
 
 import { execFileSync } from "node:child_process";
@@ -12,8 +12,8 @@ const root = resolve(here, "../..");
 /** The folder of the compiled engine: engine.js, gearwright.mjs, gearwright.wasm. */
 const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/engine"));
 
-/** The module from emscripten uses import.meta.url for the name of its file, which a worker in a single
- *  file does not have. The page provides the bytes in any case. */
+/** Replaces import.meta.url in the module from emscripten. The module uses it for the name of its file, and a worker
+ *  in a single file does not have it. The page provides the bytes in any case. */
 function engineModule(): Plugin {
   return {
     name: "gearwright-engine",
@@ -22,18 +22,18 @@ function engineModule(): Plugin {
       if (!id.endsWith("gearwright.mjs")) return null;
       return code
         .replaceAll("import.meta.url", "self.location.href")
-        .replace(/require\(['"](fs|path)['"]\)/g, "null"); // node's
+        .replace(/require\(['"](fs|path)['"]\)/g, "null"); // removes modules of node
     },
   };
 }
 
-/** A file compressed by Debian's zstd; zlib of node has it from version 22.15 only. */
+/** Returns the file compressed by the program zstd, which zlib of node contains from version 22.15 only. */
 const zstd = (file: string) => execFileSync("zstd", ["--ultra", "-22", "-qc", file], { maxBuffer: 1e8 });
 
 const kLicences =
   "<!-- Contains three.js, © 2010-2026 three.js authors, and fzstd, © 2020 Arjun Barrett, both under the MIT licence. -->";
 
-/** Everything into one HTML file: the style as it is, the script and the engine compressed and in base64,
+/** Puts everything into one HTML file: the style as it is, the script and the engine compressed and in base64,
  *  which src/unpack.js reads. Three quarters of the script are three.js, which most visits do not need. */
 function single(): Plugin {
   return {

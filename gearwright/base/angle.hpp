@@ -15,11 +15,11 @@ class Angle {
   static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
   static constexpr Angle arcseconds(double value) { return Angle(value * kRadPerArcsec); }
   constexpr double rad() const { return rad_; }
-  /// Degrees with at most ten decimals are returned as given: 60°, not 59.99999999999999°.
+  /// The angle in degrees. A value given with at most ten decimals is returned as given: 60°, not 59.99999999999999°.
   constexpr double deg() const {
     constexpr double kDecimals = 1e10;
     const double x = rad_ * kDegPerRad;
-    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;  // up to 1e15 units the count is exact
+    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;  // a count of up to 1e15 units is exact
     const double units = x * kDecimals + (x < 0.0 ? -0.5 : 0.5);
     const double given = static_cast<double>(static_cast<long long>(units)) / kDecimals;
     return given * kRadPerDeg == rad_ ? given : x;
@@ -54,10 +54,10 @@ struct SinCos {
   double cos;
 };
 
-/// Sine and cosine of the turn 2π k/n [T1.4], k and n integers.
+/// Sine and cosine of the turn 2π k/n [T1.4] for integers k and n.
 ///
-/// Accuracy  the quarter turns are exact ({0,1}, {1,0}, {0,-1}, {-1,0}) and k ≡ k + n bit for bit:
-///           k is reduced as an integer, into the first eighth of the turn
+/// Accuracy  the quarter turns are exact ({0,1}, {1,0}, {0,-1}, {-1,0}). k and k + n give the same bits, because k
+///           is reduced as an integer into the first eighth of the turn
 /// Domain    n ≥ 1 (contract)
 SinCos sincos_turn(long long k, long long n);
 

@@ -13,11 +13,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSame = 1e-12;  // relative: a decimal that a double represents well
+constexpr double kSame = 1e-12;  // relative difference up to which a decimal equals the limit
 
 enum class Side { down, up };
 
-// Rounds towards the allowed side, unless the decimal equals the number.
+// The limit as text, rounded towards the allowed side unless the nearest decimal equals the limit.
 std::string limit_text(double limit, int digits, Side side) {
   const std::string nearest = with_digits(limit, digits);
   const double read = std::strtod(nearest.c_str(), nullptr);

@@ -1,11 +1,11 @@
-// The error of an input, with the information that its author needs to correct it.
+// The error of an input, with the information that the user needs to correct the input.
 //
 //   field   the member of the library's structs, "tip_diameter", "rack.dedendum", "gear1.teeth"
 //   value   its value, with the digits that a user needs
 //   rule    one sentence: the fault, the allowed range with its reason, and a remedy. Other members
 //           are in backticks, `pair.center_distance`
 //
-// Programmers read it unchanged. Interfaces that use files replace the members by keys
+// Programmers receive this text unchanged. Interfaces that use files replace the members by keys
 // (catalogue/spelling.hpp) and keep the sentence.
 #pragma once
 
@@ -19,41 +19,41 @@ namespace gearwright {
 
 /// The kind of an error, on which code may branch. The rule is for users only.
 enum class FailureKind {
-  value,      ///< the value, or the input as a whole, violates the rule
-  missing,    ///< the input lacks the field
-  no_flank,   ///< a gear has no usable flank
-  placement,  ///< two gears cannot be placed, or have no helix or shift, as the input requires
-  nothing_touches,  ///< at no position do teeth of the two gears touch
+  value,            ///< the value, or the input as a whole, violates the rule
+  missing,          ///< the input lacks the field
+  no_flank,         ///< a gear has no usable flank
+  placement,        ///< the gears cannot be placed or shaped as the input requires
+  nothing_touches,  ///< the teeth of the two gears touch at no position
   not_under_load,   ///< teeth of this kind are not computed under load
-  not_in_build,     ///< this build cannot compute it
+  not_in_build,     ///< this build cannot compute the result
 };
 
 struct Error {
-  std::string field;  ///< empty if of no member
-  std::string value;  ///< empty without a value that fits into a sentence
+  std::string field;  ///< empty if the error concerns no single member
+  std::string value;  ///< empty if no value fits into a sentence
   std::string rule;
   FailureKind kind = FailureKind::value;
 
   /// "rack.dedendum = 9: the cutter's tooth is pointed before it gets that deep; …"
   std::string message() const;
-  /// The same as a part of another sentence: "`rack.dedendum` = 9: …".
+  /// The message as part of another sentence, with the field in backticks: "`rack.dedendum` = 9: …".
   std::string quoted() const;
 };
 
 /// The field is missing. `rest` continues the sentence "is missing": "; a pair needs a second gear".
 Error absent_input(std::string field, std::string_view rest = {});
 
-/// {field, value, rule}, the value with six digits.
+/// The error {field, value, rule} with the value written to six digits.
 Error refused(std::string field, double value, std::string rule);
 Error refused(std::string field, int value, std::string rule);
 
-/// The same for a value outside its limits: `rule` has {} for each limit. Value and limits have six
-/// digits, or as many as distinguish them. A limit is rounded towards the allowed side, so that
-/// every printed value is allowed. Two limits are the least and the greatest value.
+/// The error of a value outside its limits. `rule` contains {} for each limit. The value and the limits are written
+/// with six digits, or with as many as distinguish them. A limit is rounded towards the allowed side, so that the
+/// printed limit is itself allowed. If there are two limits, they are the least and the greatest allowed value.
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule);
 
-/// The error of a part as one of the whole: "rack.dedendum" of "gear1" is "gear1.rack.dedendum".
+/// The error of a part, with the whole in front of the field: "rack.dedendum" of "gear1" becomes "gear1.rack.dedendum".
 Error within(std::string_view whole, Error error);
 
 /// The same error, attributed to the input that causes it: "pair.center_distance = 30: it asks for

@@ -12,7 +12,7 @@ namespace gearwright {
 /// accuracy grades …), …". Each field and each explanation occurs once. If one of them is an error of
 /// another kind, that error is returned alone.
 ///
-/// Domain    at least one (contract)
+/// Domain    at least one error (contract)
 Error all_missing(const std::vector<Error>& errors);
 
 }  // namespace gearwright

@@ -27,7 +27,7 @@ std::string with_digits(double x, int digits) {
 }
 
 int digits_between(double x, double other) {
-  constexpr int kAllDigits = 17;  // of a double
+  constexpr int kAllDigits = 17;  // sufficient for every double
   if (x == other) return kUsualDigits;
   for (int d = kUsualDigits; d <= kAllDigits; ++d)
     if (with_digits(x, d) != with_digits(other, d)) return d;

@@ -1,4 +1,4 @@
-// Numbers as text for people and files, each function one rule.
+// Formats numbers as text for people and for files. Each function implements one rule.
 #pragma once
 
 #include <string>
@@ -10,22 +10,22 @@ namespace gearwright {
 /// Domain    finite, decimals ≥ 0
 std::string fixed_decimals(double x, int decimals);
 
-/// The same without trailing zeros: "1.5", "2".
+/// The number with at most `most` decimals and without trailing zeros: "1.5", "2".
 std::string short_decimals(double x, int most);
 
-inline constexpr int kUsualDigits = 6;  ///< in sentences
+inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a sentence
 
 /// The number with this many significant digits, or fewer if the number has no more: 0.1, not
 /// 0.100000.
 std::string with_digits(double x, int digits);
 
-/// The number of significant digits that distinguishes x from `other`, at least six. It is six if they
-/// never differ.
+/// The number of significant digits, at least six, that distinguishes x from `other`. It is six if x and `other` are
+/// equal.
 int digits_between(double x, double other);
 
-/// A number in a sentence: six digits.
+/// A number with six significant digits, as it is written in a sentence.
 std::string format_number(double x);
-/// A number with as many more digits as distinguish it from `other`.
+/// The number x with six digits, or with as many more as distinguish x from `other`.
 std::string format_number(double x, double other);
 
 }  // namespace gearwright

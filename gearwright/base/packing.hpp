@@ -15,7 +15,7 @@ std::uint32_t crc32_of(std::string_view bytes);
 
 /// A raw deflate stream, without zlib's header.
 ///
-/// Domain  less than 2³² bytes, without zlib 2³¹ (contract)
+/// Domain  fewer than 2³² bytes, or fewer than 2³¹ in a build without zlib (contract)
 std::string deflated(std::string_view content);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// The version without zlib uses a table of 256 remainders, and the compressor of stb_image_write.h
-// (libstb-dev), fixed Huffman codes over matches in 32 kB.
+// The version without zlib computes CRC-32 with a table of 256 remainders. It compresses with stb_image_write.h
+// (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB.
 #include <array>
 #include <climits>
 #include <cstdlib>

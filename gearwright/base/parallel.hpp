@@ -1,4 +1,4 @@
-// Work on many items at once. No other file uses threads.
+// Processes many items in parallel.
 //
 // No result depends on the number of threads, because items are independent and ordered results are
 // delivered in order. A build without oneTBB (the browser's) runs the items one after the other
@@ -21,7 +21,7 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
 /// Processes many items at once and delivers the results in the order of the items. It holds only a
 /// few items per thread.
 ///
-///   next   gives the next item, false at the end     work   is called from many threads at once
+///   next   writes the next item and returns false if there is none     work   is called from many threads at once
 void in_order(const std::function<bool(std::string&)>& next,
               const std::function<std::string(const std::string&)>& work,
               const std::function<void(const std::string&)>& take, int threads = 0);

@@ -1,8 +1,8 @@
 // The progress of a long computation: the computation counts, and any thread may read the count.
 //
 // A computation with progress takes a `Progress*`, which may be null. Counting changes no result
-// and needs no lock. A caller may stop the computation: its next step then throws `WorkStopped`,
-// which passes through the computation to the caller.
+// and needs no lock. If a caller stops the computation, the next step throws `WorkStopped`, which
+// passes through the computation to the caller.
 #pragma once
 
 #include <atomic>
@@ -35,7 +35,7 @@ class Progress {
   void stop() { stopped_ = true; }
   State state() const { return {stage_, done_, of_}; }
 
-  /// Marks the start of writing files. A request to stop then waits until they are complete.
+  /// Marks the start of writing files. A request to stop then waits until the files are complete.
   void begin_writing() { writing_ = true; }
   bool writing() const { return writing_; }
 

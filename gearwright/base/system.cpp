@@ -19,12 +19,12 @@ int open_file(const std::filesystem::path& path, int flags) {
   return ::open(path.c_str(), flags | O_CLOEXEC, 0666);
 }
 
-// Lets the allocator keep freed memory. By default glibc returns large blocks to the system at
-// once, and a third of the time of loaded contact went into fetching their pages again.
+// Makes the allocator keep freed memory. By default glibc returns large blocks to the system at
+// once, and fetching their pages again took a third of the time of loaded contact.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMegabyte = 1 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the greatest value that glibc takes
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the greatest value that glibc accepts
   ::mallopt(M_TRIM_THRESHOLD, 1024 * kMegabyte);
   ::mallopt(M_TOP_PAD, 16 * kMegabyte);
 #endif

@@ -14,12 +14,12 @@
 
 namespace gearwright {
 
-/// A file that is open, closed at the end. Failures are error numbers (errno), 0 is success.
+/// An open file, which the destructor closes. Failures are returned as error numbers (errno); 0 means success.
 class FileHandle {
  public:
-  /// Creates a file for writing; an existing file is emptied.
+  /// Creates a file for writing. An existing file is emptied.
   static FileHandle create(const std::filesystem::path& path);
-  /// Creates a file for writing; fails with EEXIST if it exists.
+  /// Creates a file for writing. The call fails with EEXIST if the file exists.
   static FileHandle create_new(const std::filesystem::path& path);
   static FileHandle open_to_read(const std::filesystem::path& path);
 
@@ -39,10 +39,10 @@ class FileHandle {
 
   /// Writes all bytes.
   int write(std::string_view bytes);
-  /// Reads up to `most` bytes, fewer only at the end of the file.
+  /// Reads `most` bytes, or fewer at the end of the file.
   int read(std::size_t most, std::string& bytes);
   int size(std::uint64_t& bytes) const;
-  /// Some file systems report a full disk only here. A second call does nothing.
+  /// Closes the file. Some file systems report a full disk only here. A second call does nothing.
   int close();
 
  private:
@@ -63,8 +63,8 @@ bool is_terminal(std::FILE* stream);
 /// A path with the separators of this system, in UTF-8.
 std::string native_text(std::filesystem::path path);
 
-/// The arguments of the program in UTF-8, without the program name. Afterwards output is also UTF-8
-/// bytes, and writing beyond the file size limit returns an error instead of ending the program.
+/// Prepares the process and returns the arguments of the program in UTF-8, without the program name. After the call,
+/// output is also in UTF-8, and writing beyond the file size limit returns an error instead of ending the program.
 std::vector<std::string> start_program(int argc, char** argv);
 
 }  // namespace gearwright

@@ -13,9 +13,10 @@
 
 #include "gearwright/base/system.hpp"
 
-// libstdc++ makes a path of a std::string by the C locale, which cannot be UTF-8 in msvcrt. It calls mbrtowc for each
-// character, which the linker replaces by this function (--wrap, cmake/gw_portable.cmake): UTF-8 to UTF-16. A character
-// of two units gives the first for three of its bytes and the second, kept in `state`, for the fourth.
+// libstdc++ converts a std::string to a path with mbrtowc, whose encoding is the C locale. In msvcrt this cannot be
+// UTF-8, so the linker replaces mbrtowc by this function (--wrap, cmake/gw_portable.cmake), which converts UTF-8 to
+// UTF-16. For a character of two UTF-16 units, it returns the first unit with three of the four bytes. It keeps the
+// second unit in `state` and returns it with the fourth byte.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t most,
                                       std::mbstate_t* state) {
   constexpr auto kBad = static_cast<std::size_t>(-1), kPart = static_cast<std::size_t>(-2);
@@ -141,7 +142,7 @@ std::string native_text(std::filesystem::path path) { return path.make_preferred
 std::vector<std::string> start_program(int argc, char** argv) {
   for (std::FILE* stream : {stdin, stdout}) ::_setmode(::_fileno(stream), _O_BINARY);
   ::SetConsoleOutputCP(CP_UTF8);
-  // The line of progress is cleared by an escape sequence.
+  // The progress line is cleared by an escape sequence, which the console must be set to process.
   const HANDLE console = ::GetStdHandle(STD_ERROR_HANDLE);
   DWORD mode = 0;
   if (::GetConsoleMode(console, &mode) != 0)

@@ -19,7 +19,8 @@ Utf8Point first_of_utf8(std::string_view text) {
     if ((byte(i) & 0xC0) != 0x80) return kWrong;
     code = (code << 6) | (byte(i) & 0x3Fu);
   }
-  constexpr std::array<char32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};  // number of bytes
+  // The smallest code point for each number of bytes.
+  constexpr std::array<char32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < kSmallest[bytes] || code > 0x10FFFF || surrogate) return kWrong;
   return {code, bytes};

@@ -1,4 +1,4 @@
-// The version in reports, files and `--version`; the build compares it with that of CMake.
+// The version in reports, files and `--version`. The build compares it with the version in CMake.
 #pragma once
 
 namespace gearwright {

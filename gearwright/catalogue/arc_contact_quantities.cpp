@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kMarking = 0.00635;  // mm, thickness of the marking compound for the ellipse
 
-// Semi-axis of the area in which the gap, with the curvature k, is smaller than the thickness of
-// the marking compound; none if k ≤ 0.
+// Semi-axis of the area in which a gap with the curvature k is smaller than the thickness of the marking
+// compound. There is none if k ≤ 0.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -19,7 +19,7 @@ Value tensor(const Mat2& k) {
 
 bool convex_first(const ArcContactView& c) { return c.contact->convex_gear == 1; }
 
-// Reorders values of the convex and the concave flank as gear 1 and gear 2.
+// Converts values of the convex and the concave flank to values of gear 1 and gear 2.
 template <class T>
 std::array<T, 2> by_gear(const ArcContactView& c, const T& convex, const T& concave) {
   return convex_first(c) ? std::array{convex, concave} : std::array{concave, convex};

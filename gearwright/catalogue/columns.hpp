@@ -1,8 +1,8 @@
-// A table of the catalogue as columns: the one place where records are flattened.
+// Converts a table of the catalogue to columns. Records are flattened here and nowhere else.
 //
-// A column is a quantity of a table, or of a record in it, which is opened; a list of records is
-// one column. The writers of rows (CSV, Parquet, the arrays of Python and of the page) select from
-// these columns, name them and give them their own types.
+// A column is a quantity of a table, or of a record inside it. A list of records is one column. The
+// writers of rows (CSV, Parquet, the arrays of Python and of the page) select from these columns,
+// name them and give them their own types.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 namespace gearwright {
 
 struct RecordColumn {
-  std::vector<const QuantityInfo*> path;  ///< from the row's quantity to the column's
-  bool optional = false;                  ///< a row may lack it, or have no value for it
+  std::vector<const QuantityInfo*> path;  ///< quantities from the row down to the column
+  bool optional = false;                  ///< true if a row may have no value for the column
 
   const QuantityInfo& info() const { return *path.back(); }
-  /// True for a record, whose quantities are the columns after it.
+  /// True for a record. The quantities of the record are the columns after this one.
   bool opened() const { return info().of && info().list.empty(); }
-  /// The keys of the path: "ellipse.semi_minor_mm".
+  /// The keys of the path, separated by `between`: "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
-  /// True if the column is given at this interface.
+  /// True if this interface has the column.
   bool has(Doors door) const;
-  /// Number of values in each row, including nested lists; 0 for any number.
+  /// The number of values in each row, including those of nested lists. It is 0 if the number varies.
   std::size_t width() const;
-  /// Its value in a record of the row's table; null if the record lacks it.
+  /// The value of this column in a record of the row's table, or null if the record lacks it.
   const Value* in(const ValueRecord& row) const;
-  /// Its plain values in a row, as many as the width, with null for missing ones.
+  /// The plain values of this column in a row. Their number is width(), and missing values are null.
   ///
   /// Domain    width() > 0 (contract)
   std::vector<const Value*> values(const ValueRecord& row) const;
@@ -39,10 +39,10 @@ struct RecordColumn {
 /// The columns in the order of the table.
 std::vector<RecordColumn> columns_of(const QuantityTable& table);
 
-/// The quantity's value in a record of its table; null if the record lacks it.
+/// The value of a quantity in a record of its table, or null if the record lacks it.
 const Value* value_in(const ValueRecord& record, const QuantityInfo& info);
 
-/// The tables, each followed by the tables of its records that did not occur before.
+/// The tables. Each is followed by the tables of its records, unless these have occurred before.
 std::vector<const QuantityTable*> with_inner_tables(
     std::initializer_list<const QuantityTable*> tables);
 

@@ -1,4 +1,4 @@
-// The keys of [compensate] and [compensate.range]: the permitted corrections, and the range of
+// The keys of [compensate] and [compensate.range], which are the permitted corrections and the ranges of
 // errors.
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace gearwright {
 
-/// A correction, with its name in specs and results.
+/// A correction and its name in specs and results.
 struct CorrectionEntry {
-  std::string_view key;  ///< as in the result, "gear1.lead_crowning_um"
+  std::string_view key;  ///< key in the result, "gear1.lead_crowning_um"
   WorkshopCorrection correction;
   std::string_view words;
 
@@ -57,7 +57,7 @@ inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{{
 /// The entry of a correction.
 const CorrectionEntry& entry_of(const WorkshopCorrection& correction);
 
-/// The quantity that corrections minimise.
+/// The quantity that the corrections minimise.
 enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
 constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::transmission_error; }
 
@@ -67,12 +67,12 @@ struct CompensateInput {
   std::vector<std::size_t> corrections;    ///< indices in kCorrections; if empty, the usual ones of
                                            ///< the pair
   std::optional<double> centering_arcsec;  ///< cost of a pattern at the end of the face
-  /// [compensate.range]: the least and the greatest value of an error, by its index in
+  /// [compensate.range]: the least and the greatest value of each error, by its index in
   /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};
 };
 
-/// The words of a list of corrections, in the order of kCorrections.
+/// The permitted words in a list of corrections, in the order of kCorrections.
 std::vector<std::string_view> correction_words();
 
 const KeyTable& compensate_keys();

@@ -1,4 +1,4 @@
-// The quantities of corrections: `compensate` of a result.
+// The quantities of corrections, which are `compensate` in a result.
 #pragma once
 
 #include <string>
@@ -11,17 +11,16 @@
 
 namespace gearwright {
 
-/// A correction that was found, with its key and the unit as in keys: "gear1.lead_crowning_um",
-/// "um".
+/// A correction that was found. `key` and `unit` are those of the files: "gear1.lead_crowning_um", "um".
 struct FoundCorrection {
   std::string key, unit;
-  std::string words, shown_unit;  ///< for people: "helix crowning of gear 1", "µm"
+  std::string words, shown_unit;  ///< for users: "helix crowning of gear 1", "µm"
   double value;
   std::string spec_key;  ///< key of the correction in the corrected spec
-  bool at_bound;         ///< true if at the end of the search range
+  bool at_bound;         ///< true if the value is at the end of the searched range
 };
 
-/// A set of errors in words, with their effect before and after the correction.
+/// A set of errors in words, and their effect before and after the correction.
 struct Scenario {
   std::string errors;
   ContactScore before, after;
@@ -37,7 +36,7 @@ struct CompensateView {
   std::optional<LeadAnswer> lead;
   Value spec;  ///< the whole spec with the corrections
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<AimedLoad> loads{};  ///< for an aim under load
+  std::vector<AimedLoad> loads{};  ///< results under torque, if the aim is under load
 };
 
 /// The smallest improvement worth making: "0.001 ″".
@@ -46,7 +45,7 @@ const char* least_gain(CompensateAim aim);
 const Quantities<CompensateView>& compensate_quantities();
 const Quantities<FoundCorrection>& correction_quantities();
 const Quantities<LoadedScore>& loaded_score_quantities();
-/// The score of one scenario, or of the worst of all.
+/// The score of one scenario, or the worst score of all scenarios.
 const Quantities<ContactScore>& score_quantities();
 
 }  // namespace gearwright

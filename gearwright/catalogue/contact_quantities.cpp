@@ -17,7 +17,8 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const P& p) { return p.kind != TouchKind::none; }
 
-// Quantities of a single place of contact. The halves of a double-helical pair have a place each.
+// A getter for a quantity of a single contact point. It has no value for a whole double-helical pair, whose halves
+// have a contact point each.
 template <class F>
 auto at_place(F get) {
   return [get](const P& p) {
@@ -25,7 +26,7 @@ auto at_place(F get) {
   };
 }
 
-// Quantities that exist only at a position with contact.
+// A getter for a quantity that exists only at a position with contact.
 template <class F>
 auto touching(F get) {
   return [get](const P& p) { return touches(p) ? Value(std::invoke(get, p)) : Value(); };
@@ -117,7 +118,7 @@ void say_position(Quantities<P>& q) {
       .list({2, 3});
 }
 
-// The non-working flanks at the same positions.
+// The quantities of the non-working flanks at the same positions.
 const Quantities<ContactResult>& non_working_quantities() {
   using R = ContactResult;
   static const Quantities<R> kAll("contact.non_working_flank", [](Quantities<R>& q) {
@@ -145,7 +146,7 @@ const Quantities<ContactResult>& non_working_quantities() {
   return kAll;
 }
 
-// Derivatives of transmission error and contact point at every position, in the units of the keys.
+// Derivatives of the transmission error and of the contact point at every position, in the units of the keys.
 Value sensitivities(const V& v) {
   ValueMap all;
   for (std::size_t i = 0; i < v.slopes.size(); ++i) {

@@ -1,4 +1,4 @@
-// The quantities of tooth contact: `contact` of a result, its positions, patterns and maps.
+// The quantities of tooth contact: `contact` in a result, with its positions, patterns and maps.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace gearwright {
 
-/// A change whose effect was requested, with its name in results.
+/// A change whose effect was requested, and its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
   double unit = 1.0;  ///< rad or mm per unit of the name
 };
 
-/// A contact analysis with the results of additional requests; for a double-helical pair that of the
-/// whole gears.
+/// A contact analysis with the results of additional requests. For a double-helical pair, it is the
+/// analysis of the whole gears.
 struct ContactView {
-  const ContactResult* working;      ///< the flanks that the driver pushes
+  const ContactResult* working;      ///< the working flanks
   const ContactResult* non_working;  ///< the non-working flanks, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
   std::optional<Angle> min_play{};   ///< least play of gear 2; < 0 if the gears jam
@@ -32,7 +32,7 @@ struct ContactView {
   std::array<std::string, 2> map_axes{};             ///< names of x and y
   std::optional<Angle> continuous_span{};            ///< peak to peak of the continuous TE curve
   const std::vector<double>* float_axial = nullptr;  ///< mm, for each position; null for one helix
-  std::vector<ContactView> halves{};  ///< of a double-helical pair, at z > 0 and at z < 0
+  std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
 };
 
 const Quantities<ContactView>& contact_quantities();

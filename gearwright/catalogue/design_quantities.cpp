@@ -8,8 +8,8 @@
 namespace gearwright {
 
 double tidy_degrees(Angle angle) {
-  constexpr double kPlaces = 1e9;      // decimals of a degree in usual input, 1/kPlaces
-  constexpr double kRounding = 1e-13;  // relative: error of the conversion to radians and back
+  constexpr double kPlaces = 1e9;      // for nine decimals of a degree, as in usual input
+  constexpr double kRounding = 1e-13;  // relative error of the conversion to radians and back
   const double value = angle.deg();
   const double tidy = std::round(value * kPlaces) / kPlaces;
   return std::abs(value - tidy) < kRounding * (1.0 + std::abs(value)) ? tidy : value;
@@ -19,13 +19,13 @@ namespace {
 
 using V = DesignView;
 
-constexpr unsigned kColumns = 0;  // given in CSV and Parquet only
-constexpr int kFewDigits = 3;     // of ratios and thicknesses in the page's table
+constexpr unsigned kColumns = 0;  // for quantities in CSV and Parquet only
+constexpr int kFewDigits = 3;     // decimals of ratios and thicknesses in the page's table
 
 bool is_crossed(const V& v) { return v.problem->crossed(); }
 bool is_parallel(const V& v) { return !is_crossed(v); }
 
-// The value of an objective in the unit for users.
+// The value of an objective in the unit that users read.
 Value objective_value(const V& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
   const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area ||

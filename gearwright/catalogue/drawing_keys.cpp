@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// Of a common size, for which every fit of the table exists.
+// A common size in mm, for which the table has every fit.
 constexpr double kAnySize = 20.0;
 
 std::optional<KeyFault> check_fits(DrawingInput& d, const KeyGiven&) {

@@ -1,4 +1,4 @@
-// The title block as a result: `drawing`, the words of the spec's table of that name.
+// The title block as a result: `drawing` contains the words of the table [drawing] of the spec.
 #pragma once
 
 #include "gearwright/catalogue/drawing_keys.hpp"

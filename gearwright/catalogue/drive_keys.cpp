@@ -14,7 +14,7 @@ constexpr std::string_view kBodies = "a body or a list of bodies";
 constexpr std::string_view kMembers = "a number, or a table of numbers by member";
 constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
 
-// A key whose value has several forms, which the reader handles.
+// A key whose value may have several forms. The reader handles it.
 Key formed(std::string_view key, std::string_view symbol, std::string_view form,
            std::string_view fallback, std::string_view meaning) {
   const bool required = fallback == kRequired;
@@ -150,7 +150,7 @@ const KeyTable& stage_keys() {
 const KeyTable& stage_gear_keys() {
   static const KeyTable table = [] {
     KeyTable t{"stage_gear", "A gear of a drive, with the keys of [gear1]", {}};
-    // Gears of a drive have no pair cutter, no shaft of their own and no readings.
+    // A gear of a drive is not cut by its mating gear and has no shaft of its own.
     for (const Key& key : gear_keys().keys) {
       if (key.key == "cut_by" || key.key == "profile_shift_pair" || key.key == "shaft") continue;
       Key copy = key;

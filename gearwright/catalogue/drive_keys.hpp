@@ -7,7 +7,7 @@ namespace gearwright {
 
 const KeyTable& planetary_keys();
 const KeyTable& stage_keys();
-/// Keys of a gear in the list `gears` of a stage, which are the keys of [gear1] that apply to a
+/// The keys of a gear in the list `gears` of a stage. These are the keys of [gear1] that apply to a
 /// drive.
 const KeyTable& stage_gear_keys();
 const KeyTable& drive_keys();

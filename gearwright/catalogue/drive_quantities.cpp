@@ -14,7 +14,7 @@ constexpr const char* kMotion = "Motion";
 constexpr const char* kPower = "Power";
 constexpr const char* kGeometry = "Geometry";
 
-// [p, q] in lowest terms; null if one of the two numbers has more than 63 bits.
+// [p, q] in lowest terms, or null if one of the two numbers has more than 63 bits.
 Value fraction(const Rational& r) {
   const auto p = r.numerator(), q = r.denominator();
   if (!p || !q) return {};
@@ -30,7 +30,7 @@ Value rating_of(const DriveMeshView& v) {
   return record ? Value(*record) : Value();
 }
 
-// The records of all elements of a list, by their names.
+// The records of all elements of a list, with the names of the elements.
 template <class View, class List>
 Value by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
   ValueMap map;
@@ -39,7 +39,7 @@ Value by_name(const Quantities<View>& quantities, const Drive& d, const List& li
   return map;
 }
 
-// The shifts of the gears with teeth, by name.
+// The profile shifts of the gears with teeth, by the names of the gears.
 Value shifts_of(const Drive& d) {
   ValueMap map;
   for (std::size_t g = 0; g < d.graph.gears.size(); ++g)
@@ -47,7 +47,7 @@ Value shifts_of(const Drive& d) {
   return map;
 }
 
-// The centre distance of the first mesh of the first set; none without a set or its geometry.
+// The centre distance of the first mesh of the first planetary set. There is none without a set or its geometry.
 std::optional<double> set_distance(const Drive& d) {
   if (d.sets.empty() || d.sets.front().group.meshes.empty()) return std::nullopt;
   return d.geometry.distance[d.sets.front().group.meshes.front()];
@@ -149,7 +149,7 @@ Value each(const std::vector<Rational>& list, Show show) {
   return values;
 }
 
-// True for a self-locking flow; null without a flow.
+// True if the power flow is self-locking, or null if there is no power flow.
 Value locks(const std::optional<PowerFlow>& flow) {
   return flow ? Value(flow->self_locking()) : Value();
 }

@@ -1,4 +1,4 @@
-// The quantities of a whole drive: `drive` of a result.
+// The quantities of a whole drive, which are `drive` in a result.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace gearwright {
 
 const Quantities<Drive>& drive_quantities();
 
-/// A body of a drive, and a mesh of it.
+/// One body of a drive, and one mesh of a drive.
 struct DriveBodyView {
   const Drive* drive;
   std::size_t body;
@@ -21,7 +21,7 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
-/// The rating of a mesh as for a pair; none for an idle mesh.
+/// The rating of a mesh, with the same quantities as for a pair. An idle mesh has none.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 const Quantities<PlanetSet>& assembly_quantities();
 const Quantities<PlanetSet>& phasing_quantities();

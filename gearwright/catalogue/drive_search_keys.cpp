@@ -29,7 +29,7 @@ Key teeth(std::string_view key, SetMember member, std::string_view fallback,
               meaning);
 }
 
-// A key of [planetary] that applies to every set of the search and is read like the key of a set.
+// A key of [planetary] in [search]. It applies to every set of the search, and its reader is that of the set.
 Key of_set(std::string_view key, std::string_view fallback = {}) {
   Key k = *planetary_keys().find(key);
   k.place = {};

@@ -1,4 +1,4 @@
-// The keys of [search] with `kind`: a search for whole drives.
+// The keys of [search] if it has the key `kind` and therefore searches for whole drives.
 #pragma once
 
 #include "gearwright/catalogue/key.hpp"

@@ -94,7 +94,7 @@ void say_found(Quantities<F>& q) {
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
 }
 
-// A number for each name.
+// A map from each name to its number.
 template <std::size_t N, class T>
 Value counts(const std::array<std::string_view, N>& names, const std::array<T, N>& numbers) {
   ValueMap map;

@@ -1,4 +1,4 @@
-// The quantities of a search for drives: `search` of a result with `kind`.
+// The quantities of a search for drives, which are `search` in the result if the spec has `kind`.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace gearwright {
 
-/// A drive that a search lists, computed as the verb drive does. Its verdict is green.
+/// A drive in the result of a search, computed in the same way as by the verb drive. Its verdict is green.
 struct FoundDrive {
   DriveCandidate candidate;
   Drive drive;
 };
 const Quantities<FoundDrive>& found_drive_quantities();
 
-/// Reasons for leaving out a candidate that was computed.
+/// The reasons why a computed candidate is left out.
 enum class DriveFault { no_teeth, neighbours, safety, verdict };
 inline constexpr std::array<std::string_view, 4> kDriveFaultNames{"no_teeth", "neighbours",
                                                                   "safety", "verdict"};

@@ -11,10 +11,10 @@ namespace {
 
 using Gears = std::array<const Gear*, 2>;
 
-constexpr double kMaxTilt = 10;     // degrees: a larger angle is not a misalignment
-constexpr double kMaxSlope = 5000;  // µm over the face
+constexpr double kMaxTilt = 10;     // degrees; a larger angle is not a misalignment
+constexpr double kMaxSlope = 5000;  // µm over the face width
 
-// κ of f_Hβ over the face width, at the reference cylinder.
+// Sets the twist κ for a slope f_Hβ over the face width, on the reference cylinder.
 void set_helix_slope(ContactErrors& e, const Gears& gears, std::size_t i, double slope_um) {
   const Gear& gear = *gears[i];
   e.helix_twist[i] = slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);

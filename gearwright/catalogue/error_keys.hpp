@@ -1,5 +1,5 @@
-// The table of the eight errors of mounting and cutting (key, symbol, words, member of
-// ContactErrors), and the keys of [errors] made from it.
+// The table of the eight errors of mounting and cutting with key, symbol, words and member of ContactErrors. The
+// keys of [errors] are made from this table.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,14 @@ namespace gearwright {
 
 constexpr std::size_t kErrorCount = 8;
 
-/// An error. Signs and order: docs/spec.md, [errors].
+/// An error. Its sign and the order of all errors are described in docs/spec.md, [errors].
 struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
   std::string_view words;         ///< "out-of-plane shaft deviation"
-  std::optional<ErrorKind> kind;  ///< kind of its derivative, if contact computes it
+  std::optional<ErrorKind> kind;  ///< for the derivative, if contact computes it
   int gear;                       ///< 1 or 2 for an error of a gear, 0 for an error of mounting
-  /// sets the error to a value in the unit of the key
+  /// Sets the error to a value in the unit of the key.
   void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);
   std::string_view meaning;
 
@@ -37,7 +37,7 @@ struct ErrorEntry {
 
 /// The entries of all errors, in the order for documents.
 const std::array<ErrorEntry, kErrorCount>& error_entries();
-/// Index of a key in error_entries; none if there is no such error.
+/// The index of a key in error_entries, or nothing if there is no such error.
 std::optional<std::size_t> error_index(std::string_view key);
 
 /// [errors]: a value for each entry of error_entries, in the unit of its key.
@@ -51,7 +51,7 @@ struct ErrorsInput {
   }
 };
 
-/// The least and the greatest value of an error.
+/// The least and the greatest value of an error, as a list.
 inline constexpr KeyList kErrorRange{
     .least = 2, .most = 2, .order = {true, "must grow: the least value, then the greatest"}};
 

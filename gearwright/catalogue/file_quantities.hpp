@@ -1,4 +1,4 @@
-// The quantities of files and outlines: `files` of `run` and `export`, `arcs` of `outline`.
+// The quantities of files and outlines: `files` in a result of `run` and `export`, and `arcs` in one of `outline`.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ namespace gearwright {
 
 struct FileView {
   std::string file, what, note;
-  std::optional<double> deviation;  ///< mm, from the exact surface or outline
+  std::optional<double> deviation;  ///< mm; greatest distance from the exact surface or outline
 };
 const Quantities<FileView>& file_quantities();
 
 struct ArcView {
   const Arc* arc;
-  int points;  ///< both ends included
+  int points;  ///< number of points, including both ends
 };
 const Quantities<ArcView>& outline_quantities();
 

@@ -1,4 +1,4 @@
-// The keys of [fit]: the inputs of the verb fit in addition to the gears and the pair.
+// The keys of [fit], which are the inputs of the verb fit in addition to the gears and the pair.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@ namespace gearwright {
 /// [fit]
 struct FitInput {
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the requested designs
-  bool few_teeth = false;  ///< a pinion with circular fillets and the wheel it cuts
-  std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, of few_teeth
-  std::optional<double> contact_ratio;                               ///< total, of few_teeth
+  bool few_teeth = false;  ///< true for a pinion with circular fillets and the wheel that it cuts
+  std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, for few_teeth
+  std::optional<double> contact_ratio;                               ///< total, for few_teeth
 };
 
 const KeyTable& fit_keys();

@@ -1,4 +1,4 @@
-// The quantities of inverse design: `fit` of a result.
+// The quantities of inverse design, which are `fit` in a result.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@ namespace gearwright {
 
 struct BranchView {
   FitBranch branch;
-  Value spec;                                        ///< the whole spec of this answer
+  Value spec;                                        ///< the whole spec of this branch
   std::optional<double> transverse_contact_ratio{};  ///< of a design with few teeth
-  std::optional<std::string> refused{};              ///< reason why the verb pair rejects it
+  std::optional<std::string> refused{};              ///< reason why the verb pair rejects the spec
 };
 
 struct FitView {

@@ -10,7 +10,7 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// The end of contact with the mating gear, at the root or at the tip.
+// Adds the quantities of one end of the contact with the mating gear, at the root or at the tip.
 void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;

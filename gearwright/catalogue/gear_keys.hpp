@@ -1,8 +1,8 @@
 // The keys of [gear1] and [gear2].
 //
-// A table of a gear has sub-tables: the dimensions of the finished tooth (basic), circular fillets,
-// a cutter (cut_by), a bore; racks: rack_keys.hpp, flank modifications: modification_keys.hpp,
-// measuring: inspection_keys.hpp.
+// The table of a gear contains these tables: the dimensions of the finished tooth (basic), circular fillets,
+// a cutter (cut_by) and a bore. Its other tables are in rack_keys.hpp, modification_keys.hpp (flank
+// modifications) and inspection_keys.hpp (measuring).
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ struct BasicInput {
 const KeyTable& gear_keys();
 /// The keys of [gearN.cut_by]: the keys of a gear without the keys of flanks and cutters.
 const KeyTable& cutter_keys();
-/// The keys of a [gearN] in addition to [search] that does not describe a complete gear.
+/// The keys of a [gearN] that, together with [search], does not describe a complete gear.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();

@@ -49,7 +49,7 @@ using Reference = ReferenceGeometry<double>;
 
 Value doubled(const std::optional<double>& radius) { return radius ? Value(2 * *radius) : Value(); }
 
-// Quantities that exist for one kind of flank only.
+// Parts that only one kind of gear has. They are null for other gears.
 const InvoluteTeeth* involute_of(const Gear& g) { return g.involute(); }
 const ArcTeeth* arcs_of_gear(const Gear& g) { return g.arcs(); }
 const Gear* involute_gear(const Gear& g) { return involute_of(g) ? &g : nullptr; }
@@ -63,7 +63,7 @@ bool is_undercut(const Gear& g) {
   return teeth && teeth->undercut_l.value_or(0.0) > 0.0;
 }
 
-// Angles of the reference geometry, which holds radians.
+// A getter for an angle of the reference geometry, which contains radians.
 auto angle(double Reference::*rad) {
   return [rad](const Reference& r) { return Angle::radians(r.*rad); };
 }

@@ -1,4 +1,4 @@
-// The quantities of one gear: gears[i] of a result, the table of gear data.
+// The quantities of one gear: gears[i] in a result, and the table of gear data.
 #pragma once
 
 #include "gearwright/arrange/two_halves.hpp"
@@ -20,13 +20,13 @@ constexpr const char* kBody = "Bore (for an internal gear, the rim)";
 
 const Quantities<Gear>& gear_quantities();
 
-/// A fact about a gear or a pair that is not an error.
+/// The quantities of a warning, which is a fact about a gear or a pair and not an error.
 const Quantities<Warning>& warning_quantities();
 
-/// The quantities of a gear. A double-helical one, whose half is `gear`, has its whole face width.
+/// The quantities of a gear. For a double-helical gear, `gear` is one half, but the record has the whole face width.
 ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves);
 
-/// Additional quantities of a gear of two halves.
+/// Additional quantities of a double-helical gear.
 const Quantities<Halves>& double_helical_quantities();
 
 }  // namespace gearwright

@@ -8,7 +8,7 @@ namespace gearwright {
 
 const Quantities<Identification>& identify_quantities();
 
-/// One of its candidates.
+/// The quantities of one candidate.
 const Quantities<IdentifiedGear>& identified_gear_quantities();
 
 }  // namespace gearwright

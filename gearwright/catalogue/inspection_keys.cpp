@@ -147,7 +147,7 @@ const KeyTable& measured_ball_keys() {
 const KeyTable& unknown_gear_keys() {
   static const KeyTable table = [] {
     KeyTable t{"unknown_gear", "Known values of a gear in addition to its readings", {}};
-    // Readings do not include the module, but users may misspell it.
+    // The readings do not include the module, but a misspelled module must be recognised.
     for (const char* key :
          {"teeth", "normal_module_mm", "normal_diametral_pitch_per_in", "normal_pressure_angle_deg",
           "helix_angle_deg", "face_width_mm", "measured"})

@@ -1,5 +1,5 @@
-// The keys of measuring a gear: [gearN.measure], the tools; [gearN.tolerance], the permitted
-// readings; and [gearN.measured], readings of an unknown gear.
+// The keys for measuring a gear: the tools in [gearN.measure], the permitted readings in
+// [gearN.tolerance], and the readings of an unknown gear in [gearN.measured].
 #pragma once
 
 #include "gearwright/arrange/given_gear.hpp"
@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostBallReadings = 20;
 const KeyTable& measured_keys();
 /// The keys of one entry of over_balls_mm.
 const KeyTable& measured_ball_keys();
-/// The keys of a [gearN] with readings and without a module: additional known data.
+/// The keys of a [gearN] that has readings but no module, for other known data of the gear.
 const KeyTable& unknown_gear_keys();
 
 }  // namespace gearwright

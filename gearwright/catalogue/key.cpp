@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// Units at the end of keys. The names of members do not contain them.
+// The units at the end of keys. The names of members do not contain units.
 constexpr std::array<std::string_view, 6> kKeyUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
 constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
                                                          "HV", "m2", "m2K_per_W", "kg_per_m3"};
@@ -197,7 +197,7 @@ std::string plain_words(std::string_view meaning) {
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant) {
   constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
-  constexpr std::size_t kLeastPart = 3;   // letters of a word that is a part of another
+  constexpr std::size_t kLeastPart = 3;   // least number of letters of a word inside another word
   const auto small = [](std::string_view text) {
     std::string letters(text.substr(0, 80));
     for (char& c : letters)

@@ -15,12 +15,12 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kLongest = 80;    // bytes of a key that are compared
-constexpr std::size_t kLeastPart = 3;   // letters, because shorter parts occur in every name
+constexpr std::size_t kLongest = 80;    // number of bytes of a key that are compared
+constexpr std::size_t kLeastPart = 3;   // letters; shorter parts occur in every name
 constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
-constexpr std::size_t kSlipOff = 6;     // one letter in this many may differ by a typing error
-constexpr double kLikeWords = 0.7;      // required share of words that two names have in common
-constexpr std::size_t kListed = 24;     // most keys of a table that a message lists
+constexpr std::size_t kSlipOff = 6;     // one letter in this many may differ in a typing error
+constexpr double kLikeWords = 0.7;      // least share of words that two names must have in common
+constexpr std::size_t kListed = 24;     // greatest number of keys that a message lists
 
 struct Letter {
   std::string_view greek, latin;
@@ -43,7 +43,7 @@ std::string_view without_unit(std::string_view key) {
   return unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1);
 }
 
-// Forms of a key's name for comparison, with and without its unit.
+// The name of a key in the form for comparison, with and without its unit.
 struct Word {
   std::string whole, bare;
 };
@@ -52,8 +52,8 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
-// Compares a word with the name, the symbol and the other names of a key. The name has the greatest
-// weight.
+// Compares a word with the name of a key, its other names and its symbol. The result is 3, 2 or 1 for a match
+// with these, and otherwise 0.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -65,10 +65,10 @@ int likeness(const Key& key, const Word& word) {
   return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
 }
 
-// Required degree of likeness, as returned by likeness().
+// The least result of likeness() that is accepted.
 enum Sure { by_symbol = 1, by_word = 2 };
 
-// The first key of the least cost; none if every cost is `below` or more.
+// The first key with the least cost, or null if every cost is `below` or more.
 template <class F>
 const Key* cheapest(const KeyTable& table, double below, F cost) {
   const Key* best = nullptr;
@@ -96,7 +96,7 @@ struct Place {
   std::string path;
 };
 
-// The tables below `top`, in the order of their depth.
+// The tables at and below `top`, in the order of their depth.
 std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   std::vector<Place> list{{&top, std::string(path)}};
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -123,10 +123,10 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// Searches the tables below this table, then all other tables; "diameter_mm in [gear1.bore]".
+// Searches the tables below this table and then all others. An example of the result is "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  // A key of the same name in this table needs no place.
+  // The table is named only if this table has no key of the same name.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };
@@ -137,12 +137,12 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
-  // If this is a table of gear 2, gear 2 is searched first.
+  // If this table belongs to gear 2, the tables of gear 2 are searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
   std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
   for (Place& p : all) {
-    if (p.path == path) continue;  // a table of another kind in the same place
+    if (p.path == path) continue;  // a table of another kind at the same path
     const bool outside = p.path.find('.') == std::string::npos;
     if (p.table == &gear_keys() && own == "gear2") p.path = own;
     const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false);
@@ -151,7 +151,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// The key that contains the word and has the fewest other words.
+// The key whose name contains the word, or is contained in the word. The key with the fewest other letters is returned.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
@@ -162,7 +162,7 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   });
 }
 
-// The words of a name, which underscores separate.
+// The words of a name, separated by underscores.
 std::vector<std::string_view> words_of(std::string_view name) {
   std::vector<std::string_view> words;
   for (std::size_t at = 0; at <= name.size();) {
@@ -173,7 +173,7 @@ std::vector<std::string_view> words_of(std::string_view name) {
   return words;
 }
 
-// A key that differs in a single word, out of four or more, such as tip_relief_begin_mm.
+// A key that differs in only one word out of four or more, for a name such as tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = words_of(name);
   return cheapest(table, -kLikeWords, [&](const Key& key) {
@@ -235,7 +235,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   };
   if (word.bare.empty()) return "known keys here: " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
-    // A value was given instead of a table: searches for the key in that table.
+    // If the key is a table but a value was given, the key inside that table is suggested.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))
@@ -243,7 +243,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     }
     return nearest(here->key);
   }
-  // The key is a table one level higher in the file.
+  // In this case the key is a table one level higher in the file.
   for (const Key& table_key : spec_keys().keys)
     if (!path.empty() && is_table(table_key) && table_key.key == key)
       return fmt::format("[{}] is a separate table, not a part of [{}]", key, path);

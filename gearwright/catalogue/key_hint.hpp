@@ -1,9 +1,9 @@
-// Finds the key that a user probably meant by an unknown one.
+// Finds the key that a user probably meant when the given key is unknown.
 //
-// It compares, in this order: the key without its unit, its symbol ("mn" is m_n, "beta" is β) and
-// its other names (Key::also), first in this table and then in the tables below and beside it; a
-// part of its name; a name that differs by few letters. If none is found, the message lists the
-// keys of the table.
+// The given key is compared, in this order, with the names of keys without units, their other names
+// (Key::also) and their symbols ("mn" is m_n, "beta" is β), first in this table and then in the tables
+// below and beside it; with parts of names; and with names that differ by few letters. If no key is
+// similar, the message lists the keys of the table.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@
 
 namespace gearwright {
 
-/// The text after "unknown key in [gear1]; ": "the nearest known one is normal_module_mm". `path`
-/// is the table's name, "gear1.rack", or empty for the file itself.
+/// The text after "unknown key in [gear1]; ", for example "the nearest known one is normal_module_mm".
+/// `path` is the name of the table, "gear1.rack", or empty for the file itself.
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key);
 
-/// A name in the form for comparison: small Latin letters and digits, with Greek letters spelled
+/// A name in the form for comparison, which has only small Latin letters and digits. Greek letters are spelled
 /// out.
 std::string folded(std::string_view name);
 

@@ -1,12 +1,12 @@
-// The destination of the value of a key: a member of an input struct, addressed without the
-// struct's type.
+// The destination of the value of a key. It is a member of an input struct, and it is addressed without the
+// type of the struct.
 //
-//   KeyTarget   an input struct, its type checked at every use
-//   KeyPlace    how a value is stored in it
+//   KeyTarget   an input struct, whose type is checked at every use
+//   KeyPlace    the way in which a value is stored in the struct
 //   KeyRule     relations between the members of the struct
 //
-// The type of a member decides the kind of its key: degrees become an Angle, the index of a word in
-// its list becomes the enumerator, a list becomes a vector or an array of two, and a sub-table
+// The type of a member determines the kind of its key: degrees become an Angle, the index of a word in
+// its list becomes an enumerator, a list becomes a vector or an array of two, and a sub-table
 // becomes a struct.
 #pragma once
 
@@ -26,7 +26,7 @@
 namespace gearwright {
 
 /// A value in the form of a file: a number, a whole number or the index of a word in its list, a
-/// switch, a text, a list of numbers, a list of words.
+/// flag, a text, a list of numbers, or a list of words.
 using KeyValue =
     std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
 
@@ -57,7 +57,7 @@ class KeyTarget {
 
  private:
   template <class T>
-  static constexpr char kType = 0;  // its address identifies the type
+  static constexpr char kType = 0;  // the address of this member identifies the type
 
   void* input_;
   const char* type_;
@@ -69,30 +69,30 @@ class KeyPlace {
   template <class T, class V>
   KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor): an entry names the member
       : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
-  /// A member's member.
+  /// A member of a member.
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
   /// within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Members that are computed from a value of type V: set(T&, const V&), which may return a
-  /// sentence if the value is impossible.
+  /// Members that are computed from a value of type V by set(T&, const V&). The function may return a
+  /// sentence that says why the value is impossible.
   template <class T, class V, class F>
   static KeyPlace by(F set);
-  /// One number, or two with their mean: mean(T&) is a double, ends(T&) an optional array of two.
+  /// One number, or two numbers and their mean. mean(T&) is a double, and ends(T&) is an optional array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
-  /// The value is checked and not kept.
+  /// A place for a value that is checked but not stored.
   static KeyPlace unused();
 
   explicit operator bool() const { return put_ || part_; }
   KeyKind kind() const { return kind_; }
   bool is_angle() const { return angle_; }
   bool is_member() const { return same_ != nullptr; }
-  /// Returns a sentence if the value is impossible.
+  /// Stores the value. Returns a sentence with the reason if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
-  /// The struct of a sub-table, or a new element of a list of them. It is default-constructed
+  /// The struct of a sub-table, or a new element of a list of sub-tables. It is default-constructed
   /// unless it is a plain member. Its member `given` becomes true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
   /// Domain  is_member() (contract)
@@ -188,11 +188,11 @@ struct KeyFault {
   std::string why;
 };
 
-/// Returns true if the table that was read contains a key.
+/// Returns true if the table that was read contains this key.
 using KeyGiven = std::function<bool(std::string_view)>;
 
-/// Relations between the keys of a table, and members that are computed from several keys: a
-/// function of the input struct after all keys have been read.
+/// The relations between the keys of a table, and members that are computed from several keys. The rule is a
+/// function of the input struct that is called after all keys have been read.
 class KeyRule {
  public:
   KeyRule() = default;

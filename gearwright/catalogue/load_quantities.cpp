@@ -28,7 +28,7 @@ const Quantities<S>& stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_mm_um, "load.torques stiffness");
   return kAll;
 }
-// For point contact.
+// The stiffness for point contact.
 const Quantities<S>& point_stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_um, "load.torques point stiffness");
   return kAll;

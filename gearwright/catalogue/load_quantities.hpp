@@ -1,4 +1,4 @@
-// The quantities of loaded contact: `load` of a result, its torques, positions and probes.
+// The quantities of loaded contact: `load` in a result, with its torques, positions and probes.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace gearwright {
 
 struct ProbeView {
   const ProbeAnswer* answer;
-  bool wide;  ///< the whole face in plane strain
+  bool wide;  ///< true for the whole face width in plane strain
 };
 
 struct LoadPositionView {
@@ -29,10 +29,10 @@ struct LoadTorqueView {
 
 struct LoadView {
   const LoadedContact* contact = nullptr;  ///< null if there are only probes
-  std::vector<LoadStandard> standard{};    ///< at each torque; empty if the standard does not cover
+  std::vector<LoadStandard> standard{};    ///< for each torque; empty if the standard excludes
                                            ///< the pair
   std::vector<ProbeView> probes{};
-  std::vector<LoadView> halves{};  ///< of a double-helical pair, at z > 0 and at z < 0
+  std::vector<LoadView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
 };
 
 std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
@@ -41,7 +41,7 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 const Quantities<LoadView>& load_quantities();
 const Quantities<LoadTorqueView>& load_torque_quantities();
 const Quantities<LoadPositionView>& load_position_quantities();
-/// Quantities of a tooth pair in point contact.
+/// The quantities of a tooth pair in point contact.
 const Quantities<LoadedPair>& load_point_quantities();
 
 }  // namespace gearwright

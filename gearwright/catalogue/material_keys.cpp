@@ -14,9 +14,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kMinSteps = 2, kMaxSteps = 100;  // of temperature
+constexpr std::size_t kMinSteps = 2, kMaxSteps = 100;  // number of temperatures
 
-// Values of a plastic, one for each of its temperatures.
+// A key for values of a plastic, with one value for each of its temperatures.
 Key by_temperature(std::string_view key, std::string_view symbol,
                    ByTemperature MaterialInput::*member, std::string_view field,
                    std::string_view meaning) {
@@ -48,7 +48,7 @@ bool names_plastic(std::string_view name) {
   });
 }
 
-// A name without values is a row of the shipped table.
+// Checks the name of a material. If no values are given, the name must be in the table of known materials.
 std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
   const bool by_temperature = !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty();
   if (!m.name || m.sigma_Hlim || m.sigma_Flim || m.youngs_modulus || by_temperature)

@@ -61,7 +61,7 @@ const Quantities<Span>& span_quantities() {
   return kAll;
 }
 
-// The position of a ball or pin, after the reading over it.
+// Adds the position of a ball or pin. It follows the reading.
 template <class V, class Seat>
 void say_seat(Quantities<V>& q, const Seat& seat) {
   q.under("");

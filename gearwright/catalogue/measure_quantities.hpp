@@ -1,5 +1,5 @@
-// The quantities that a workshop measures, and a gear as another rack describes it: `measure` and
-// `as_rack` of a result.
+// The quantities that a workshop measures, and the description of a gear by another rack. They are `measure`
+// and `as_rack` in a result.
 #pragma once
 
 #include "gearwright/arrange/measured_gear.hpp"

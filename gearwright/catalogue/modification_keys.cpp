@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// Stores the composed words of keys for the lifetime of the program.
+// Stores a composed text for the lifetime of the program, because keys contain only views.
 std::string_view kept(std::string text) {
   static std::deque<std::string> texts;
   return texts.emplace_back(std::move(text));

@@ -1,5 +1,5 @@
-// The table of the seven flank modifications (names, words, symbols, members), and the keys of
-// [gearN.modifications] made from it.
+// The table of the seven flank modifications with names, words, symbols and members. The keys of
+// [gearN.modifications] are made from this table.
 //
 // A key applies to both flanks. With the prefix right_ or left_ it applies to one flank and takes
 // precedence.
@@ -13,22 +13,23 @@
 
 namespace gearwright {
 
-/// A modification: a relief with amount, reach and shape, or an amount alone.
+/// A modification. It is either a relief with amount, reach and shape, or an amount alone.
 struct ModificationEntry {
-  std::string_view name;    ///< "tip_relief": its key is tip_relief_um
+  std::string_view name;    ///< "tip_relief"; the key is tip_relief_um
   std::string_view symbol;  ///< C_αa
   std::string_view words;   ///< "tip relief"
   RemovalField::Parameter parameter;
-  Relief FlankModifications::*relief;  ///< one of these two, the other is null
+  Relief FlankModifications::*relief;  ///< `relief` or `amount` is set, and the other is null
   double FlankModifications::*amount;
-  std::string_view reach;        ///< end of the key of a relief's reach, "_start_mm"
+  std::string_view reach;        ///< ending of the key for the reach of a relief, "_start_mm"
   std::string_view reach_words;  ///< "from diameter"
   std::string_view meaning;      ///< the material removed
 
   double amount_of(const FlankModifications& m) const {
     return relief ? (m.*relief).amount : m.*amount;
   }
-  /// True if the drawing gives its position; an amount alone applies to the whole flank.
+  /// True if the drawing gives the reach of the relief. An amount alone needs no reach, because it applies to the
+  /// whole flank.
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 

@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// `#` in a path is any number. A path that begins with "*." is a key of any table.
+// In a path, `#` is any number. A path that begins with "*." matches a key of any table.
 struct Row {
   std::string_view path;
   std::string_view value;  // value of a known key; empty for an unknown key

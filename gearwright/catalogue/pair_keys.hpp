@@ -1,4 +1,4 @@
-// The keys of [pair]: how the two gears are mounted.
+// The keys of [pair], which describe the mounting of the two gears.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"

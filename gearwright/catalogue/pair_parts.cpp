@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// in mm or rad
+// The amount in mm or rad.
 double amount(const Interference& i) {
   const auto* angle = std::get_if<Angle>(&i.amount);
   return angle ? angle->rad() : std::get<double>(i.amount);
@@ -131,7 +131,7 @@ std::optional<LineView> line_between(const InvolutePair& p) {
                   {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
 }
 
-// Path of the first contact over the common face, and its mirror image on the non-working flanks.
+// The path of the first contact over the common face, and its mirror image for the non-working flanks.
 std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
@@ -219,7 +219,7 @@ const Quantities<ParallelPair>& needed_face_quantities() {
   using P = ParallelPair;
   using Face = std::optional<double> (*)(const P&);
   static const Quantities<P> kAll("pair.needed face width", [](Quantities<P>& q) {
-    // The face width of the teeth, and of double-helical gears that of the gear in addition.
+    // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear is also added.
     const auto add = [&q](const char* key, const char* whole_key, const char* words,
                           const char* meaning, Face face) {
       const auto worth = [face](const P& p) { return face(p).value_or(0.0) > 0.0; };
@@ -360,14 +360,14 @@ const Quantities<Collision>& collision_quantities() {
   return kAll;
 }
 
-// The helix angle on the working pitch cylinder, because tan β grows with the radius.
+// The helix angle is greater on a larger cylinder, because tan β is proportional to the radius.
 double working_helix(const ArcPair& p, std::size_t i) {
   const Gear& g = p.gears[i];
   return std::atan(std::tan(g.spec.helix_angle.rad()) * p.working_pitch_diameter()[i] /
                    g.reference_diameter);
 }
 
-// The transverse angle of the rack's normal angle at the first contact.
+// The normal angle of the rack at the first contact, converted to the transverse section.
 double working_transverse(const ArcPair& p, std::size_t i) {
   return std::atan(std::tan(p.first_contact().at.theta.rad()) /
                    std::cos(p.gears[i].spec.helix_angle.rad()));

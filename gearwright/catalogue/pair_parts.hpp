@@ -1,4 +1,4 @@
-// The records inside a pair's record: places, lines, backlash, contacts of arcs.
+// The records inside the record of a pair: places, lines, backlash and contacts of circular arcs.
 // Internal to catalogue/.
 #pragma once
 
@@ -16,13 +16,13 @@ constexpr const char* kClearances = "Clearances";
 constexpr const char* kFace = "Face width";
 constexpr const char* kMargins = "Internal pair: margins against interference";
 
-/// `gear1` and `gear2`, two numbers each.
+/// A record with `gear1` and `gear2`, each a list of two numbers.
 const Quantities<std::array<Value, 2>>& two_gears();
 
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
-/// The entry `specific_sliding`: a record for programs, a row for people at A and at E. `get` gives
-/// a SlidingAtEnds, or none.
+/// Adds the entry `specific_sliding`: a record for programs, and for users one row at A and one at E. `get`
+/// returns a SlidingAtEnds or nothing.
 template <class S, class G>
 void add_sliding(Quantities<S>& q, const char* meaning, G get) {
   q.template record<two_gears>("specific_sliding", meaning, [get](const S& s) {
@@ -46,7 +46,7 @@ void add_sliding(Quantities<S>& q, const char* meaning, G get) {
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
-/// The line of action of any pair; lines as their two ends.
+/// The line of action of any pair. Each line is given by its two ends.
 struct LineView {
   double length;
   std::array<Vec3, 2> leading, trailing;
@@ -54,12 +54,12 @@ struct LineView {
 const Quantities<LineView>& line_quantities();
 std::optional<LineView> line_of(const Pair& pair);
 
-/// The points A to E of an involute pair's path.
+/// The points A to E of the path of contact of an involute pair.
 const Quantities<InvolutePair>& path_quantities();
 
 const Quantities<PairBacklash>& backlash_quantities();
 
-/// CrossedPair::needed_crowning, µm.
+/// CrossedPair::needed_crowning in µm.
 std::array<std::optional<double>, 2> needed_crowning_um(const CrossedPair& pair);
 
 const Quantities<ParallelPair>& needed_face_quantities();
@@ -67,12 +67,12 @@ const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
-/// The helix angle of gear i on its working pitch cylinder, and the transverse angle there of the rack's
-/// normal angle at the first contact, rad.
+/// The first function gives the helix angle of gear i on its working pitch cylinder. The second gives the
+/// transverse angle there for the normal angle of the rack at the first contact. Both are in rad.
 double working_helix(const ArcPair& pair, std::size_t i);
 double working_transverse(const ArcPair& pair, std::size_t i);
 
-/// One entry of `interference`.
+/// One entry of the list `interference`.
 struct InterferenceView {
   WarningCode code;
   int gear;
@@ -82,10 +82,10 @@ struct InterferenceView {
 const Quantities<InterferenceView>& interference_quantities();
 std::vector<InterferenceView> interference_of(const Pair& pair);
 
-/// An entry of `overlap` or of `beyond_flank`.
+/// The quantities of an entry of `overlap` or of `beyond_flank`.
 const Quantities<Collision>& collision_quantities();
 
-/// A contact of circular arcs and its pair.
+/// A contact of circular arcs, and the pair to which it belongs.
 struct ArcContactView {
   const ArcPair* pair;
   const ArcPairContact* contact;

@@ -17,7 +17,7 @@ using V = Pair;
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
-// The pair as this kind; null if it is another kind.
+// The pair if it is of this kind, otherwise null.
 template <class Kind>
 const Kind* as(const V& v) {
   return v.as<Kind>();
@@ -37,13 +37,13 @@ const Efficiency* efficiency_of(const V& v) {
   return p && p->efficiency ? &*p->efficiency : nullptr;
 }
 
-// A getter with one function for each kind.
+// A getter that has one function for each kind of pair.
 template <class... Of>
 auto by_kind(Of... of) {
   return [get = Overloaded{of...}](const V& v) { return v.visit(get); };
 }
 
-// The record of two gears.
+// A record with one value for each gear.
 Value each_gear(const Value& gear_1, const Value& gear_2) {
   return two_gears().of({gear_1, gear_2});
 }
@@ -53,7 +53,7 @@ bool flanks_meet(const V& v) {
   return p && p->flanks_meet();
 }
 
-// The requested angle of each gear, on its side of the rack.
+// An angle of each gear on its side of the rack, in degrees.
 Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
   const auto& sides = p.mesh.rack.sides;
   return degrees({sides[0].*angle, sides[1].*angle});
@@ -63,7 +63,7 @@ std::array<double, 2> working_pitch_diameter(const V& v) {
   return v.visit([](const auto& p) { return p.working_pitch_diameter(); });
 }
 
-// v_t = π d_w n/60 in m/s of d_w in mm and n in 1/min; gear 2 turns at n_1/|u|. ISO 6336-1.
+// v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO 6336-1.
 std::array<double, 2> pitch_line_velocity(const V& v) {
   const auto d = working_pitch_diameter(v);
   const double turns_1 = v.mounted().speed_rpm.value() / 60.0;
@@ -136,7 +136,7 @@ void say_mounting(Quantities<V>& q) {
       .shown(is<CrossedPair>);
 }
 
-// Null on parallel axes.
+// Adds quantities that exist only on crossed axes.
 void say_crossed(Quantities<V>& all) {
   auto q = all.part(as<CrossedPair>);
   all.under(kFace);
@@ -194,8 +194,8 @@ void say_contact(Quantities<V>& q) {
          &V::contact_ratio)
       .always()
       .shown([](const V& v) { return !is<CrossedPair>(v); });
-  // Crossed axes have a single contact ratio, because there is no transverse one to which an
-  // overlap is added.
+  // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to which an overlap ratio
+  // could be added.
   of_crossed
       .number("contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn", &CrossedPair::contact_ratio)
       .doors(kPeople);
@@ -341,7 +341,7 @@ void say_sliding(Quantities<V>& q) {
               });
 }
 
-// Null on crossed axes.
+// Adds quantities that exist only on parallel axes.
 void say_parallel(Quantities<V>& all) {
   auto q = all.part(as<ParallelPair>);
   all.under(kFace);

@@ -1,4 +1,4 @@
-// The quantities of a mounted pair: `pair` of a result, the table of pair data.
+// The quantities of a mounted pair: `pair` in a result, and the table of pair data.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

@@ -35,7 +35,7 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
     return fmt::format("{}", *whole);
   if (const auto* word = std::get_if<std::string>(&value.variant())) {
     std::string text = *word;
-    // Prints an identifier such as "beyond_tip" as two words.
+    // An identifier such as "beyond_tip" is printed as two words.
     if (!info.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
@@ -48,14 +48,14 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
 
 namespace {
 
-// Values of one quantity in several records; null if a record lacks it.
+// The values of one quantity in several records. A value is null if the record lacks it.
 struct Across {
   const QuantityInfo* info;
   std::vector<const Member*> members;
 };
 
-// The quantities of all records in their common order. All records have the order of one table, so
-// a quantity that one record lacks keeps its place from the other records.
+// The quantities of all records in their common order. All records have the order of one table, so the place of a
+// quantity that one record lacks is known from the other records.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -99,8 +99,8 @@ class Groups {
   std::vector<TextGroup> take() { return std::move(groups_); }
 
  private:
-  // The quantities of a record, under the group of the record. The records of a list follow each
-  // other.
+  // Adds the quantities of an inner record under the heading of this record. If there is a list of records, they are
+  // added one after the other.
   void nest(const Across& a, const std::string& title) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

@@ -1,11 +1,11 @@
-// The catalogue of results: the only description of each quantity, with its getter.
+// The catalogue of results. It contains the only description of each quantity, with its getter.
 //
 //   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
 //   Quantity<S>     a quantity with its getter for a subject S: a gear, a pair, a contact
 //   Quantities<S>   all quantities of a subject; of(subject) is the record for all interfaces
 //
-// JSON, the terminal's listing, the page's tables, CSV, the schema of results and the tables of
-// docs/spec.md are made from it. A new quantity is one entry of one of the *_quantities.cpp files.
+// JSON, the listings in the terminal, the page's tables, CSV, the schema of results and the tables of
+// docs/spec.md are made from the catalogue. A new quantity is one entry in one of the *_quantities.cpp files.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@
 
 namespace gearwright {
 
-/// The interfaces at which a quantity is given.
+/// The interfaces that show a quantity.
 enum Doors : unsigned {
   kJson = 1,     ///< JSON, and readers of JSON
   kListing = 2,  ///< the tables of the terminal
@@ -35,9 +35,9 @@ enum Doors : unsigned {
 
 /// The meaning of two values of a list.
 enum class Two {
-  values,  ///< two values of a list
-  gears,   ///< gear 1 and gear 2, with a column each
-  ends     ///< from, to
+  values,  ///< values without a special meaning
+  gears,   ///< gear 1 and gear 2, each with a column
+  ends     ///< the two ends of a range
 };
 
 struct QuantityTable;
@@ -46,27 +46,27 @@ struct QuantityTable;
 struct QuantityInfo {
   std::string key;     ///< key in JSON, with its unit: "tip_diameter_mm"
   std::string words;   ///< the term of ISO 21771 or ISO 1122-1, if one exists
-  std::string symbol;  ///< "d_a", indices after the underscore
+  std::string symbol;  ///< "d_a", with indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence, and the condition of its existence; without the full
+  std::string meaning{};  ///< one sentence with the condition of its existence, without full
                           ///< stop
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
   Two two = Two::values;              ///< meaning of a list of two values
-  bool always = false;                ///< never null
+  bool always = false;                ///< true if the value is never null
   std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
   std::optional<int> digits{};             ///< decimals for users; by default those of the unit
   std::string nothing{};                   ///< text for users if there is no value
-  const QuantityTable& (*of)() = nullptr;  ///< for a record: its contents
-  std::string column{};                    ///< column in CSV and Parquet; "#" is the gear's number
-  bool greater_first = false;              ///< greater values are better
-  bool optional_key = false;               ///< the key is absent, rather than null, if the quantity
+  const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
+  std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
+  bool greater_first = false;              ///< true if greater values are better
+  bool optional_key = false;               ///< true if the key is absent, not null, if the quantity
                                            ///< does not exist
 };
 
-/// The possible members of a record, in order.
+/// The quantities that a record may contain, in their order.
 struct QuantityTable {
   std::string name;  ///< "gear", "pair", "pair.backlash"
   std::vector<const QuantityInfo*> list;
@@ -86,7 +86,7 @@ struct Quantity {
   std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
                                            ///< that part
 
-  // Refinements of an entry, in the usual order.
+  // The functions below refine an entry. They are listed in their usual order.
   Quantity& always() { return info.always = true, *this; }
   Quantity& digits(int n) { return info.digits = n, *this; }
   Quantity& doors(unsigned d) { return info.doors = d, *this; }
@@ -120,7 +120,7 @@ struct HasAngles<std::array<T, n>> : HasAngles<T> {};
 template <class T>
 struct HasAngles<std::vector<T>> : HasAngles<T> {};
 
-/// Angles as values, in degrees or seconds of arc.
+/// Angles as values in this unit, which is degrees or seconds of arc.
 Value angles_in(Unit unit, Angle angle);
 template <class T>
 Value angles_in(Unit unit, const std::optional<T>& maybe) {
@@ -136,7 +136,7 @@ Value angles_in(Unit unit, const Range& angles) {
 template <class S>
 class Quantities;
 
-/// The record of a subject, of an optional subject, or of each subject of a range; a finished value
+/// The record of a subject or of an optional subject, or the records of a range of subjects. A finished value
 /// is returned unchanged.
 template <class T, class R>
 Value record_value(const Quantities<T>& quantities, const R& found) {
@@ -151,7 +151,7 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
-/// The getter of an entry: `get` is a member of S or a function of S; angles are converted to the
+/// The getter of an entry. `get` is a member of S or a function of S. Angles are converted to the
 /// unit of the key.
 template <class S, class G>
 std::function<Value(const S&)> getter(Unit unit, G get) {
@@ -163,8 +163,8 @@ std::function<Value(const S&)> getter(Unit unit, G get) {
   }
 }
 
-/// The functions that add an entry of S to `Self`: one quantity each, in the unit at the end of its
-/// key. `symbol` may be empty.
+/// The functions that add an entry of S to `Self`. Each adds one quantity, whose unit is the unit at the end of
+/// its key. `symbol` may be empty.
 template <class Self, class S>
 class QuantityForms {
  public:
@@ -188,7 +188,7 @@ class QuantityForms {
   auto& text(const char* key, const char* meaning, G get) {
     return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
   }
-  /// A quantity of several tables, whose words and symbol are those of its term.
+  /// A quantity that occurs in several tables. Its words and its symbol are those of its term.
   template <class G>
   auto& term(const char* key, const char* meaning, G get) {
     const Term& t = term_of(key);
@@ -196,8 +196,8 @@ class QuantityForms {
     q.info.always = t.type == Type::flag;
     return q;
   }
-  /// A record of the quantities `of`, or a list of them: `get` gives the subject, an optional or a
-  /// pointer that may be empty, a range of subjects, or the finished value.
+  /// A record of the quantities `of`, or a list of such records. `get` returns a subject, an optional or a
+  /// pointer that may be empty, a range of subjects, or a finished value.
   template <const auto& (*of)(), class G>
   auto& record(const char* key, const char* meaning, G get) {
     auto& q = self().add(Type::record, key, key, "", meaning,
@@ -216,7 +216,7 @@ class PartQuantities;
 template <class S>
 class Quantities : public QuantityForms<Quantities<S>, S> {
  public:
-  /// `fill` adds the quantities, in the order of the keys.
+  /// `fill` adds the quantities in the order of the keys.
   template <class Fill>
   Quantities(std::string name, const Fill& fill) {
     fill(*this);
@@ -226,10 +226,10 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   Quantities(const Quantities&) = delete;  // the table points into the list
   Quantities& operator=(const Quantities&) = delete;
 
-  /// The headings in the order for users; others are appended in the order of their first use.
+  /// Sets the headings in the order for users. Other headings are appended in the order of their first use.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
-  /// Sets the heading of the quantities that follow; there is none at first.
+  /// Sets the heading of the quantities that follow. At first there is no heading.
   void under(const char* group) { group_ = group; }
 
   template <class G>
@@ -240,7 +240,7 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
     return list_.back();
   }
 
-  /// Entries of a part of the subject; `find` returns the part, or null.
+  /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no such part.
   template <class P>
   PartQuantities<S, P> part(const P* (*find)(const S&)) {
     return {*this, find};
@@ -276,8 +276,8 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   const char* group_ = "";
 };
 
-/// Entries for a part that only some subjects have: one kind of pair, or a result that may be
-/// absent. Their getters take the part; without it the value is null.
+/// Entries for a part that only some subjects have, for example one kind of pair, or a result that may be
+/// absent. Their getters take the part. If the subject does not have the part, the value is null.
 template <class S, class P>
 class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
  public:
@@ -304,34 +304,34 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
   Find find_;
 };
 
-/// Decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), 5 for degrees (0.17 µm
-/// on a radius of 1 m) and for pure numbers.
+/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for degrees
+/// (0.17 µm on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
-/// A value as text for users, without its unit; `none` if there is no value. Lists become "x, y,
-/// z", two ends "lo … hi".
+/// A value as text for users without its unit, or `none` if there is no value. A list is written "x, y, z",
+/// and two ends are written "lo … hi".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–");
 
-/// A row for users: one quantity, a text for each column. A pair's common value has one text.
+/// A row for users with one quantity and a text for each column. A value that both gears share has one text.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
 };
 
-/// Rows under a heading.
+/// A heading with its rows.
 struct TextGroup {
   std::string title;
   std::vector<TextRow> rows;
 };
 
-/// The table for users of records side by side (two gears), or of one record with values per gear
-/// (a pair): the quantities of that interface that at least one record shows, under their headings.
-/// Inner records are rows too, under their own words. `table` is that of the records.
+/// The table for users, either of records side by side (two gears) or of one record with values for each gear
+/// (a pair). It contains the quantities of the interface `door` that at least one record shows, under their
+/// headings. The quantities of inner records are also rows. `table` is the table of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    std::string_view none = "–");
 
-/// "Tip diameter" of "tip diameter".
+/// The text with a capital first letter: "Tip diameter" for "tip diameter".
 std::string capitalised(std::string words);
 
 }  // namespace gearwright

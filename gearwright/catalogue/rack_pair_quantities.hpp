@@ -1,4 +1,4 @@
-// The quantities of a rack and of its pair with a pinion: `gears` and `pair` of such a result.
+// The quantities of a rack and of its pair with a pinion. They are in `gears` and `pair` of such a result.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

@@ -18,7 +18,7 @@ using R = RatingTable;
 
 constexpr double kMaxFactor = 100.0;
 
-// A factor that replaces its formula.
+// A key for a factor that replaces the formula of the standard.
 Key factor(std::string_view key, std::string_view symbol, double RatingInput::*member,
            std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
@@ -31,7 +31,7 @@ Key factor(std::string_view key, std::string_view symbol,
                      meaning);
 }
 
-// A number for each gear; a single number applies to both.
+// A key for two numbers, one for each gear. A single number applies to both gears.
 Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
@@ -46,14 +46,14 @@ std::string set_quality(RatingTable& rating, const std::array<double, 2>& grade)
   return "";
 }
 
-// For the stiffness of the bodies, both gears have the thinner of the two rims.
+// Sets the rims. The stiffness of the bodies is computed with the thinner rim for both gears.
 void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.input.rim = {rim[0], rim[1]};
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// If power and torque are given, they must agree. If only a spectrum is given, its heaviest step is
-// the load.
+// If power and torque are both given, they must agree. If only a spectrum is given, its step with the greatest torque
+// is the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {

@@ -11,18 +11,18 @@
 
 namespace gearwright {
 
-/// [rating], as given. Data of the gears themselves are taken from them.
+/// [rating] as given. It does not contain the data of the gears themselves.
 struct RatingTable {
   bool given = false;                     ///< true if the spec has [rating]
-  RatingInput input;                      ///< all but torque and materials
+  RatingInput input;                      ///< all inputs except torque and materials
   std::optional<double> power;            ///< P    kW
   std::optional<double> torque;           ///< T_1  N m, on gear 1
   std::optional<double> web_thickness;    ///< b_s  mm
   std::optional<double> rim_thickness;    ///< s_R  mm, of both gears
-  std::vector<LoadBin> spectrum;          ///< [[rating.spectrum]], instead of one load and life
+  std::vector<LoadBin> spectrum;          ///< [[rating.spectrum]], which replaces one load and life
   std::optional<MaterialInput> material;  ///< for a gear without its own material
-  std::optional<double> safety_flank_min, safety_root_min;  ///< wanted
-  bool tooth_contact = false;  ///< true to compute tooth contact under this load in addition
+  std::optional<double> safety_flank_min, safety_root_min;  ///< required safeties
+  bool tooth_contact = false;  ///< true if tooth contact under this load is also computed
 };
 
 const KeyTable& rating_keys();

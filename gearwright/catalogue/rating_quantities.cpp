@@ -142,7 +142,7 @@ Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-// Null for a plastic whose strength depends on temperature.
+// The strengths of both materials. A strength is null for a plastic whose strength depends on temperature.
 Value strengths(const V& v, double Material::*member) {
   ValueList values;
   for (const Material& m : v.input.materials)
@@ -157,7 +157,7 @@ Value tolerance(const V& v, double Tolerances::*member) {
 
 double speed(const V& v) { return v.input.speed.value_or(0.0); }
 
-// |z_2/z_1|
+// The magnitude of the gear ratio, |z_2/z_1|.
 double ratio(const V& v) {
   const auto& gears = v.pair.gears;
   return std::abs(static_cast<double>(gears[v.pair.place(2)].teeth) / gears[v.pair.place(1)].teeth);
@@ -272,7 +272,7 @@ void say_spectrum(Quantities<V>& q) {
       .digits(2);
 }
 
-// Stresses of the teeth under load, divided by the stresses of the standard.
+// The stresses in the computed tooth contact, divided by the stresses of the standard.
 Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
@@ -312,7 +312,7 @@ void say_contact(Quantities<V>& q) {
       .when(asked);
 }
 
-// Temperatures exist only for plastics. A rating by ISO 6336 does not have these rows and keys.
+// True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void say_temperatures(Quantities<V>& q) {
@@ -349,7 +349,7 @@ void say(Quantities<V>& q) {
   say_inputs(q);
   say_temperatures(q);
   for (const FactorEntry& e : entries()) {
-    // The section is listed before the values computed from it.
+    // The section of the root is listed before the factors that are computed from it.
     if (std::string_view(e.key) == "Y_F") say_section(q);
     say_factor(q, e);
   }

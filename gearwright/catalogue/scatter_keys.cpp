@@ -13,7 +13,7 @@ using S = ScatterInput;
 constexpr const char* kRange =
     "[least, greatest], uniform, or a table with `range` and `distribution`";
 
-// A toleranced number in the form of a list or a table, which the reader handles.
+// A key for a toleranced number, which may be a list or a table. The reader handles it.
 Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range,
                std::string_view meaning) {
   return {.key = key,

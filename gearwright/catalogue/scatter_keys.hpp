@@ -1,4 +1,4 @@
-// The keys of [scatter] and its tables: the variations from pair to pair, and the requested
+// The keys of [scatter] and its tables, which are the variations from pair to pair and the requested
 // results.
 #pragma once
 
@@ -22,27 +22,27 @@ struct ScatterBearings {
 
 /// [scatter.gearN]. Distributions are in the units of their keys.
 struct ScatterGear {
-  std::optional<DistributionSpec> thickness;  ///< of E_sn  mm
-  /// One for each of modification_entries(), for both flanks, µm.
+  std::optional<DistributionSpec> thickness;  ///< deviation of E_sn, mm
+  /// A distribution for each of modification_entries(), in µm. It applies to both flanks.
   std::array<std::optional<DistributionSpec>, 7> modifications;
   bool pitch = false;                               ///< true if the pitches vary by the grade
-  std::optional<std::array<int, 2>> profile_waves;  ///< range of their number, for f_fα
-  std::optional<std::array<int, 2>> helix_waves;    ///< range of their number, for f_fβ
+  std::optional<std::array<int, 2>> profile_waves;  ///< range of the number of waves, for f_fα
+  std::optional<std::array<int, 2>> helix_waves;    ///< range of the number of waves, for f_fβ
 };
 
 /// [scatter.robust]
 struct ScatterRobust {
-  CompensateAim aim = CompensateAim::transmission_error;  ///< or under load; never the pressure
+  CompensateAim aim = CompensateAim::transmission_error;  ///< may be under load; never the pressure
   std::vector<std::size_t> corrections;  ///< indices in kCorrections; empty for the usual ones
   double percentile = 95.0;
-  std::optional<std::array<double, 2>> range;  ///< of every correction, in its unit
+  std::optional<std::array<double, 2>> range;  ///< range of every correction, in its unit
 };
 
 /// [scatter]
 struct ScatterInput {
   bool given = false;
-  int samples = 1024;  ///< n of each replicate
-  int replicates = 8;  ///< R
+  int samples = 1024;  ///< n, samples of each replicate
+  int replicates = 8;  ///< R, number of replicates
   int seed = 1;
   Sampling sampling = Sampling::sobol;
   std::vector<double> percentiles{5, 50, 95};
@@ -50,13 +50,13 @@ struct ScatterInput {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
-  bool loaded = false;                        ///< also under the torques of [load]
-  std::optional<std::array<int, 2>> quality;  ///< A of both gears; by default their own
-  /// One for each of error_entries(), in the unit of the key.
+  bool loaded = false;                        ///< true if contact under [load] is also computed
+  std::optional<std::array<int, 2>> quality;  ///< A for both gears; by default their own grades
+  /// A distribution for each of error_entries(), in the unit of its key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;
   std::array<ScatterGear, 2> gears;
-  /// [scatter.groups]: a name and its inputs, as the user wrote them.
+  /// [scatter.groups]: the name and the inputs of a group, as the user wrote them.
   struct Group {
     std::string name;
     std::vector<std::string> inputs;
@@ -65,7 +65,7 @@ struct ScatterInput {
   std::optional<ScatterRobust> robust;
 };
 
-constexpr int kMaxScatterSamples = 1 << 19;  ///< samples times replicates
+constexpr int kMaxScatterSamples = 1 << 19;  ///< limit for samples times replicates
 
 const KeyTable& scatter_keys();
 const KeyTable& scatter_error_keys();
@@ -73,7 +73,7 @@ const KeyTable& scatter_bearing_keys();
 const KeyTable& scatter_gear_keys();
 const KeyTable& scatter_modification_keys();
 const KeyTable& scatter_robust_keys();
-/// One toleranced number in full.
+/// The keys of a toleranced number that is given as a table.
 const KeyTable& scatter_range_keys();
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The quantities of a family under torque: `scatter.loaded` of a result.
+// The quantities of a family of pairs under torque, which are `scatter.loaded` in a result.
 #include "gearwright/base/torque.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 

@@ -190,7 +190,7 @@ const Quantities<RobustView>& robust_quantities() {
   return kAll;
 }
 
-// A tolerance, and the effect of loosening or tightening it.
+// A tolerance and the effect of loosening or tightening it.
 struct LooseningView {
   const std::string* input;
   const Loosening::Change* change;

@@ -1,4 +1,4 @@
-// The quantities of tolerance scatter: `scatter` of a result.
+// The quantities of the scatter due to tolerances, which are `scatter` in a result.
 #pragma once
 
 #include <array>
@@ -11,24 +11,24 @@
 
 namespace gearwright {
 
-/// A quantity with a distribution, with its name in results.
+/// A quantity with a distribution, and its name in results.
 struct SpreadEntry {
   const char* key;    ///< "peak_to_peak_arcsec"
   const char* words;  ///< "transmission error, peak to peak"
-  Unit unit;          ///< of the key
+  Unit unit;          ///< unit of the key
   int digits;         ///< decimals for users
   const char* meaning;
 
-  /// Converts a value, which is in rad if it is an angle, to the unit of the key.
+  /// Converts a value to the unit of the key. An angle is given in rad.
   double shown(double value) const;
 };
 
-/// A quantity of a member.
+/// A quantity of one pair of the family.
 struct ScatterEntry : SpreadEntry {
   ScatterQuantity quantity;
 };
 
-/// A quantity under torque.
+/// A quantity of one pair under torque.
 struct LoadedEntry : SpreadEntry {
   std::optional<Spread> LoadedSpread::*spread;
 };
@@ -37,12 +37,12 @@ struct LoadedEntry : SpreadEntry {
 const std::array<ScatterEntry, kScatterQuantities>& scatter_entries();
 const std::array<LoadedEntry, 3>& loaded_entries();
 
-/// One quantity in the unit of its key.
+/// The distribution of one quantity, in the unit of its key.
 struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
-  ValueList
-      samples;  ///< for each percentile, the next sample as errors of a spec with its other changes
+  /// For each percentile, the nearest sample: its errors as in a spec, and its other changes.
+  ValueList samples;
 };
 
 struct IndexView {
@@ -52,7 +52,7 @@ struct IndexView {
 struct WorstView {
   const ScatterEntry* entry;
   const WorstMember* worst;
-  ValueMap at;  ///< by input
+  ValueMap at;  ///< values of the inputs, by name
 };
 
 /// The family under one torque.
@@ -61,11 +61,11 @@ struct LoadedSpreadView {
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
-/// Statistics of the family without or with corrections, from the samples used for comparison.
+/// Statistics of the family without or with corrections, from the samples that are used to compare them.
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;
-  std::vector<LoadedSpreadView> loaded;  ///< one for each torque, under load
+  std::vector<LoadedSpreadView> loaded;  ///< one for each torque, if under load
 };
 
 struct RobustView {

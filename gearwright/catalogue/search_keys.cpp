@@ -13,8 +13,8 @@ namespace {
 using Range = KeyRange;
 using P = SearchProblem;
 
-constexpr std::size_t kMaxValues = 100'000;  // of a list
-constexpr double kMinShiftStep = 0.0025;     // gives half a million points for a wide region
+constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
+constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
 constexpr ListOrder kBandOrder{
     .sentence =
         "is an empty band, because nothing lies between {} and {}; write the least value first"};
@@ -43,14 +43,14 @@ constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
                                           {"slip", "sliding"},
                                           {"specific_sliding", "sliding"}}};
 
-// The objective that a word means: "mass" for "weight"; empty if there is none.
+// The objective for a synonym, "mass" for "weight", or "" if the word is not a synonym.
 std::string_view objective_called(std::string_view word) {
   const auto row =
       std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
   return row == kCalled.end() ? std::string_view() : row->objective;
 }
 
-// A key of a limit, which is a least value, a greatest value or a margin.
+// A key for a limit, which is a least value, a greatest value or a margin.
 template <class V>
 Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLimits::*member,
           std::string_view fallback, std::string_view meaning) {

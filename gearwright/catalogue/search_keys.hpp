@@ -1,4 +1,4 @@
-// The keys of [search]: the inputs of a design search.
+// The keys of [search] for a search for pairs.
 #pragma once
 
 #include "gearwright/catalogue/key.hpp"

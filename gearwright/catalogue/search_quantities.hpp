@@ -1,5 +1,5 @@
-// The quantities of designs found by a search: `search.designs[i]`, the columns of CSV and Parquet,
-// the page's table.
+// The quantities of designs found by a search. They are `search.designs[i]`, the columns of CSV and Parquet,
+// and the page's table.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,13 @@ namespace gearwright {
 struct DesignView {
   const SearchProblem* problem;
   const DesignRow* row;
-  std::function<Value()> edges{};  ///< of the region; none if they are omitted
+  std::function<Value()> edges{};  ///< edges of the region; none if they are omitted
 };
 
 const Quantities<DesignView>& design_quantities();
 
-/// A finished search. Its designs are read one by one (design_quantities), because there may be
-/// many.
+/// A finished search. Its designs are not included. They are read one by one with design_quantities, because
+/// there may be many.
 struct SearchView {
   const SearchProblem* problem;
   const SearchAnswer* answer;
@@ -31,16 +31,16 @@ struct SearchView {
 };
 const Quantities<SearchView>& search_quantities();
 
-/// A point of the grid of shifts, for columns only.
+/// The quantities of a point of the grid of profile shifts. They are only columns of tables.
 const Quantities<ShiftPoint>& point_quantities();
 
-/// A change in the words of a file: search.interference, "exclude", "flag".
+/// A change of the spec with its key and its words: search.interference from "exclude" to "flag".
 struct SpelledChange {
   std::string key, from, to;
 };
 SpelledChange spelled_change(const NearestChange& change);
 
-/// Degrees as they were given: −12, not the result of converting −12° to radians and back.
+/// An angle in degrees as it was given: −12, without the rounding error of a conversion to radians and back.
 double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The tables of a spec file, with their keys except those of gears and searches.
+// The tables of a spec file. The keys of gears and searches have headers of their own.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct SpecTables : GivenPair {
 /// The keys of the file itself: title, [gear1], [gear2], [pair] and so on.
 const KeyTable& spec_keys();
 
-/// Every table that spec_keys() leads to, each once, beginning with itself.
+/// Every table that can be reached from spec_keys(), each once. The first is spec_keys() itself.
 std::vector<const KeyTable*> all_key_tables();
 
 }  // namespace gearwright

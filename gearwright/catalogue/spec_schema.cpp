@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Whole numbers are written without a decimal point.
+// The number as JSON. A whole number has no decimal point.
 Json number_json(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
 }
 
-// Numbers of a list have only their own limits.
+// The schema of a number. Numbers in a list have only their own limits.
 Json number_schema(const Key& key) {
   const bool whole = key.kind == KeyKind::whole;
   const double most = whole ? kMaxWholeInput : kMaxInput;
@@ -44,7 +44,7 @@ Json enum_schema(const std::vector<std::string_view>& words) { return {{"enum", 
 
 Json reference(const KeyTable& table) { return {{"$ref", fmt::format("#/$defs/{}", table.name)}}; }
 
-// One value, or one element of a list.
+// The schemas of one value, or of one element of a list.
 std::vector<Json> element_schemas(const Key& key) {
   switch (key.kind) {
     case KeyKind::number:
@@ -126,18 +126,18 @@ Json table_schema(const KeyTable& table) {
 
 Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
 
-// A search can choose the numbers of teeth, and a drive has its own gears. Every other spec needs
-// at least one complete gear.
+// The requirement for gears. A search can choose the numbers of teeth, and a drive has its own gears. Every other
+// spec needs at least one complete gear.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});
   rack["properties"] = {{"form", {{"const", "rack"}}}};
-  // Gear 2 takes the other values from gear 1.
+  // Gear 2 needs only its teeth, because it takes the other values from gear 1.
   const Json second{{"anyOf", {required({"teeth"}), rack}}};
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
   Json known{{"properties", {{"gear1", whole}, {"gear2", second}}}};
-  // Identify finds the module of both from the readings of gear 2.
+  // If gear 2 has readings, the verb identify computes the module of both gears from them.
   Json unknown = required({"gear2"});
   unknown["properties"] = {{"gear1", required({"teeth"})},
                            {"gear2", required({"teeth", "measured"})}};
@@ -151,8 +151,8 @@ Json gears_or_search() {
           {"else", std::move(alone)}};
 }
 
-// The speed of a drive is that of its input, so the keys of [rating] need a speed in other specs only.
-// Removes the condition from the table.
+// Removes the condition that keys of [rating] need a speed and returns it for specs without a drive. A drive takes
+// the speed from its input.
 Json needs_outside_drives(Json& rating) {
   Json needs = std::move(rating["dependentRequired"]);
   rating.erase("dependentRequired");
@@ -168,7 +168,7 @@ Json whole_gear() {
                 required({"transverse_module_mm"}),
                 required({"basic"}),
                 required({"cut_by"}),
-                required({"measured"})};  // for a gear that identify is to find
+                required({"measured"})};  // for a gear whose module identify computes
   return s;
 }
 

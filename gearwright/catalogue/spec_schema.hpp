@@ -1,8 +1,8 @@
-// The JSON Schema (draft 2020-12) of specs, made from the key tables: editors use it to complete
-// TOML, and any validator can check a spec with it.
+// The JSON Schema (draft 2020-12) of specs, made from the key tables. Editors use it to complete TOML, and
+// any validator can check a spec with it.
 //
-// It describes single keys and combinations of keys. Only the program can check conditions of
-// geometry.
+// The schema describes single keys and combinations of keys. Only the program can check geometric
+// conditions.
 #pragma once
 
 #include <string>

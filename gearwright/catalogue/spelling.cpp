@@ -30,7 +30,7 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
       if (member == name) found.push_back({here, &key});
       if (key.tables.empty() || !member.starts_with(name)) continue;
       std::string_view rest = member.substr(name.size());
-      std::string index;  // element of a list, "arcs[2]"
+      std::string index;  // index of an element in a list, as in "arcs[2]"
       if (rest.starts_with('[')) {
         const std::size_t end = std::min(rest.find(']'), rest.size() - 1) + 1;
         index = rest.substr(0, end);
@@ -41,13 +41,13 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
       for (const auto part : key.tables) find_keys(part(), here + index, rest.substr(1), found);
     }
   }
-  // A member of one flank may also be set by a key for both flanks.
+  // A member of one flank may also be set by the key for both flanks.
   if (&table != &modification_keys()) return;
   for (const std::string_view side : kFlankMembers)
     if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
 }
 
-// The first of the keys that the spec gives, otherwise the first key in documents.
+// The first of the keys that the spec gives, or otherwise the first key that documents contain.
 std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
   if (found.empty()) return std::nullopt;
   for (const Spelling& s : found)
@@ -63,8 +63,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// The key that contains the number of the member itself. Other keys, such as a diametral pitch for
-// a module, are converted into it.
+// The key that contains the number of the member itself. Other keys are converted into it, such as a diametral
+// pitch into a module.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)
@@ -72,7 +72,7 @@ std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s)
   return plain;
 }
 
-// A word as it is written in the file, in quotes.
+// The value as it is written in the file. A word is in quotes.
 std::string spelled_value(const std::string& value, const Key& key) {
   const bool word = key.kind != KeyKind::number && key.kind != KeyKind::whole && !value.empty() &&
                     value != "true" && value != "false" &&
@@ -80,8 +80,8 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
-// The key for a member that a sentence about `owner` names, in the nearest table that has the
-// member.
+// The key for a member that is named in a sentence about `owner`. The nearest table that has the member is
+// used.
 std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
   for (std::string_view around = owner; !around.empty();) {
     if (const auto s = spelling_of(joined(around, member), given))
@@ -124,7 +124,7 @@ Error spelled(const Error& error, const GivenKeys& given) {
   if (!s) return worded;
   worded.field = s->path;
   worded.value = spelled_value(worded.value, *s->key);
-  // The message does not blame a default rack, which is not in the file.
+  // A default rack is not in the file, so the message states that the value is a default.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
   if (of_rack && !worded.value.empty() && !given.contains(s->path))
     worded.rule = "not given, and its default does not fit the other values: " + worded.rule;

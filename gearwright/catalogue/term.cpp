@@ -15,7 +15,7 @@ struct UnitRow {
   int digits;
 };
 
-// In the order of the enumerators.
+// The rows are in the order of the enumerators.
 constexpr std::array kUnitRows{UnitRow{Unit::none, "", "", 5},
                                UnitRow{Unit::mm, "mm", "_mm", 4},
                                UnitRow{Unit::um, "µm", "_um", 3},
@@ -46,7 +46,7 @@ const UnitRow& row(Unit unit) {
   return r;
 }
 
-// Sorted by key.
+// The rows are sorted by key.
 constexpr std::array kTerms{
     Term{"S_F", "safety against root breakage", "S_F"},
     Term{"S_H", "safety against pitting", "S_H"},

@@ -1,6 +1,6 @@
-// Terms: the name, the symbol and the unit of a quantity, written once for all tables of results.
+// Terms: the name, the symbol and the unit of a quantity, defined once for all tables of results.
 //
-//   Unit   the unit of a value, as the suffix of its key and as the user reads it
+//   Unit   the unit of a value, as the suffix of a key and as text for users
 //   Type   the type of a value
 //   Term   key, words (the standard's term) and symbol of a quantity that occurs in several tables
 #pragma once
@@ -31,15 +31,15 @@ enum class Unit {
   celsius,
   kg,
   kg_per_mm,
-  modules,          ///< normal modules; no unit for people
-  modules_squared,  ///< of a region of two shifts
-  percent           ///< a share of 1; people read 100 times it
+  modules,          ///< normal modules; no unit is shown to users
+  modules_squared,  ///< area of a region of two profile shifts
+  percent           ///< a share of 1, shown to users times 100
 };
 
 enum class Type {
   number,
   whole,
-  index,  ///< a whole number that may pass 2³¹
+  index,  ///< a whole number that may exceed 2³¹
   flag,
   word,
   text,
@@ -47,14 +47,14 @@ enum class Type {
   map
 };
 
-/// "mm", "°", "µm"; empty for pure numbers.
+/// "mm", "°", "µm", or "" for a pure number.
 std::string_view unit_text(Unit unit);
-/// The suffix of keys in this unit: "_mm", "_deg"; empty for units without a suffix.
+/// The suffix of keys in this unit, "_mm" or "_deg". It is empty for a unit without a suffix.
 std::string_view unit_suffix(Unit unit);
-/// The unit given by the suffix of the key; Unit::none for other keys.
+/// The unit that the suffix of the key names, or Unit::none if there is no such suffix.
 Unit unit_of(std::string_view key);
-/// Decimals that people read: 4 of mm (0.1 µm, the last digit of a gear drawing), 5 of degrees
-/// (0.17 µm on a radius of 1 m) and of pure numbers.
+/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for degrees
+/// (0.17 µm on a radius of 1 m) and for pure numbers.
 int unit_digits(Unit unit);
 
 struct Term {
@@ -62,8 +62,8 @@ struct Term {
   Type type = Type::number;
 };
 
-std::span<const Term> terms();  ///< by key
-/// Domain  the key of a term (contract)
+std::span<const Term> terms();  ///< sorted by key
+/// Domain  `key` is the key of a term (contract)
 const Term& term_of(std::string_view key);
 
 }  // namespace gearwright

@@ -1,7 +1,7 @@
-// A value of a result for all interfaces: null, a flag, a number, a word, a list, a record.
+// A value of a result, for all interfaces: null, a flag, a number, a word, a list or a record.
 //
-// The catalogue's getters return it in the unit of the key. JSON, tables, CSV, Python and the
-// browser convert it to their own types, independently of its origin.
+// The getters of the catalogue return values in the unit of the key. JSON, tables, CSV, Python and the
+// browser convert a value to their own types, independently of its origin.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct QuantityInfo;  // catalogue/quantity.hpp
 struct Member;
 
 using ValueList = std::vector<Value>;
-using ValueRecord = std::vector<Member>;                      ///< in the catalogue's order
-using ValueMap = std::vector<std::pair<std::string, Value>>;  ///< with names from the job
+using ValueRecord = std::vector<Member>;                      ///< in the order of the catalogue
+using ValueMap = std::vector<std::pair<std::string, Value>>;  ///< the names depend on the job
 
 class Value {
  public:
@@ -31,7 +31,7 @@ class Value {
 
   // NOLINTBEGIN(google-explicit-constructor): a getter returns what it has.
   Value() noexcept;  ///< no value, which is null in JSON
-  // Defined in value.cpp, where Member is complete, as clang requires for functions that may
+  // These are defined in value.cpp, where Member is complete. clang requires this for functions that may
   // destroy the variant.
   Value(bool flag);
   Value(int whole);
@@ -55,7 +55,7 @@ class Value {
   Value(const Vec3& p);
   Value(const std::vector<double>& numbers);
   // NOLINTEND(google-explicit-constructor)
-  // Out of line: inlined into every getter they double the catalogue's object code.
+  // These are not inline, because inlining them into every getter would double the object code of the catalogue.
   Value(const Value& other);
   Value(Value&& other) noexcept;
   Value& operator=(const Value& other);
@@ -67,7 +67,7 @@ class Value {
   const ValueList* list() const { return std::get_if<ValueList>(&variant_); }
   const ValueRecord* record() const { return std::get_if<ValueRecord>(&variant_); }
   const ValueMap* map() const { return std::get_if<ValueMap>(&variant_); }
-  /// The number of a double or a whole number; none for other types.
+  /// The value as a double if it is a double or a whole number. Other types have none.
   std::optional<double> number() const {
     if (const auto* x = std::get_if<double>(&variant_)) return *x;
     if (const auto* n = std::get_if<long long>(&variant_)) return static_cast<double>(*n);
@@ -80,12 +80,12 @@ class Value {
 
 /// One quantity of a record: its description and its value.
 struct Member {
-  const QuantityInfo* info;  ///< of the catalogue, which lives as long as the program
+  const QuantityInfo* info;  ///< in the catalogue, which lives as long as the program
   Value value;
-  bool shown = true;  ///< users see a row: the record has a value, or a dash for a missing one
+  bool shown = true;  ///< true if users see a row with the value, or with a dash for none
 };
 
-/// True if it contains no value, directly or in lists.
+/// True if `value` contains no value, directly or in lists.
 bool all_nothing(const Value& value);
 
 }  // namespace gearwright

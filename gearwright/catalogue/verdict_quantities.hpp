@@ -1,4 +1,4 @@
-// The quantities of a verdict: `verdict` of a result.
+// The quantities of a verdict, which are `verdict` in a result.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

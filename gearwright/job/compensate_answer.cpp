@@ -35,7 +35,7 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// dTE/dφ1 of tooth pair 0 in the middle of its mesh, with a changed lead angle of one gear.
+// dTE/dφ1 of tooth pair 0 in the middle of its mesh, after the lead angle of one gear was changed.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -75,8 +75,7 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines. Its lead is corrected by slopes, which `compensate`
-  // computes.
+  // An involute pair touches along lines. `compensate` corrects its lead by slopes instead of a lead angle.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -117,7 +116,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
 }
 
 constexpr int kPositions = 24;
-// Under load, a curve takes a hundred times as long, so fewer corners of the range are computed.
+// Under load, a curve takes a hundred times as long, so fewer positions and corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -129,7 +128,7 @@ struct NamedErrors {
   ContactErrors errors;
 };
 
-// The given errors, and every corner of the range.
+// The given errors, followed by the errors at every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   std::vector<std::size_t> ranged;
@@ -148,7 +147,7 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// The warning about corrections at the end of the range; none if there are no such corrections.
+// The warning about corrections at the end of the range, or nothing if there are no such corrections.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (const FoundCorrection& c : answer.corrections) {
@@ -164,7 +163,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
       0};
 }
 
-// The worst over the scenarios, at the reported positions.
+// The worst scores over the scenarios, at the reported positions, without and with the corrections.
 std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
                                    const std::vector<double>& found) {
   std::vector<AimedLoad> loads;
@@ -184,7 +183,7 @@ std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask
   return loads;
 }
 
-// The verdict on the corrected spec; `loads` is the effect of the corrections under torque.
+// The verdict on the corrected spec. `loads` is the effect of the corrections under torque.
 Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
                                 const std::vector<AimedLoad>& loads) {
   auto read = read_spec_tree(corrected);
@@ -197,7 +196,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Warnings about the range of errors, which includes those of the spec, and about the load.
+  // The warnings about the range of errors, which includes the errors of the spec, and about the load are kept.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -225,8 +224,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // The length of the teeth is checked before a search, because no correction of a workshop makes
-  // teeth longer.
+  // Contact at every position is checked before the search. If the teeth are too short for this, no correction in a
+  // workshop makes them longer.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
@@ -253,7 +252,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   answer.setting = arc_setting(job, setup);
   answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
-    // Deviation of the rack angle from the drawing at the end of the flank.
+    // Deviation from the rack angle of the drawing that is reached at the end of the flank.
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }

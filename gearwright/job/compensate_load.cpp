@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSamePressure = 0.1;  // MPa, one ten-thousandth of usual flank pressures
+constexpr double kSamePressure = 0.1;  // MPa; one ten-thousandth of usual flank pressures
 
 }  // namespace
 
@@ -23,9 +23,8 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
-  request.progress = nullptr;  // progress counts trials, not their positions
-  std::vector<Warning>
-      of_the_pair;  // warnings of the uncorrected pair; the corrected pair has its own warnings
+  request.progress = nullptr;        // progress counts trials, not their positions
+  std::vector<Warning> of_the_pair;  // warnings about the uncorrected pair, which are not reported
   if (auto error = judge_load(held.task, held.task.contact(held.compliance), of_the_pair))
     return *error;
   return LoadedAim(std::make_shared<const Held>(std::move(held)));

@@ -1,8 +1,8 @@
 // Corrections for loaded teeth: the quantity that `compensate` minimises under the torques of
 // [load].
 //
-// The tables of the teeth are computed once, because corrections are microns on the flanks. Each
-// trial repeats the contact.                    theory: docs/theory/12-loaded-contact.md, [T12.20]
+// The compliance of the teeth is computed once, because corrections are only microns on the flanks. Each
+// trial repeats the contact analysis.           theory: docs/theory/12-loaded-contact.md, [T12.20]
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@ namespace gearwright {
 
 class LoadedAim {
  public:
-  /// Errors    as load_task; if nothing touches, or if the slices are too fine, as judge_load
+  /// Errors    the errors of load_task; the errors of judge_load if nothing touches or if the slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
-  /// Peak to peak in rad or pressure in MPa, for the worst of the torques.
+  /// The peak to peak in rad, or the pressure in MPa, for the worst of the torques.
   CompensationAim aim() const;
-  /// The score for each torque with this number of positions per pitch; NaN as in loaded_scores.
+  /// The score for each torque with this number of positions per pitch. It is NaN in the same cases as loaded_scores.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;
   int positions() const { return held_->task.request.positions; }
   const std::vector<double>& torques() const { return held_->task.request.torques; }  ///< N mm

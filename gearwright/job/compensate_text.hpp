@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The quantities of a result, for all interfaces.
+/// The quantities of a result as JSON, for all interfaces.
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 

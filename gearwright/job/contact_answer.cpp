@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLeastPositions = 32;  // per pitch; least number for the continuous curve
+constexpr int kLeastPositions = 32;  // per pitch, for the continuous curve
 
 std::vector<double> spread(const std::array<double, 2>& range, int n) {
   std::vector<double> values;
@@ -36,7 +36,7 @@ ContactErrors errors_at(const ContactSetup& setup, const ContactMapInput& m, dou
 }
 
 void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& warnings) {
-  constexpr Angle kTouching = Angle::radians(1e-12);  // teeth without backlash do not jam
+  constexpr Angle kTouching = Angle::radians(1e-12);  // rounding; teeth without backlash do not jam
   if (!(least_play < -kTouching)) return;
   warnings.push_back({WarningCode::jam,
                       fmt::format("The gears jam: {} in contact at once, and gear 2 would have to "
@@ -45,7 +45,7 @@ void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& wa
                       0});
 }
 
-// Warnings that the numbers alone do not show.
+// Adds warnings about facts that the numbers do not show.
 void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   const auto warn = [&](WarningCode code, std::string text, int gear = 0) {
     warnings.push_back({code, std::move(text), gear});
@@ -90,14 +90,15 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
        touch.gear});
 }
 
-// Gear 1 limits gear 2 from both sides. The play is the difference.
+// The play of gear 2, which is the difference of its rotations when gear 1 touches it from either side.
 std::optional<Angle> play_between(const ContactPoint& driving, const ContactPoint& behind,
                                   bool gear2_drives) {
   if (driving.kind == TouchKind::none || behind.kind == TouchKind::none) return std::nullopt;
   return (gear2_drives ? -1.0 : 1.0) * (behind.te - driving.te);
 }
 
-// Without errors, the outlines determine it, [T2.34] and [T4.33].
+// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the outlines of the
+// gears determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
@@ -111,7 +112,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "pinion cutter or circular fillets."});
     return;
   }
-  // All pitches are equal, and the examined positions of several pitches might have the same phase.
+  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have the same phase.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;
@@ -131,12 +132,12 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
     }
     driving.asked[i] < other.asked[j] ? ++i : ++j;
   }
-  // If the flanks alone jam, a warning exists already.
+  // If the flanks alone jam, there is already a warning.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
   if (least && !flanks_jam) warn_of_jam(*least, "root fillets and flanks are", warnings);
 }
 
-// The least play of gear 2 over the positions, between both flanks.
+// The least play of gear 2 between both flanks over all positions.
 std::optional<Angle> least_play(const ContactAnswer& answer, bool gear2_drives) {
   std::optional<Angle> least;
   for (std::size_t i = 0; i < answer.driving.positions.size(); ++i) {
@@ -147,7 +148,7 @@ std::optional<Angle> least_play(const ContactAnswer& answer, bool gear2_drives) 
   return least;
 }
 
-// The pair of a setup at the positions of the input.
+// Analyses the pair of a setup at the positions of the input.
 Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const ContactInput& input,
                                 std::vector<Warning>& warnings, Progress* progress) {
   ContactAnswer answer{std::move(setup), {}, {}, {}, {}, {}, {}};
@@ -181,7 +182,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const 
   return answer;
 }
 
-// Both halves, and the whole gears.
+// Analyses both halves of a double-helical pair and the whole gears.
 class HalvesAnswer {
  public:
   HalvesAnswer(SolvedJob& job, const ContactSetup& setup, Progress* progress)
@@ -238,7 +239,7 @@ class HalvesAnswer {
   }
 
  private:
-  // Both halves under these errors.
+  // The pairs of both halves under the given errors.
   struct Pairs {
     ContactPair a, b;
     HalvesMesh mesh;

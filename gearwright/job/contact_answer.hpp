@@ -1,4 +1,4 @@
-// The pair of a spec under its errors and modifications, for both flanks: the verb `contact`.
+// The verb `contact`: both flanks of a pair under its errors and modifications.
 #pragma once
 
 #include <array>
@@ -11,27 +11,27 @@
 
 namespace gearwright {
 
-/// For a double-helical pair, the results are those of the whole gears, whose halves share the load
-/// because one gear floats along its axis (contact/halves.hpp); there is no pattern.
+/// For a double-helical pair, the results are those of the whole gears. Their halves share the load,
+/// because one gear floats along its axis (contact/halves.hpp). There is no pattern.
 struct ContactAnswer {
-  ContactSetup setup;             ///< for a double-helical pair, that of the half at z > 0
-  ContactResult driving;          ///< flanks of the requested driver
+  ContactSetup setup;             ///< for a double-helical pair, the setup of the half at z > 0
+  ContactResult driving;          ///< working flanks for the requested driver
   ContactResult other;            ///< the non-working flanks, at the same positions
-  std::optional<Angle> min_play;  ///< of gear 2, between both; < 0 if the gears jam
-  /// Peak to peak of the continuous curve of the driving flanks; none if contact is lost.
+  std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam
+  /// Peak to peak of the continuous curve of the driving flanks, or nothing if contact is lost.
   std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
   std::vector<ContactAnswer>
-      halves{};                       ///< of a double-helical pair, at z > 0 and z < 0; else empty
-  std::vector<double> float_axial{};  ///< mm, as WholeContact, for each position
+      halves{};                       ///< for a double-helical pair, the halves at z > 0 and z < 0
+  std::vector<double> float_axial{};  ///< mm, for each position; see WholeContact
   ContactResult on_halves{};          ///< the positions of both halves, for the verdict
 
-  /// The working flanks as the verdict judges them.
+  /// The contact of the working flanks on which the verdict is based.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
-/// Errors    as setup_of; `errors` when no tooth touches at any position
+/// Errors    the errors of setup_of; `errors` if no teeth touch at any position
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -18,23 +18,23 @@ namespace gearwright {
 
 namespace {
 
-// Line contact is narrow across the tooth and long along it, so the cells of the raster have the
-// same proportions. From node to node and from position to position the gap then changes by some
-// hundredths of a µm at modules of a few mm, and the border of a pattern is almost smooth.
+// Line contact is narrow across the tooth and long along it, and the cells of the raster have the
+// same proportions. For modules of a few mm, the gap then changes by some hundredths of a µm from node
+// to node and from position to position, so the border of a pattern is almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
 constexpr RasterSize kGap{65, 129};
 constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
-constexpr int kMaxPositions = 1024;  // decimals of the peak to peak in a small picture
+constexpr int kMaxPositions = 1024;  // enough for the decimals of the peak to peak in a picture
 
-// "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty if there are none.
+// "tip relief 15 µm from 64.5 mm, helix crowning 8 µm", or empty if there are no modifications.
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   const auto um = [](double mm) { return fmt::format("{:.6g} µm", kUmPerMm * mm); };
-  // Reliefs first, as on a drawing.
+  // Reliefs come first, as on a drawing.
   for (const ModificationEntry& e : modification_entries()) {
     if (!e.relief || !e.placed(m)) continue;
     const Relief& r = m.*(e.relief);
@@ -65,7 +65,7 @@ std::vector<std::string> modifications_of(const SolvedJob& job) {
   return list;
 }
 
-// The single touching position nearest to the middle of the pitch.
+// The position with contact that is nearest to the middle of the pitch.
 std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   std::optional<ContactPoint> best;
   for (const ContactPoint& p : points) {
@@ -75,13 +75,13 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   return best;
 }
 
-// An error with the opposite sign may be an impossible lead.
+// True if this error is possible. With the opposite sign, a change of lead may be impossible.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
 }
 
-// One or more errors, shown separately.
+// Errors under which a pattern of the report is computed: one of them, or all.
 struct Under {
   std::string name;
   ContactErrors errors;
@@ -96,7 +96,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (value[i] == 0.0) continue;
     for (const double v : {value[i], -value[i]}) {
-      if (v == value[i] && count == 1) continue;  // that is, all errors together
+      if (v == value[i] && count == 1) continue;  // the same as all errors together
       if (!can_be(setup, i, v)) continue;
       const NamedAmount n = named_error(i, v);
       list.push_back({n.name + " " + words_of(n), with_error(setup, {}, i, v), false});
@@ -106,7 +106,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   return list;
 }
 
-// All patterns, each in its own task, so the result does not depend on the number of threads.
+// Each pattern is computed in its own task, so the result does not depend on the number of threads.
 void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& setup) {
   const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
@@ -127,7 +127,7 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   parallel_for(list.size() + 1, make);
 }
 
-// The half at z > 0, or the half at z < 0 (`below`), whose setup is its mirror image.
+// The report on one half of a double-helical pair. The setup of the half at z < 0 (`below`) is a mirror image.
 ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, Angle behind,
                              bool below) {
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -149,10 +149,10 @@ ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, An
   return r;
 }
 
-// The whole gears and their halves. A pitch of equal positions is computed again if the spec has
-// other rotations.
+// The report on the whole gears and their halves. If the spec has other rotations, the contact is computed
+// again at equal positions over one pitch.
 Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer& given) {
-  SolvedJob again = job;  // its warnings have been reported
+  SolvedJob again = job;  // a copy, because its warnings have already been reported
   again.spec.contact.map.reset();
   again.spec.contact.rotations.clear();
   again.spec.contact.pitches = 1;
@@ -173,7 +173,7 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   return r;
 }
 
-// What the report states beside its pictures.
+// Adds the facts that the report states beside its pictures.
 void add_assumptions(ContactReport& r, const SolvedJob& job, const ContactAnswer& answer) {
   for (std::size_t i = 0; i < kErrorCount; ++i)
     if (job.spec.errors.value[i] != 0.0)
@@ -221,7 +221,7 @@ NamedAmount named_error(std::size_t index, double value) {
 bool wants_contact(const SolvedJob& job) {
   if (!job.pair) return false;
   // Circular arcs touch in points, and their ellipse and pattern are the reason for choosing such a
-  // pair.
+  // pair, so they are always reported.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
          job.pair->arcs();
 }
@@ -230,8 +230,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If nothing touches, the error gives the reason for the whole pair. Otherwise its message also
-    // names the invalid number.
+    // If nothing touches, the rule of the error is sufficient, because it is about the whole pair. Otherwise
+    // the message also names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

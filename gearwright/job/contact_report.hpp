@@ -8,24 +8,24 @@
 
 namespace gearwright {
 
-/// An error by its index in error_entries(), with its value in the unit of its key.
+/// An error with its value in the unit of its key. `index` counts the rows of error_entries().
 NamedAmount named_error(std::size_t index, double value);
 
-/// True if the spec has [errors], [contact] or modifications, or if its pair is one of circular
-/// arcs, and if there is a pair.
+/// True if there is a pair and either the spec has [errors], [contact] or modifications, or the teeth are
+/// circular arcs.
 bool wants_contact(const SolvedJob& job);
 
-/// A result and its part of the report. The report points into the job.
+/// A result and its part of the report. The report contains pointers into the job.
 struct ContactPart {
   ContactAnswer answer;
   ContactReport report;
 };
 
-/// The contact part of a report. None if the spec does not request it, and none with a warning in
-/// the job if there is no result. The report requires equal positions over one pitch, so if the
-/// spec has other rotations, only the result has those.
+/// The contact part of a report, or nothing if the spec does not request it. If the result cannot be
+/// computed, there is no part either, and the job gets a warning. The report needs equal positions over
+/// one pitch, so if the spec has other rotations, the result has them but the report does not.
 ///
-/// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
+/// Errors    the errors of answer_contact: modifications that do not fit, an impossible lead
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -51,7 +51,7 @@ std::string kinds_of(const ContactResult& result) {
   return text;
 }
 
-// Explains the short words of the table: the kinds other than interior contact, and its columns.
+// Explains the column headings and the short words for the kinds of contact, except interior contact.
 std::string legend_of(const ContactResult& result) {
   std::vector<TouchKind> explained;
   std::string text;
@@ -65,7 +65,7 @@ std::string legend_of(const ContactResult& result) {
   return text + "major, minor: semi-axes of the contact ellipse";
 }
 
-// Transmission error and movement of the whole gears, and where each half touches.
+// Lists the transmission error and the movement of the whole gears, and where each half touches.
 std::string halves_listing(const ContactAnswer& answer) {
   const auto line = [](const auto&... cells) {
     return fmt::format("  {:>11}{:>15}{:>13}  {:<9}{:>10}{:>10}  {:<9}{:>10}{:>10}\n", cells...);
@@ -95,7 +95,7 @@ std::string halves_listing(const ContactAnswer& answer) {
 }  // namespace
 
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
-  // The record's getters refer to the view, but its values do not.
+  // The getters of the record refer to the view, which is temporary, but the values do not.
   return contact_quantities().of(view_of(job, answer));
 }
 
@@ -135,7 +135,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                   "TE", "tooth", "kind", "diam. 1", "diam. 2", "z 1", "z 2", "major", "minor");
   out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "°",
                      "arcsec", "", "", "mm", "mm", "mm", "mm", "mm", "mm");
-  // Rows for one page; --json has all.
+  // The rows are limited to one page. --json has all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
     const ContactPoint& p = r.positions[i];

@@ -75,7 +75,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     bool gear2_drives) {
   Json tree = job.spec.tree->tables;
   const auto add = [](Json& table, const std::string& key, double value) {
-    // Rounding removes the digits that binary addition adds to a sum of decimals.
+    // Rounding removes the additional digits of a sum of decimals in binary arithmetic.
     constexpr double kDigits = 1e9;
     const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
     table[key] = std::round(sum * kDigits) / kDigits;
@@ -88,27 +88,27 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       Json& rack = tree[gear_field(gear)]["rack"];
       const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
-      rack.erase("pressure_angle_deg");  // the key checks the old setting
+      rack.erase("pressure_angle_deg");  // otherwise this key would contradict the new setting
     } else if (c.what == CorrectionOf::cutter_lead) {
       add(tree["errors"], std::string(entry_of(c).key),
-          v[k]);  // [errors] has a key of the same name
+          v[k]);  // the correction has the same key in [errors]
     } else {
       const std::string name(entry_of(c).own_key());
       const bool slope = c.slope();
       Json& table = tree[gear_field(c.gear)]["modifications"];
       const std::string path = spec_key(setup, c, gear2_drives);
       const std::string own = path.substr(path.rfind('.') + 1);
-      // If both flanks have a common slope, the correction is added to it.
+      // If both flanks have a common slope, this flank starts with the common slope. The correction is then added.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
-      // The correction of both flanks is also added to the separate amount of a flank.
+      // A correction for both flanks is also added to the separate amount of each flank.
       for (const char* side : {"left_", "right_"})
         if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
-      // If each flank has its own amount, the amount for both has no effect.
+      // If each flank has a separate amount, the common amount has no effect.
       if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
     }
   }
-  // Tables follow plain values, as in a TOML file.
+  // Plain values precede tables, as in a TOML file.
   Json ordered = Json::object();
   for (const bool tables : {false, true})
     for (const auto& [key, value] : tree.items())

@@ -1,4 +1,4 @@
-// Corrections by their names, and the spec that has them: for the verbs that search for corrections.
+// The names of corrections, and the spec with corrections, for the verbs that search for corrections.
 // Internal to job/.
 #pragma once
 
@@ -11,27 +11,27 @@
 
 namespace gearwright {
 
-/// The corrections with these indices in kCorrections, or the usual ones of the pair if none is
-/// given.
+/// The corrections with these indices in kCorrections. If no index is given, these are the usual
+/// corrections of the pair.
 ///
-/// Errors    `field`: a correction that is not possible for these teeth
+/// Errors    `field` for a correction that is not possible for these teeth
 Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup,
                                                        const std::vector<std::size_t>& places,
                                                        const std::string& field);
 
-/// The key of a correction in the corrected spec: a slope on the loaded flank, an amount on both
-/// flanks.
+/// The key of a correction in the corrected spec. A slope has the key of the loaded flank, and an amount
+/// has the key for both flanks.
 std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correction,
                      bool gear2_drives);
 
-/// True if the value is at the end of the searched range, so that more might be better. A crowning
-/// of 0 does not count.
+/// True if the value is at the end of the searched range, so that a larger correction might be better.
+/// A crowning of 0 does not count.
 bool at_bound(const Correction& range, double value);
 
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound);
 
-/// The spec of the job with the corrections under their own keys.
+/// The spec of the job with the corrections added under their keys.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<WorkshopCorrection>& which, const std::vector<double>& value,
                     bool gear2_drives);

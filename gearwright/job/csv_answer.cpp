@@ -33,12 +33,12 @@ bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.en
 
 const Value kNothing;
 
-// The values of a column in rows, one after the other.
+// The values of one column, a value for each row.
 using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // null if a row has no such record
 
-// Calls f(column, cells) for the columns of a table that are also in JSON and that at least one of
-// the rows has.
+// Calls f(column, cells) for each column of a table that is also in JSON and has a value in at least one
+// row.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {
@@ -59,8 +59,8 @@ void add_row(const QuantityInfo& info, const std::string& path, const std::strin
               second});
 }
 
-// A quantity of one or two records: plain values side by side, also two values of one record. A
-// longer list of one record has a row for each value. Lists of records are in --json only.
+// Adds a quantity of one or two records. Plain values of two records, or two values of one record, are side by
+// side. A longer list of one record has a row for each value. Lists of records are in --json only.
 void add_rows(const QuantityInfo& info, const std::string& path, const Cells& cells,
               std::string& out) {
   const ValueList* list = cells.front()->list();
@@ -78,7 +78,7 @@ void add_rows(const QuantityInfo& info, const std::string& path, const Cells& ce
   add_row(info, path, csv_cell(*cells[0]), cells.size() > 1 ? csv_cell(*cells[1]) : "", out);
 }
 
-// Records side by side, of the two gears or of the pair.
+// Adds the records of the two gears side by side, or the record of the pair.
 void add_records(const std::string& path, const QuantityTable& table, const Rows& records,
                  std::string& out) {
   each_column(table, records, [&](const RecordColumn& column, const Cells& cells) {
@@ -86,13 +86,13 @@ void add_records(const std::string& path, const QuantityTable& table, const Rows
   });
 }
 
-// A column of plain values to be written.
+// A column of plain values and its heading.
 struct CsvColumn {
   std::string name;
   Cells cells;
 };
 
-// Lists and records of a quantity have a column for each of their plain values.
+// Adds a column for each plain value of a quantity, including the values in its lists and records.
 void add_columns(const std::string& name, const QuantityInfo& info, const Cells& cells,
                  std::vector<CsvColumn>& all) {
   if (info.of && info.list.empty()) return;  // the columns of the record follow separately
@@ -118,7 +118,7 @@ void add_columns(const std::string& name, const QuantityInfo& info, const Cells&
   }
 }
 
-// A column for every value that at least one of the rows has.
+// A table of records, with a column for every value that at least one of the rows has.
 std::string records_csv(const QuantityTable& table, const ValueList& records) {
   Rows rows;
   for (const Value& v : records) rows.push_back(v.record());

@@ -34,7 +34,7 @@ bool is_safe(const Drive& drive, const WantedSafety& wanted) {
   return holds(&Rating::S_H, wanted.flank) && holds(&Rating::S_F, wanted.root);
 }
 
-// A design, the reason why it is left out, or an error of the spec.
+// A design, the reason why a candidate is left out, or an error of the spec.
 using Outcome = std::variant<FoundDrive, DriveFault, Error>;
 
 class Designer {
@@ -44,7 +44,7 @@ class Designer {
 
   Outcome operator()(DriveCandidate candidate) const {
     if (!problem_.face_width) return with_width(std::move(candidate));
-    // The least whole number of millimetres, by halving: safeties grow with the width.
+    // The least sufficient width in whole millimetres is found by bisection, because the safeties grow with the width.
     double low = std::ceil((*problem_.face_width)[0]) - 1.0;
     double high = std::floor(greatest_face_width(problem_, candidate));
     if (high <= low) return DriveFault::safety;
@@ -93,7 +93,7 @@ class Designer {
   bool rates_;
 };
 
-// The candidates of a search, some of them computed.
+// The candidates of a search. They are computed in several steps.
 class Candidates {
  public:
   Candidates(const JobSpec& spec, const DriveSearchProblem& problem,
@@ -104,14 +104,14 @@ class Candidates {
         made_(all.size()),
         threads_(threads) {}
 
-  // Computes the candidates with these indices. Errors of the spec are the same for all.
+  // Computes the candidates with these indices. An error of the spec is the same for all candidates.
   std::optional<Error> compute(const std::vector<std::size_t>& which, DriveDesigns& designs) {
     std::vector<std::optional<Outcome>> outcomes(which.size());
     parallel_for(
         which.size(), [&](std::size_t i) { outcomes[i] = designer_(all_[which[i]]); }, threads_);
     for (std::size_t i = 0; i < which.size(); ++i) {
       ++designs.computed;
-      // An error of the spec itself is found with the first drive that has teeth.
+      // Only the first drive with teeth can show an error of the spec itself.
       if (auto* error = std::get_if<Error>(&*outcomes[i])) {
         if (!is_rated_) return *error;
         outcomes[i] = DriveFault::safety;
@@ -129,7 +129,7 @@ class Candidates {
     return std::nullopt;
   }
 
-  // The best candidates by the first objective that are not yet computed.
+  // The next candidates by the first objective that have not been computed.
   std::vector<std::size_t> next(std::size_t count) {
     std::vector<std::size_t> which;
     for (; first_ < all_.size() && which.size() < count; ++first_)
@@ -137,7 +137,7 @@ class Candidates {
     return which;
   }
 
-  // The candidates on the Pareto front of the remaining ones that are not yet computed.
+  // The candidates on the Pareto front that have not been computed. Candidates that were left out do not count.
   std::vector<std::size_t> next_of_front(std::size_t count) const {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;

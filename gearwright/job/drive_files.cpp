@@ -23,7 +23,7 @@ Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& fo
   std::vector<JobFile> files;
   if (!job.layout) return files;
   const auto bodies = drive_bodies(job);
-  if (!bodies) return files;  // the report gives the reason
+  if (!bodies) return files;  // the report states the reason
   std::vector<FileKind> kinds{FileKind::step, FileKind::glb, FileKind::threemf};
   if (job.layout->sections.size() == 1) {
     kinds.push_back(FileKind::dxf);

@@ -21,7 +21,7 @@ namespace gearwright {
 
 namespace {
 
-// The key of a change in the table that describes the drive; empty if there is none.
+// The key for a change, in the table that describes the drive. It is empty if there is no such key.
 std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
   const auto key = [&]() -> const char* {
     switch (change.what) {
@@ -39,10 +39,10 @@ std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange&
   if (tree.contains("planetary")) return fmt::format("planetary.{}.{}", key, name);
   if (tree.contains("drive"))
     return fmt::format("drive.{}[{}].{}", mesh ? "mesh" : "gear", change.index + 1, key);
-  return "";  // stages use other names of keys
+  return "";  // the table of a stage uses other names for its keys
 }
 
-// The first body with this shape among the bodies of the drive's gears.
+// The body of a placed gear, in its own frame.
 Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
   const DriveGear& named = job.drive.graph.gears[placed.gear];
   const Gear& gear = *job.drive.geometry.gears[placed.gear];
@@ -137,7 +137,7 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
     return absent_input("rating.torque_Nm",
                         "; a rating needs a load: torque_Nm on the input of the drive, or in "
                         "[rating] torque_Nm, or power_kW with speed_rpm");
-  constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
+  constexpr double kSameTorque = 1e-9;  // relative rounding error of a power and a speed
   if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
     return Error{"rating.torque_Nm", format_number(*rated),
                  fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
@@ -224,7 +224,7 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     area += size * size;
     widest = std::max(widest, size);
   }
-  // Rows that make the plate nearly square.
+  // The length of the rows, chosen so that the plate is nearly square.
   const double row = std::max(widest, 1.1 * std::sqrt(area));
   double x = 0.0, y = 0.0, tall = 0.0;
   for (ToothedBody& body : bodies) {

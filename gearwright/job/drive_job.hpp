@@ -1,4 +1,4 @@
-// A spec of a drive and the drive that it describes, put together; its files.
+// A drive that is computed from a spec, its rating, its verdict and its files.
 #pragma once
 
 #include <filesystem>
@@ -16,57 +16,58 @@ namespace gearwright {
 struct DriveJob {
   JobSpec spec;
   Drive drive;
-  std::optional<DrivePlaces> places;  ///< none if it has a rack or axes that cannot be placed
-  std::optional<DriveLayout> layout;  ///< none if it has no teeth or they cannot mesh
-  std::string why_no_layout;          ///< reason as a sentence; empty if there is a layout
+  std::optional<DrivePlaces> places;  ///< none if there is a rack, or an axis cannot be placed
+  std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or they cannot mesh
+  std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
   Verdict verdict;
 };
 
-/// The drive of a spec, with its transmission error for the spec's [errors] in every mesh.
+/// The drive of a spec. Every mesh has the transmission error under the [errors] of the spec.
 ///
-/// Errors    a spec without a drive; as make_drive(), with the keys of the spec
+/// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
-/// The load of a rating, which [rating] or the drive gives.
+/// The load of a rating, which is given in [rating] or by the drive.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
-/// Rates each mesh under the load of [rating], or under the drive's own torque.
+/// Rates each mesh under the load of [rating], or under the torque of the drive.
 ///
-/// Errors    `rating.…` for a load that is missing and as material_of(); as rate_meshes()
+/// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 
-/// The drive of a spec with its meshes rated and the verdict over both.
+/// The drive of a spec with rated meshes, and the verdict on the drive and the ratings.
 ///
-/// Errors    as solve_drive() and rate_drive()
+/// Errors    the errors of solve_drive() and rate_drive()
 Result<DriveJob> solve_rated_drive(const JobSpec& spec);
 
 /// The required safeties of [rating]; 1 if they are absent.
 WantedSafety wanted_safety(const JobSpec& spec);
 
-/// The verdict over the drive, including safeties if it is rated.
+/// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
 
-/// Every copy of every gear in its place, in one file's frame; copies refer to the first body with
-/// their shape, and gears of one body have the same colour.
+/// Every copy of every gear in its place, in the common frame of one file. Copies refer to the first body
+/// with the same shape. Gears on one body have the same colour.
 ///
-/// Errors    a drive that has no layout; a gear without an outline
+/// Errors    a drive without a layout; a gear without an outline
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 
-/// The same bodies side by side on the plane z = 0, for printing.
+/// The same bodies laid out side by side on the plane z = 0 for printing.
 std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies);
 
-/// Files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb,
-/// drive.3mf (laid out), and the outlines of a drive with one section, drive.dxf and drive.svg.
+/// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
+/// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and drive.svg.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 
-/// Writes them as write_everything() does.
+/// Writes these files in the same way as write_everything().
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 
-/// One file of the whole drive, as make_file(). In a 3MF file the bodies are laid out for printing.
+/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies are laid out for
+/// printing.
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::filesystem::path& path, const FileOptions& options);
 

@@ -34,7 +34,7 @@ std::string drive_number(const std::optional<double>& x, int decimals) {
   return x && std::isfinite(*x) ? fixed_decimals(*x, decimals) : "-";
 }
 
-// Changes that the user may try if no drive is listed.
+// A change that the user may try if no drive is listed.
 std::string advice(const FoundDrives& f) {
   const auto& left_out = f.designs.left_out;
   const auto most = std::max_element(left_out.begin(), left_out.end());
@@ -55,7 +55,7 @@ std::string advice(const FoundDrives& f) {
          "coaxial_teeth; the verb drive gives the reason for one set.";
 }
 
-// A row of words and numbers, with the values for which the search has a column.
+// A row of words or numbers. Only the values that this search has are included.
 std::string design_row(const FoundDrives& f, const std::string& rank, const auto& cell) {
   const bool rated = f.rated;
   std::string row = fmt::format("{:>4}  {:<42} {:>2}", rank, cell("teeth"), cell("N"));

@@ -13,10 +13,10 @@ inline constexpr std::size_t kDefaultDrives = 100;
 /// True if the spec has a [search] for drives.
 bool searches_drives(const JobSpec& spec);
 
-/// The best drives of the search, each computed by the verb drive; `specs` has their specs.
+/// The best drives of the search, each computed by the verb drive. `specs` contains their specs.
 ///
 /// Domain    a spec with a search for drives (contract)
-/// Errors    as search_drives(), with the keys of the spec
+/// Errors    the errors of search_drives(), with the keys of the spec
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefaultDrives,
                                    int threads = 0);
 

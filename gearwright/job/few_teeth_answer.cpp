@@ -66,14 +66,14 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The value as on a drawing: nine places, without the last digits of a conversion.
+// The value with nine decimals, as on a drawing, which removes the last digits of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
-// The shift with nine places if these are exact. A shift that follows from a distance keeps all
-// digits.
+// The profile shift with nine decimals if this is exact. A shift that was computed from a centre distance keeps
+// all digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
-// Rounds so that the tooth is never longer than computed.
+// The tip diameter, rounded so that the tooth is never longer than computed.
 double tip_as_drawn(double d, bool ring) {
   return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
 }
@@ -92,7 +92,7 @@ Json pinion_json(const CylindricalSpec& c) {
   return g;
 }
 
-// The computed numbers replace the request. Other data of the user (bore, title) are unchanged.
+// The spec with the computed numbers instead of the request. Title, bore and rack are copied.
 Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   const Json& given = spec.tree->tables;
   Json tree;

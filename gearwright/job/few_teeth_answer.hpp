@@ -1,4 +1,4 @@
-// The verb fit for a pinion of few teeth and the wheel it cuts ([fit] few_teeth = true).
+// The verb fit for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
 //
 // Internal to job/ and the program.
 #pragma once

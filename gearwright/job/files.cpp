@@ -42,7 +42,7 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
-// The note of a file of solids or meshes about modifications that its teeth do not have.
+// The note about flank modifications that the teeth in a file of solids or meshes do not have.
 std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   std::string note;
   for (const ToothedBody& body : bodies)
@@ -52,7 +52,7 @@ std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   return note;
 }
 
-// The same note for a drawing, which shows the section as cut.
+// The same note for a drawing, which shows the section of the teeth as cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
     if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
@@ -123,8 +123,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// Results that need two gears of one helix. A rack and its pinion have geometry, a report and files;
-// double-helical gears lack corrections and scatter only.
+// The error if the spec requests results that are not available for these gears. A rack and its pinion have only
+// geometry, a report and files. Double-helical gears have everything except corrections and scatter.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair;
   if (!job.rack && !halves) return std::nullopt;
@@ -149,8 +149,8 @@ std::optional<Error> beyond(const SolvedJob& job) {
   return std::nullopt;
 }
 
-// None if the spec has no [compensate], and if nothing touches, with a warning of the contact
-// analysis or its own.
+// The corrections, or nothing if the spec has no [compensate]. If nothing touches, there are no corrections
+// either, and the contact analysis or this function adds a warning.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
@@ -172,7 +172,7 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   return std::optional<CompensateView>();
 }
 
-// None if the spec has no [scatter], or if there is no contact, which the contact analysis reports.
+// The scatter, or nothing if the spec has no [scatter]. If there is no contact, the contact analysis warns.
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
   auto answer = answer_scatter(job, progress);
@@ -181,7 +181,7 @@ Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* prog
   return answer.error();
 }
 
-// None if the spec has no [rating].
+// The rating, or nothing if the spec has no [rating].
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
   auto answer = answer_rating(job);
@@ -289,8 +289,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   auto made = make(bodies);
   const auto modified = [](const ToothedBody& body) { return body.modified != nullptr; };
   if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
-  // Modified teeth have more faces, which may be too many for a file that has room for the teeth as
-  // cut.
+  // Modified teeth have more faces, which may be too many for a file. In this case the file has the teeth
+  // as cut.
   std::vector<ToothedBody> as_cut = bodies;
   for (ToothedBody& body : as_cut) {
     if (!body.modified) continue;
@@ -307,11 +307,11 @@ void write_files(const std::vector<JobFile>& files) {
 
 namespace {
 
-// Solids, meshes, outlines and the drawing. A gear without an outline gets a warning instead.
+// Makes solids, meshes, outlines and the drawing. A gear without an outline gets a warning instead.
 Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> made;
-  std::vector<ToothedBody> mounted;  // gears of the pair that have an outline, in the housing
+  std::vector<ToothedBody> mounted;  // gears of the pair with an outline, as mounted
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
     if (!options.wants(ending(kind).substr(1))) return std::nullopt;

@@ -20,7 +20,7 @@ namespace {
 
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
 
-// Keys that determine a table's helix angle. Computed angles replace all of them.
+// The keys that determine the helix angle of a gear. They are all replaced by the computed angle.
 constexpr const char* kHelixKeys[] = {"helix_angle_deg", "lead_angle_deg", "hand"};
 
 Json spec_of(const JobSpec& spec, const FitBranch& b) {
@@ -39,8 +39,8 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
     tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
-  tree["pair"].erase("mounting");  // the position is given explicitly
-  // Tables follow plain values, as in a TOML file.
+  tree["pair"].erase("mounting");  // the centre distance is given explicitly
+  // Plain values precede tables, as in a TOML file.
   Json ordered = Json::object();
   for (const bool tables : {false, true}) {
     for (const auto& [key, value] : tree.items()) {
@@ -64,7 +64,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The reason of `pair` for rejecting each branch.
+// Determines for each branch whether the verb pair rejects it, and for what reason.
 void mark_refused(FitAnswer& answer) {
   for (const Json& tree : answer.specs) {
     std::optional<Error> error;

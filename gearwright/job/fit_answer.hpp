@@ -1,7 +1,7 @@
-// The verb fit: computes absent numbers of a spec, and returns the gears with these numbers.
+// The verb fit computes the numbers that are absent in a spec and returns the gears with these numbers.
 //
-// An absent key is an unknown here, not its default. Every branch is returned as a spec for the
-// other verbs. Internal to job/ and the program.
+// An absent key means an unknown number here, not the default of the key. Every branch of the solution is
+// returned as a spec for the other verbs. Internal to job/ and the program.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ namespace gearwright {
 
 struct FitAnswer {
   Fit fit;
-  std::vector<Json> specs;  ///< of the branches: the spec as read, with the computed numbers
-  /// For each branch: the reason why the verb pair rejects it. A conjugate line of action is not
-  /// yet a tooth.
+  std::vector<Json> specs;  ///< for each branch, the spec as read with the computed numbers
+  /// For each branch, the reason why the verb pair rejects it, if it does. A conjugate line of action
+  /// does not guarantee a possible tooth.
   std::vector<std::optional<Error>> refused{};
   std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
 };
 
-/// Errors    as fit, with keys of the spec; `gear2` missing
+/// Errors    the errors of fit, with the keys of the spec; `gear2` if it is missing
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
 
-/// The quantities of a result; they point into it.
+/// The quantities of a result. The view points into `answer`.
 FitView fit_view(const FitAnswer& answer);
 
 /// {"fit": {"branches", "reason", "nearest"}}

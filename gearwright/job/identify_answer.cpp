@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// The spec with the computed data instead of the readings.
+// The spec with the computed data of a gear instead of its readings.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   Json tree = spec.tree->tables;
   Json& gear = tree[gear_field(which)];
@@ -31,7 +31,7 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   return tree;
 }
 
-// "over 3 teeth", "over balls of 5 mm"
+// The name of a reading with its tool: "span over 3 teeth", "dimension over balls of 5 mm".
 std::string tool_text(const std::string& reading, double tool) {
   if (reading == "span") return fmt::format("span over {:.0f} teeth", tool);
   if (reading == "over_balls")

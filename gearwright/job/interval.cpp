@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// True if two solutions differ by more than rounding. Numbers that do not depend on the tolerance
-// may differ by rounding.
+// True if the values differ by more than rounding. Numbers that do not depend on the tolerance may still
+// differ by rounding.
 bool differ(double a, double b) {
   constexpr double kRounding = 1e-13;
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));
@@ -41,7 +41,7 @@ auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record
   return it == record.end() ? nullptr : &*it;
 }
 
-// Hides equal values. Returns true if any remain.
+// Hides the values that are equal in both records. Returns true if any other values remain.
 bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
   bool any = false;
   for (Member& m : lower) {

@@ -1,4 +1,4 @@
-// The errors and modifications of a spec for contact analysis, with the names of their influences.
+// The errors and modifications of a spec for contact analysis, and the names of their influences.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace gearwright {
 
-/// The errors of the spec; none for a single gear.
+/// The errors of the spec. A single gear has no errors.
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)
-/// Errors    as ContactSetup::of
+/// Errors    the errors of ContactSetup::of
 Result<ContactSetup> setup_of(const SolvedJob& job);
 
-/// The errors with one of error_entries set to a value in its own unit.
+/// The errors, with the error `index` of error_entries() set to a value in its own unit.
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// True if the halves of a double-helical pair are mirror images under its errors, at all rotations.
+/// True if, under the errors of the spec, the halves of a double-helical pair are mirror images at all rotations.
 bool alike_halves(const SolvedJob& job);
 
 /// A number whose influence is computed, with its key in results and its unit in rad or mm.
@@ -30,7 +30,7 @@ struct NamedInfluence {
   Influence influence;
 };
 
-/// Every error, and every modification that the drawing places.
+/// Influences of every error, and of every modification that has its place on the drawing.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 }  // namespace gearwright

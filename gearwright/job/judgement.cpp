@@ -62,7 +62,7 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
 }
 
 std::string verdict_listing(std::string_view level, std::string_view headline) {
-  constexpr std::size_t kWidth = 80;  // of a terminal
+  constexpr std::size_t kWidth = 80;  // width of a terminal
   std::string text = fmt::format("\nVerdict: {}.", level);
   std::size_t column = text.size() - 1;
   while (!headline.empty()) {

@@ -1,7 +1,7 @@
-// The verdict over the gears, the pair and other results of a job.
+// The verdict on the gears, the pair and other results of a job.
 //
-// As judge() of its gears (arrange/judge.hpp), with the keys of the file. The load is that of the
-// job itself, at the mean of its tolerances.
+// It is made like judge() for arranged gears (arrange/judge.hpp), but with the keys of the file. The load
+// is that of the job itself, at the mean of its tolerances.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@
 
 namespace gearwright {
 
-/// Results in addition to the pair; null and false if not computed.
+/// Results other than the pair. A result that is not computed is null or false.
 struct JudgedParts {
   const ContactResult* contact = nullptr;  ///< under the spec's errors
-  const RatingAnswer* rating = nullptr;    ///< against the required safeties of the spec
+  const RatingAnswer* rating = nullptr;    ///< with the required safeties of the spec
   bool load = false;  ///< true if computed; its findings are warnings of the job
 };
 
 /// The verdict, with the keys of a file.
 Verdict judge(const SolvedJob& job, const JudgedParts& parts = {});
 
-/// The last lines of a listing, of at most 100 bytes.
+/// The verdict as the last lines of a listing, for a terminal of 80 columns.
 std::string verdict_listing(std::string_view level, std::string_view headline);
 std::string verdict_listing(const Verdict& verdict);
 

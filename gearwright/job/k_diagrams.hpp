@@ -1,4 +1,4 @@
-// The K-diagrams of all flanks that have modifications or a grade, for the page.
+// The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
 // Internal to job/.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace gearwright {
 
-/// One per gear if both flanks are equal, otherwise one per flank. A modification that does not fit
-/// its flank is omitted; the verb contact reports it.
+/// One diagram for each gear if both flanks are equal, otherwise one for each flank. A modification that does
+/// not fit its flank is omitted, because the verb contact reports it.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

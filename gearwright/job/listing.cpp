@@ -36,8 +36,8 @@ std::string pad_left(const std::string& s, std::size_t n) {
 
 constexpr std::size_t kWordsWidth = 38;  // minimum width, if all labels are shorter
 constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
-constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; two gears make a line of 80
-constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks, before a note
+constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; a line for two gears then has 80 columns
+constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks before a note
 
 std::string line(const std::string& words, std::size_t words_width, const std::string& symbol,
                  const std::vector<std::string>& values, std::string_view unit,
@@ -143,7 +143,7 @@ std::string pair_listing(const Pair& pair) {
 
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
-  // The values of two gears need two columns each, one for each end.
+  // Each end has a listing of its own, because the values of two gears already need two columns.
   const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
                               pair_quantities().of(*job.ends->upper.pair));
   return "\nWith the thinnest teeth and the most backlash\n" +

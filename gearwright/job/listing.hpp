@@ -1,4 +1,4 @@
-// The result as listings for users, which a terminal shows without --json.
+// Results as listings for users. A terminal shows them if --json is not given.
 #pragma once
 
 #include <functional>
@@ -9,29 +9,29 @@
 
 namespace gearwright {
 
-/// The title of the spec on its own line, after `before`; empty if it has none.
+/// The title of the spec on its own line, after `before`. It is empty if the spec has no title.
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair);
-/// The values that vary within tolerances; empty if there are none.
+/// The values that vary within the tolerances. The listing is empty if there are none.
 std::string pair_interval_listing(const SolvedJob& job);
-/// The pair and its range; empty without a pair.
+/// The pair and its range within the tolerances. The listing is empty without a pair.
 std::string pair_listing(const SolvedJob& job);
-/// Records side by side under their headings; without `columns`, one record, which may have two
-/// values per quantity. `note` gives the text at the end of a quantity's line.
+/// Lists records side by side under the headings `columns`. Without `columns` there is one record, which may
+/// have two values for each quantity. `note` returns the text at the end of a quantity's line.
 std::string quantity_listing(const QuantityTable& table, const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
                              const std::function<std::string(const QuantityInfo&)>& note = nullptr);
-/// The rows of a gear's record that differ at the two ends of its tolerances.
+/// The rows of a gear's record that differ between the two ends of its tolerances.
 ///
-/// Domain    it has tolerances
+/// Domain    the gear has tolerances
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper);
 /// "gear 1", "gear 2"
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings);
 std::string file_listing(const std::vector<JobFile>& files);
-/// One line per arc with its ends, then every point: name, x, y.
+/// One line per arc with its ends, then a line for every point with name, x and y.
 std::string outline_listing(const Outline& outline, int n);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The pair of a spec under torque, and probes of its teeth: the verb `load`.
+// The verb `load`: the pair of a spec under torque, and probes of its teeth.
 #pragma once
 
 #include "gearwright/arrange/loaded_pair.hpp"
@@ -7,10 +7,10 @@
 
 namespace gearwright {
 
-/// Errors    `load` without torque and probes; `gear2` missing; as loaded()
+/// Errors    `load` if there is neither a torque nor a probe; `gear2` if it is missing; the errors of loaded()
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 
-/// Errors    as answer_load, and `load` without torque
+/// Errors    the errors of answer_load; `load` if there is no torque
 Result<LoadTask> load_task(SolvedJob& job);
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);

@@ -8,11 +8,11 @@ namespace gearwright {
 
 namespace {
 
-// The positions of the result, or a separate pitch if the spec has other rotations.
+// The result over equal positions of one pitch. If the spec has other rotations, it is computed again.
 Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return answer;
-  SolvedJob again = job;  // its warnings have been reported
+  SolvedJob again = job;  // a copy, because its warnings have already been reported
   if (job.halves[0]) {
     again.spec.load.rotations.clear();
     auto made = answer_load(again, progress);

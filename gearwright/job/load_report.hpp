@@ -8,17 +8,17 @@
 
 namespace gearwright {
 
-/// The report points into the job. It always has a pitch of positions, also if the result has other
-/// rotations.
+/// The report points into the job. Its positions are always those of one pitch, even if the result has
+/// other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if only probes were requested
 };
 
-/// None if [load] requests neither torques nor probes, and for gears that loaded contact does not
-/// support, with a warning in the job.
+/// The load part, or nothing if [load] requests neither torques nor probes. For gears that loaded contact
+/// does not support, there is no part either, and the job gets a warning.
 ///
-/// Errors    as answer_load, where a number of the spec is wrong
+/// Errors    the errors of answer_load that are about a wrong number of the spec
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

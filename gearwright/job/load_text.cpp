@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// One line per torque, with the values that depend on the load.
+// One line for each torque with the values that depend on the load.
 std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) {
   const bool lines = contact.regime == LoadRegime::line;
   std::string out =
@@ -35,7 +35,7 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
   return out;
 }
 
-// Both halves of a double-helical pair under torque i.
+// Lists both halves of a double-helical pair under torque number i.
 std::string halves_listing(const LoadAnalysis& answer, std::size_t i) {
   std::string out = fmt::format("\n  {:<11}{:>14}{:>12}{:>11}{:>11}{:>9}\n", "", "TE p-p",
                                 "pressure", "root 1", "root 2", "K_Hβ");
@@ -80,7 +80,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
                     "pressure", "root 1", "root 2", whole.halves.empty() ? "shares" : "");
     out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",
                        "N/mm²", "N/mm²");
-    // Rows for one page; --json has all.
+    // The rows are limited to one page. --json has all positions.
     const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
     for (std::size_t at = 0; at < t.positions.size(); at += step) {
       const LoadedPosition& p = t.positions[at];

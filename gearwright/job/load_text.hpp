@@ -1,4 +1,4 @@
-// The answer of `load` in JSON, as a table for users and for spreadsheets. Internal to job/ and the
+// The answer of `load` in JSON and as a table for users. Internal to job/ and the
 // program.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// {"load"}, under its title.
+/// The title and {"load"}.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 

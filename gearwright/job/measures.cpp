@@ -12,14 +12,14 @@ namespace gearwright {
 
 namespace {
 
-// The gears as mounted, if possible. Measuring does not need a pair.
+// The pair, if the gears can be mounted. Gears can also be measured without a pair.
 std::optional<Pair> mounted(const SolvedJob& job) {
   if (job.pair || job.gears.size() < 2) return job.pair;
   const auto arranged = arrange(job.completed, Scope::pair);
   return arranged ? arranged->pair : std::nullopt;
 }
 
-// A gear of the job, or the same gear at an end of its tolerances.
+// Measures a gear of the job, or the same gear at an end of its tolerances.
 Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, int which,
                               const MeasureInput& tools, const std::optional<Pair>& pair,
                               std::vector<Warning>& warnings) {
@@ -61,7 +61,7 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job) {
 
 namespace {
 
-// The gear at one end of its tolerances, under the same tools.
+// The measurements of a gear at one end of its tolerances, with the tools of the nominal gear.
 ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i,
                         const GearMeasures& nominal) {
   MeasureInput tools = job.spec.gears[i]->measure;

@@ -1,4 +1,4 @@
-// The verb measure, and a gear in terms of another rack. Internal to job/ and the program.
+// The verb measure, and the description of a gear by another rack. Internal to job/ and the program.
 #pragma once
 
 #include <optional>
@@ -12,38 +12,38 @@
 
 namespace gearwright {
 
-/// The measurements of each gear, with the tools of [gearN.measure], otherwise with the usual ones.
-/// A measurement that a gear does not have and that was not requested is none, with a warning in
-/// the job: `no_chord`, `no_span`, `no_balls`, `no_pins`; a contact off the usable flank also
+/// The measurements of each gear with the tools of [gearN.measure], or otherwise with the usual tools.
+/// If a gear does not have a measurement that was not requested, the measurement is absent and the job
+/// gets a warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
 /// produces a warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
-/// The measurements as records for the page; impossible ones are omitted.
+/// The measurements as records for the page. Impossible measurements are omitted.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
-/// For each gear the numbers that differ at the lower and at the upper end of its tolerances, or
-/// nothing; empty without tolerances.
+/// For each gear, the numbers that differ between the lower and the upper end of its tolerances, as
+/// two records or none. Without tolerances the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// job_record with `measure` in each of `gears`, and its range within tolerances.
+/// job_record with `measure` added to each of `gears`, and the ranges of the measurements within tolerances.
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
-/// The rack of --as-rack: "module,angle", either of them empty.
+/// The rack of --as-rack, "module,angle". Either of the two may be empty.
 struct RackQuestion {
   std::optional<double> normal_module;  ///< mm
   std::optional<Angle> normal_pressure_angle;
 };
 
-/// Reads "3,20", ",17.5" or "3,"; none for other texts.
+/// Reads "3,20", ",17.5" or "3,". Other texts give no rack.
 std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
-/// The gear, with the teeth as cut, in terms of that rack.
+/// Describes the gear, with its teeth as cut, by that rack.
 ///
-/// Errors    `--as-rack` if no such rack describes this gear; the message names the module for the
+/// Errors    `--as-rack` if no such rack describes this gear. The message gives the module for the
 ///           angle, or the greatest angle
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
 

@@ -17,20 +17,20 @@ namespace gearwright {
 
 namespace {
 
-// Tables of a spec of a drive that apply to each of its meshes.
+// The tables of a drive's spec that also apply to each of its meshes.
 constexpr const char* kShared[] = {"errors", "contact", "drawing", "scatter"};
 
 Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
   table.erase("name");
   table.erase("body");
-  if (job.drive.graph.gears[gear].rack) {  // its pinion gives the other data
+  if (job.drive.graph.gears[gear].rack) {  // the pinion of the rack contains the other data
     Json bar = Json::object();
     for (const auto& [key, value] : table.items())
       if (rack_bar_keys().find(key)) bar[key] = value;
     return bar;
   }
-  // 0, and not −0.
+  // The addition replaces −0 by 0.
   if (table.contains("helix_angle_deg"))
     table["helix_angle_deg"] = table["helix_angle_deg"].get<double>() + 0.0;
   const auto& solved = job.drive.geometry.gears[gear];
@@ -42,14 +42,14 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   return table;
 }
 
-// The load of the mesh in a rating of the drive; none if the mesh carries no load.
+// The load of a mesh in the rating of a drive, and the use of its flanks.
 struct RatedLoad {
   RatingInput input;
   std::array<FlankUse, 2> use;
 };
 
-// [rating] for one mesh. The load is that of one copy, and the life and the bending are those of the
-// gear that engages more.
+// The table [rating] for one mesh. Its load is that of one copy of the mesh. Its life and bending are those of
+// the gear that engages more often.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})

@@ -11,16 +11,16 @@ namespace gearwright {
 
 struct MeshSpec {
   Json tables;
-  std::vector<std::string> notes;  ///< sentences: the origin of the spec, then faults of the drive
+  std::vector<std::string> notes;  ///< sentences: the origin of the spec, faults of the drive,
                                    ///< and tables that are left out
 };
 
-/// The two gears of a mesh at their centre distance, with the shifts and tip diameters of the drive,
-/// the torque, the speed relative to the carrier and the driving gear of a mesh that carries load, its
-/// rating, and the tables for errors, contact and inspection of the drive. The gear of a rack is gear
-/// 2.
+/// The spec of a mesh has its two gears at their centre distance, with the shifts and tip diameters in the
+/// drive. If the mesh carries load, it also has the torque, the speed relative to the carrier, the driving
+/// gear and the rating. The tables for errors, contact, drawing and scatter are copied from the drive. If
+/// one gear is a rack, the rack is gear 2.
 ///
-/// Laws      the pair of this spec has the numbers of the mesh in the drive
+/// Laws      the pair of this spec has the same numbers as the mesh in the drive
 /// Domain    expanded = expanded_spec() of the drive (contract)
 MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh);
 

@@ -1,4 +1,4 @@
-// gear --as-rack: the same teeth in terms of another rack.
+// The option --as-rack of the verb gear describes the same teeth by another rack.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,9 +16,9 @@ namespace gearwright {
 
 namespace {
 
-// Two descriptions of one rack may differ by the rounding of input: one part in a million.
+// Two descriptions of one rack may differ by one part in a million, the rounding of the input.
 constexpr double kSameRack = 1e-6;
-// Permitted normal pressure angles of the rack, deg: the same as for a gear.
+// Permitted normal pressure angles of the rack in degrees, the same as for a gear.
 constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;
 
 double deg(double rad) { return Angle::radians(rad).deg(); }

@@ -1,5 +1,5 @@
-// The verb `rate`: computes a rating from a spec with [rating] and materials, and values to improve
-// it.
+// The verb `rate` computes a rating from a spec with [rating] and materials, and values that would improve
+// the rating.
 #pragma once
 
 #include "gearwright/base/progress.hpp"
@@ -10,13 +10,13 @@
 namespace gearwright {
 
 struct RatingAnswer : RatingView {
-  WantedSafety wanted;  ///< as in the spec, otherwise 1
+  WantedSafety wanted;  ///< required safeties in the spec, or 1
 };
 
-/// Rates the pair; exceeded limits of the standard become warnings of the job.
+/// Rates the pair. If a limit of the standard is exceeded, the job gets a warning.
 ///
-/// Errors    `rating` if the spec has none, `gearN.material…` if a limit is unknown; as rated_pair
-///           and rate, and as answer_load if `rating.tooth_contact` is set
+/// Errors    `rating` if the spec has none; `gearN.material…` if a limit is unknown; the errors of rated_pair
+///           and rate; the errors of answer_load if `rating.tooth_contact` is set
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

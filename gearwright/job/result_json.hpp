@@ -1,4 +1,4 @@
-// The result as JSON: every key of the interface, in its order. Internal to job/ and its tests.
+// The result as JSON with every key in the order of the interface. Internal to job/ and its tests.
 #pragma once
 
 #include "gearwright/job/files.hpp"
@@ -15,7 +15,7 @@ Json titled_record(const JobSpec& spec);
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
 /// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
-/// This record with `warnings` and `verdict` in addition.
+/// The same record with `warnings` and `verdict` added.
 Json job_json(const SolvedJob& job, const Verdict& verdict);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);

@@ -38,7 +38,7 @@ class Schema {
   Json reference(const QuantityTable& table) {
     const std::string name = definition_name(table);
     if (!definitions_.contains(name)) {
-      definitions_[name] = nullptr;  // prevents endless recursion for a record inside itself
+      definitions_[name] = nullptr;  // prevents endless recursion if a record contains itself
       definitions_[name] = record(table);
     }
     return {{"$ref", "#/$defs/" + name}};
@@ -70,7 +70,7 @@ class Schema {
     if (!text.empty()) j["description"] = text;
     return j;
   }
-  // The schema of the value inside as many lists as there are.
+  // The schema of a value, inside as many lists as the quantity has.
   Json listed(const QuantityInfo& info, std::size_t depth) {
     if (depth == info.list.size()) return single(info, info.list.empty() && info.always);
     Json j{{"type", info.always || depth > 0 ? Json("array") : Json{"array", "null"}},
@@ -102,7 +102,7 @@ class Schema {
         if (always || !info.list.empty()) return inner;
         return {{"anyOf", Json{inner, Json{{"type", "null"}}}}};
       }
-      case Type::map: break;  // its names depend on the job
+      case Type::map: break;  // the names of its members depend on the job
     }
     return Json::object();
   }
@@ -110,7 +110,7 @@ class Schema {
   Json definitions_ = Json::object();
 };
 
-// A finished search, or the state of a stopped one.
+// The schema of a finished search, or of the state of a stopped search.
 Json search_schema(Schema& schema) {
   const Json stopped{{"type", "object"},
                      {"properties",
@@ -164,10 +164,10 @@ Json result_schema() {
                          {"items",
                           {{"anyOf", Json{schema.reference(gear_quantities().table()),
                                           schema.reference(rack_quantities().table())}}}}};
-  // Additional data of a gear from the verb measure and --as-rack.
+  // The verb measure and --as-rack add these data to a gear.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
-  // Additional data of a double-helical gear are at the same level.
+  // A double-helical gear has its additional data at the same level.
   const Json halves = schema.properties_of(double_helical_quantities().table());
   Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   gear["as_rack"] = rack;
@@ -175,7 +175,7 @@ Json result_schema() {
   gear.update(halves);
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
-  // Additional data within tolerances: the same keys, with two numbers each.
+  // Results within tolerances also have an interval, which has the same keys with two numbers each.
   const Json interval{
       {"type", "object"},
       {"description",

@@ -9,10 +9,10 @@
 
 namespace gearwright {
 
-/// Every table of a result, each followed by the tables of its records.
+/// Every table of a result. Each is followed by the tables of the records that it contains.
 std::vector<const QuantityTable*> result_tables();
 
-/// The schema of the results of all verbs with --json, and of the error of a rejected spec.
+/// The schema of the results of all verbs with --json, including the error of a rejected spec.
 Json result_schema();
 
 }  // namespace gearwright

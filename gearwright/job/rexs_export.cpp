@@ -26,7 +26,7 @@ class Writer {
     return id;
   }
 
-  /// A gear on a shaft, with its flanks and its tool.
+  /// Adds a gear on a shaft, with its flanks and its tool. Returns the id of the gear.
   std::string gear(const Gear& gear, const std::string& name, const std::string& shaft) {
     const CylindricalSpec& s = gear.spec;
     const std::string id = add(gear.internal() ? "ring_gear" : "cylindrical_gear", name);
@@ -51,7 +51,7 @@ class Writer {
     return id;
   }
 
-  /// A mesh of two gears.
+  /// Adds the mesh of two gears as a stage.
   void stage(const std::string& name, const std::string& gear_1, const std::string& gear_2,
              double distance) {
     const std::string id = add("cylindrical_stage", name);
@@ -95,7 +95,7 @@ class Writer {
     relate("assembly", {{"assembly", unit_}, {"part", id}});
   }
 
-  // The cutter that is chosen by default for a ring is left out, and chosen again by the reader.
+  // The default cutter of a ring is left out, because the reader chooses the same default.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
     if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();
@@ -128,7 +128,7 @@ class Writer {
   std::string note_;
 };
 
-// The reason why this gear has no REXS file, if there is one.
+// The reason why REXS cannot describe this gear, or nothing if it can.
 std::optional<Error> not_in_rexs(const Gear& gear, const std::string& name) {
   if (!gear.involute() || gear.spec.root_fillet || gear.spec.tip_fillet)
     return Error{
@@ -179,7 +179,7 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
     if (auto error = not_in_rexs(*geometry.gears[g], name)) return *error;
   }
   Writer writer(job.spec.title);
-  // A body that rides has a shaft for each of its copies.
+  // A body with several copies has a shaft for each copy.
   std::vector<std::vector<std::string>> shafts(graph.bodies.size());
   std::optional<std::string> set;
   for (std::size_t b = 0; b < graph.bodies.size(); ++b) {

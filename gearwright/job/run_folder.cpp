@@ -34,7 +34,7 @@ std::vector<Listed> read_list(const fs::path& folder) {
     Listed l;
     words >> std::hex >> l.checksum >> std::dec >> l.bytes;
     if (!words || !std::getline(words >> std::ws, l.name)) continue;
-    // Never removes a file outside the folder, even if the list contains such a file.
+    // A name with a path is ignored, so that no file outside the folder is removed.
     if (fs::path(l.name).filename() == l.name && l.name != "." && l.name != "..") list.push_back(l);
   }
   return list;
@@ -61,8 +61,8 @@ void write_run(const fs::path& folder, const std::vector<JobFile>& files) {
                         f.path.filename().string());
   }
   write_files(files);
-  // Until the new list is written, the old one is valid, and the next run removes the files that it
-  // names.
+  // The old list remains valid until the new list is written. If the program stops before that, the next run
+  // removes the files in the old list.
   for (const Listed& was : former) {
     const bool again = std::any_of(files.begin(), files.end(),
                                    [&](const JobFile& f) { return f.path.filename() == was.name; });

@@ -24,10 +24,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLoadedSamples = 256;   // of all replicates
-constexpr int kLoadedPositions = 16;  // per pitch, if [load] has none
+constexpr int kLoadedSamples = 256;   // total over all replicates
+constexpr int kLoadedPositions = 16;  // per pitch, if [load] gives no number
 
-// The tolerances of a grade that the spec does not give individually.
+// Adds the tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
  public:
   Grades(const SolvedJob& job, std::vector<ScatterTolerance>& all) : job_(job), all_(all) {}
@@ -131,15 +131,16 @@ class Grades {
   double helix_total_ = 0.0;  // F_β of the worse gear  mm
 };
 
-constexpr int kPositions = 32;  // per pitch, if [contact] has none; the peak to peak needs no more
+// Positions per pitch, if [contact] gives no number. The peak to peak needs no more.
+constexpr int kPositions = 32;
 
 Distribution distribution_of(const DistributionSpec& spec) {
-  auto made = Distribution::of(spec);  // the reader of the spec has checked it
+  auto made = Distribution::of(spec);  // cannot fail, because the reader has checked it
   GW_EXPECTS(made);
   return std::move(made).take();
 }
 
-// The bores are distinguished by the end of the shaft.
+// Adds the two bearing bores of a shaft, which differ by their end of the shaft.
 void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
   for (const bool far_end : {false, true}) {
     all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
@@ -200,7 +201,8 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   return all;
 }
 
-// The groups of the spec, and one for each input in no group, in the order of their first inputs.
+// The groups of the spec, then a group for each input that is in none of them, in the order of the
+// inputs.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {
   std::vector<std::string> names;
@@ -233,8 +235,8 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
   return groups;
 }
 
-// The contact of the racks of circular arcs as drawn, which is the reference of
-// contact_along_profile.
+// The contact point of the racks of circular arcs on the drawing. contact_along_profile is measured
+// from this point.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
   if (!pair.arcs() || pair.arcs()->contacts.empty()) return {};
@@ -260,9 +262,9 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
-// Teeth under torque for the first samples of each replicate, with the tables that all share.
+// The family of loaded teeth for the first samples of each replicate. All samples share the compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
-  // The samples under load are those without: the same flanks.
+  // The samples under load must use the same flanks as the samples without load.
   const int driver = job.spec.load.driver;
   if (driver != job.spec.contact.driver)
     return Error{"load.driver", std::to_string(driver),
@@ -279,7 +281,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   request.progress = task.progress;
   auto compliance = load.compliance();
   if (!compliance) return compliance.error();
-  // A member that loses contact has no numbers; teeth as drawn must have them.
+  // A sample that loses contact has no numbers, but the teeth as drawn must have them.
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
   int samples = 1;

@@ -1,4 +1,4 @@
-// The effect of tolerances on the pair of a spec: the verb `scatter`. Internal to job/ and the
+// The verb `scatter`: the effect of tolerances on the pair of a spec. Internal to job/ and the
 // program.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace gearwright {
 
-/// Answer to [scatter.robust].
+/// The answer to the request [scatter.robust].
 struct RobustAnswer {
   RobustTask task;
   RobustCorrections found;
-  std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections in it
+  std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections
 };
 
 struct ScatterAnswer {
@@ -24,25 +24,25 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
-/// Setup and task of [scatter], without a load, a scatter and corrections.
+/// The setup and the task of [scatter], before the load, the scatter and the corrections are computed.
 ///
-/// Errors    as answer_scatter()
+/// Errors    the errors of answer_scatter()
 Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 
-/// Errors    `scatter.…` of a range or a correction that the teeth cannot take, of a group with an
-///           unknown input; as scatter_of() and ContactSetup::of
+/// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a group
+///           with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
 
-/// An error of the room scatter with the keys of [scatter].
+/// Replaces the names in an error of the room scatter by keys of [scatter].
 Error of_scatter(const ScatterTask& task, Error error);
 
 /// The view refers to `answer`.
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
-/// A row for each sample: its inputs, then its numbers.
+/// A row for each sample, with its inputs and then its results.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);
-/// Names of the coordinates of x in a table: "errors.crossing_deg", "bearings.bore_a.x_mm".
+/// The column names for the coordinates x of a sample: "errors.crossing_deg", "bearings.bore_a.x_mm".
 std::vector<std::string> scatter_columns(const ScatterTask& task);
 
 }  // namespace gearwright

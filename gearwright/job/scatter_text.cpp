@@ -27,7 +27,7 @@ Value coordinates_at(const ScatterTolerance& t, const std::vector<double>& x, st
   return Value(std::move(list));
 }
 
-// Names of the coordinates of an input in a table, after the name of the input.
+// The endings that are added to the name of an input to name its coordinates in a table.
 std::vector<const char*> parts_of(const ScatterTolerance& t) {
   if (t.bore()) return {".x_mm", ".y_mm"};
   if (std::holds_alternative<VaryingPitch>(t.of)) return {".share", ".phase_deg", ".eccentric"};
@@ -35,7 +35,7 @@ std::vector<const char*> parts_of(const ScatterTolerance& t) {
   return {""};
 }
 
-// The value of every input; for a bore, a pitch or a wave the list of its coordinates.
+// The value of every input. For a bore, a pitch or a wave, it is the list of its coordinates.
 ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   ValueMap map;
   std::size_t at = 0;
@@ -46,7 +46,7 @@ ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   return map;
 }
 
-// The errors of the spec for this sample, and the additional changes of other inputs.
+// The errors of the spec with the changes of this sample, and the changes of the other inputs.
 ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
   std::array<double, kErrorCount> errors = job.spec.errors.value;
   ValueMap others;
@@ -76,7 +76,7 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
-// `x_of` gives the coordinates of a sample.
+// `x_of` returns the coordinates of a sample.
 template <class Of>
 SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const SpreadEntry& entry,
                        const Spread& spread, const Of& x_of) {
@@ -266,7 +266,7 @@ std::string loosening_listing(const ScatterAnswer& a) {
   return out;
 }
 
-// The percentiles of the quantities under each torque, without and with the corrections.
+// Lists the percentiles of the quantities under each torque, without and with the corrections.
 std::string robust_load_listing(const RobustView& r) {
   std::string out;
   for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {

@@ -18,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-// The boundaries of regions, whose curves have 25 points, are omitted for more designs than this.
+// Boundaries of regions, whose curves have 25 points, are omitted if there are more designs than this.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
 Value edges_of(const Search& search, const DesignRow& row) {
@@ -35,7 +35,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// A value of a gear's table; gear 2 takes an absent one from gear 1.
+// A value from the table of a gear. If gear 2 does not have the value, it is that of gear 1.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
@@ -48,7 +48,7 @@ Json rack_of(const Json& tree, int rack, int which) {
   return of_gear(tree, which, "rack");
 }
 
-// "The safest of them has S_H = 0.93 and S_F = 1.21: module 2, 20:60".
+// A sentence about the safest design: "The safest of them has S_H = 0.93 and S_F = 1.21: module 2, 20:60".
 std::string safest_line(const DesignRow& row) {
   return fmt::format("The safest of them has S_H = {:.3f} and S_F = {:.3f}: module {:g}, {}:{}",
                      std::min(*row.flank_safety[0], *row.flank_safety[1]),
@@ -56,7 +56,7 @@ std::string safest_line(const DesignRow& row) {
                      row.trial.z1, row.trial.z2);
 }
 
-// Additional reasons on the page next to the counts.
+// Sentences that the page shows beside the counts.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
   std::vector<std::string> lines;
   if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
@@ -73,8 +73,8 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// Columns of a search for drawings: face width and overlap, backlash at both ends, the lesser
-// safety of both gears, the mass.
+// The columns of a search for drawings: face width and overlap ratio, backlash at both ends, the smaller
+// safety of the two gears, and mass.
 std::string drawing_heads(const SearchProblem& p) {
   return (p.sizes_faces() ? fmt::format(" {:>6} {:>6}", "b mm", "ε_β") : "") +
          (p.allowances.thin_teeth() ? fmt::format(" {:>13}", "j_n mm") : "") +
@@ -96,7 +96,7 @@ std::string drawing_cells(const SearchProblem& problem, const DesignRow& row) {
          (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
 }
 
-// "10 … 120 mm", "10 modules".
+// The face width in words: "the least that holds of 10 … 120 mm", "10 modules".
 std::string face_words(const SearchProblem& p) {
   std::string words;
   const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
@@ -112,7 +112,7 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
-// [rating] with the required safeties of the search.
+// The table [rating], with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
   if (limits.safety_flank) rating["safety_flank_min"] = *limits.safety_flank;
@@ -132,14 +132,14 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   const SearchAnswer& a = run.answer;
   Json head = to_json(search_quantities().of(
       {&search.problem(), &a, &run.changes, run.safest ? &*run.safest : nullptr}));
-  head.erase("designs");  // they are written one by one
+  head.erase("designs");  // the designs are written one by one
 
   std::string text = "{\n  \"search\": " + json_text(head);
   text.pop_back();  // the closing brace of the head, before which the designs are inserted
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMaxBoundaries;
   if (!edges)
-    text.reserve(a.designs.size() * 1000);  // avoids a second copy of the whole text while it grows
+    text.reserve(a.designs.size() * 1000);  // avoids a copy of the whole text while it grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
     text += json_text(design_row_json(search, a.designs[i], edges));

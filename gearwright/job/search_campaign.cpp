@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// The store's counts by name: the limits, then the points of the grid.
+// The counts in the order of the store's names: first the limits, then the points of the grid.
 ChunkCounts as_chunk(const SearchCounts& c) {
   ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
   chunk.rejected.push_back(c.points_tested);
@@ -44,7 +44,7 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
   const auto was = parquet_note(folder / kDesignsFile, kSpecNote);
   if (!was) return std::nullopt;
   const auto old = read_spec(*was, SpecFormat::json);
-  constexpr std::int64_t kAnyChunk = 0;  // the size of chunks does not affect the result
+  constexpr std::int64_t kAnyChunk = 0;  // the result does not depend on the size of chunks
   std::string changed = "its spec belongs to another version";
   if (old) {
     const std::string before = search_fingerprint(*old, kAnyChunk);
@@ -63,9 +63,9 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
                                const SearchOptions& options) {
   SearchRun run = begun(spec, search);
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
-  // Ranks restarted by a scheduler always use --resume, and continue with any existing chunks.
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
+  // Ranks that a scheduler restarts always have --resume. They continue with the existing chunks, if there are any.
   const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
                     : options.resume                                     ? OpenAs::resume
                                                                          : OpenAs::fresh;

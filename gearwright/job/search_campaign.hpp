@@ -1,6 +1,6 @@
-// A search whose finished chunks stay in a folder: it can be stopped, resumed and shared.
+// A search that saves its finished chunks in a folder, so that it can be stopped, resumed and shared.
 //
-// Internal to job/. It needs the store, which is not in every build: search_campaign_without.cpp.
+// Internal to job/. A build without the store uses search_campaign_without.cpp.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace gearwright {
 
-/// The reason why this build cannot keep a folder of a search; none if it can.
+/// The reason why this build cannot save a search in a folder, or nothing if it can.
 std::optional<Error> refuse_folder();
 
-/// The reason why this search must not write files into the folder: it contains those of a finished
-/// search of another spec. None if there is no such search.
+/// The reason why this search must not write files into the folder, which contains the finished search of
+/// another spec. Nothing is returned if there is no such search.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs the missing chunks of the search in options.out, and makes its files when none is missing.
+/// Runs the missing chunks of the search in options.out. If no chunk is missing, the files are made.
 ///
 /// Throws    IoError
 /// Errors    an existing campaign, or a finished search of another spec; --resume without a

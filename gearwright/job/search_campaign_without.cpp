@@ -1,4 +1,4 @@
-// The version without the store keeps no folder of a search.
+// The version without the store cannot save a search in a folder.
 #include "gearwright/job/search_campaign.hpp"
 #include "gearwright/job/search_files.hpp"
 

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The keys of some members, `a`, `b`.
+// The keys of these members in backticks: `a`, `b`.
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields)
@@ -31,7 +31,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
     return true;
   }
   SearchProgress progress{.stage = SearchProgress::Stage::changes};
-  // Checking a drawing takes milliseconds.
+  // Fewer questions are allowed if designs are drawn, because checking a drawing takes milliseconds.
   constexpr std::int64_t kMaxDrawn = 300;
   const std::int64_t most = search.problem().draw ? kMaxDrawn : kMaxChangeQuestions;
   auto found = nearest_changes(

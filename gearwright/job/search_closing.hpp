@@ -1,14 +1,14 @@
-// The work after all trials of a search: changes that would help if nothing is feasible, and the
-// regions of the listed designs.
+// The work after all trials of a search: finding changes that would help if nothing is feasible, and
+// computing the regions of the listed designs.
 //
-// Internal to job/ and apps. Both return true to continue. They stop if the options request it.
+// Internal to job/ and apps. Both functions return false if the options request a stop.
 #pragma once
 
 #include "gearwright/job/search_job.hpp"
 
 namespace gearwright {
 
-/// Computes changes that would help. To be called if nothing is feasible.
+/// Computes changes that would make designs feasible, unless there are feasible designs.
 bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
 
 /// Computes the regions of the listed designs.

@@ -1,9 +1,9 @@
 // The files of a search, each written completely or not at all.
 //
 //   search.parquet   every feasible design, in the order of the trials
-//   points.parquet   with shift_step: every feasible point of its grid, by trial
-//   best.csv         the best of them, best first          search.json    the result
-//   report.html      the best in a table that sorts, their regions, the front
+//   points.parquet   if shift_step is set: every feasible point of its grid, by trial
+//   best.csv         the best designs, best first          search.json    the result
+//   report.html      the best designs in a sortable table, their regions, the Pareto front
 #pragma once
 
 #include <filesystem>
@@ -16,12 +16,12 @@
 namespace gearwright {
 
 inline constexpr const char* kDesignsFile = "search.parquet";
-inline constexpr const char* kSpecNote = "spec";  ///< in its footer: the spec as JSON
+inline constexpr const char* kSpecNote = "spec";  ///< key of the spec, as JSON, in the footer
 
-/// Returns the designs, chunk by chunk, in the order of the trials; false if there are no more.
+/// Reads the next chunk of designs, in the order of the trials. Returns false if there are no more.
 using FindSource = std::function<bool(ChunkFinds& finds)>;
 
-/// Writes them all and returns their names. The CSV has `top` designs, by default a thousand.
+/// Writes all files and returns their names. The CSV has `top` designs, by default a thousand.
 ///
 /// Throws    IoError
 std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const Search& search,

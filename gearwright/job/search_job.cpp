@@ -36,7 +36,7 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
   lines += path + " = " + json_text(node) + "\n";
 }
 
-// Keeps all in memory, for small searches and searches without files.
+// Keeps all designs in memory. This is used for small searches and for searches without files.
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
   SearchRun run = begun(spec, search);
@@ -79,8 +79,8 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
-  // A region has an area of about one square module, so this number of grid points fits into
-  // memory.
+  // The area of a region is about one square module. The size is limited so that this number of grid points
+  // in a chunk fits into memory.
   constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);

@@ -1,9 +1,9 @@
 // The verb search: runs a search in memory, or as a campaign whose finished chunks stay on disk.
 //
-//   trials   0 … N − 1, cut into chunks of one size      campaign   many chunks and a folder
+//   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
-// With any threads, shards or ranks the result is that of one process, because chunks are
-// independent and the files are made from them in order.
+// The result does not depend on the number of threads, shards or ranks, because chunks are independent
+// and the files are made from them in order.
 #pragma once
 
 #include <atomic>
@@ -24,12 +24,12 @@ struct SearchProgress {
     trials,   ///< the search itself
     changes,  ///< the search for changes that help if nothing is feasible; `done` counts
               ///< evaluations of trials
-    regions   ///< regions of the listed designs; `done` of `of`
+    regions   ///< regions of the listed designs; `done` of `of` are complete
   };
   Stage stage = Stage::trials;
   std::int64_t done = 0, of = 0;
-  std::int64_t trials = 0;  ///< done by this process
-  std::int64_t chunks = 0;  ///< done by all processes, as far as known
+  std::int64_t trials = 0;  ///< trials done by this process
+  std::int64_t chunks = 0;  ///< chunks done by all processes, as far as known
   std::int64_t of_chunks = 0;
   std::int64_t left = 0;  ///< trials that remain for this process
 };
@@ -37,30 +37,31 @@ struct SearchProgress {
 struct SearchOptions {
   std::filesystem::path out;  ///< folder of the files; empty if there are none
   bool resume = false;
-  int shard = 1, shards = 1;  ///< this process computes the chunks shard − 1, + shards, …
-  bool many = false;          ///< others may have opened the folder before (shards, ranks)
-  bool together = false;      ///< for ranks: always a campaign, opened by the first rank
+  int shard = 1, shards = 1;  ///< this process computes every `shards`-th chunk, from shard − 1 on
+  bool many = false;          ///< other processes may have opened the folder (shards, ranks)
+  /// True for ranks. The first rank then opens a campaign, even for a small search.
+  bool together = false;
   bool yes_large = false;
-  std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
-  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default by the search's size
-  std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
-  int threads = 0;                     ///< with 0, as many as the machine has
-  std::string writer = "search";       ///< name in the journal
-  /// Draws the number of a chunk from a shared queue; if empty, from a queue of this process.
-  /// Called by one thread at a time.
+  std::optional<std::size_t> top;      ///< number of designs to keep; by default kDefaultDesigns
+  std::optional<std::int64_t> chunk;   ///< trials of a chunk; the default depends on the search
+  std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
+  int threads = 0;                     ///< 0 means as many as the machine has
+  std::string writer = "search";       ///< name of this process in the journal
+  /// Returns the number of the next chunk from a shared queue. Without this function, the process uses a queue of
+  /// its own. Only one thread at a time calls the function.
   std::function<std::int64_t()> next_chunk;
-  /// The argument is true if the folder could be opened. Returns true to continue. Ranks that join
-  /// call it before they open the folder.
+  /// Called when the folder has been opened; the argument is false if this failed. Ranks that join call it
+  /// before they open the folder. It returns true to continue.
   std::function<bool(bool opened)> folder_is_open;
-  /// Waits until all processes are done, and returns true if this one makes the files.
+  /// Waits until all processes are done, and returns true if this process makes the files.
   std::function<bool()> finish_together;
-  /// Called many times a second, by one thread at a time.
+  /// Called many times a second, but only by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< if set, the search ends at once, without the chunks
-                                            ///< in work
+  /// If set to true, the search ends at once and discards the chunks in work.
+  const std::atomic<bool>* stop = nullptr;
 };
 
-/// Default number of designs in a result, which is all of them except in huge searches.
+/// Default number of designs in a result. Only huge searches have more designs.
 inline constexpr std::size_t kDefaultDesigns = 100'000;
 /// A search with more trials than this requires yes_large.
 inline constexpr double kLargeSearch = 2e10;
@@ -68,39 +69,39 @@ inline constexpr double kLargeSearch = 2e10;
 inline constexpr double kManyPoints = 1e8;
 
 struct SearchRun {
-  SearchAnswer answer;    ///< of a finished search
+  SearchAnswer answer;    ///< result of a finished search
   bool finished = false;  ///< true if all chunks are done and this process made the files
-  bool stopped = false;   ///< by SearchOptions::stop
+  bool stopped = false;   ///< true if SearchOptions::stop ended the run
   std::int64_t chunks_done = 0, chunks = 0;
-  std::vector<NearestChange> changes;  ///< if nothing is feasible
-  std::optional<DesignRow> safest;     ///< likewise, of rated designs
-  std::string changes_left_out;    ///< reason why they, or the smallest of them, were not searched
-  std::vector<std::string> notes;  ///< repairs in the folder
-  bool pair_not_read = false;      ///< the spec has a [pair], which a search does not use
-  bool rating_not_read = false;    ///< the spec has a [rating], which this search does not use
+  std::vector<NearestChange> changes;  ///< changes that would help if nothing is feasible
+  std::optional<DesignRow> safest;     ///< the safest rated design if nothing is feasible
+  std::string changes_left_out;        ///< reason why not all changes were searched
+  std::vector<std::string> notes;      ///< repairs that were made in the folder
+  bool pair_not_read = false;          ///< the spec has a [pair], which a search does not use
+  bool rating_not_read = false;        ///< the spec has a [rating], which this search does not use
   std::vector<std::filesystem::path> files;
 };
 
-/// A run that has not started. It contains the parts of the spec that this search does not read.
+/// A run that has not started. It records the parts of the spec that this search does not read.
 SearchRun begun(const JobSpec& spec, const Search& search);
 
-/// Limit for the chunks of a search, which a folder and its list can hold.
+/// Greatest number of chunks of a search, which a folder and its list can hold.
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
 
 /// Runs the search of the spec.
 ///
 /// Throws    IoError
 /// Errors    --yes-large for a large search or grid, with its duration or number of points; no
-///           tooth numbers in the ratio; more chunks than kMaxChunks; --out with an existing
+///           tooth numbers with the ratio; more chunks than kMaxChunks; --out with an existing
 ///           campaign, or with a finished search of another spec; --resume without a campaign or
 ///           for another spec; --shard or --resume without --out
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
-/// Trials per chunk of a search of this size.
+/// The number of trials in a chunk, for a search with this number of trials.
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials);
 
-/// The inputs that determine the result, as lines "key = value".
+/// All inputs that determine the result, as lines "key = value".
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk);
 
 }  // namespace gearwright

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// One function for both directions: calls f on every number of the row.
+// Calls f on every number of the row. Writing and reading use this one function.
 template <class Row, class F>
 void each_number(Row& row, const F& f) {
   f(row.trial.index);
@@ -74,7 +74,7 @@ void each_number_of_point(Point& p, const F& f) {
 constexpr std::size_t kNumbers = 19 + 2 * 12 + 3;
 constexpr std::size_t kPointNumbers = 14;
 
-// Passes numbers to the compressor, so that the uncompressed bytes of a million points are never in
+// Passes numbers to the compressor one by one, so that the uncompressed bytes of a million points are never in
 // memory at once.
 class Packer {
  public:
@@ -86,7 +86,7 @@ class Packer {
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
   ~Packer() { ZSTD_freeCCtx(context_); }
-  /// Written into the frame for the reader.
+  /// Sets the uncompressed size, which is written into the frame for the reader.
   void announce(std::size_t size) { ZSTD_CCtx_setPledgedSrcSize(context_, size); }
 
   void word(std::uint64_t w) {
@@ -170,11 +170,11 @@ std::string pack(const ChunkFinds& finds) {
   write(static_cast<std::int64_t>(finds.designs.size()));
   write(static_cast<std::int64_t>(finds.points.size()));
   for (const DesignRow& row : finds.designs) {
-    GW_EXPECTS(row.whole);  // the files of a search have every number
+    GW_EXPECTS(row.whole);  // false only if some numbers of the row were not computed
     each_number(row, write);
   }
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
-  return packer.take();  // the decoder would not be finished if `size` were wrong
+  return packer.take();  // the decoder would report an incomplete frame if `size` were wrong
 }
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {

@@ -1,7 +1,7 @@
-// Feasible designs as bytes, for the chunks of a large search on disk.
+// Converts feasible designs to bytes and back, for the chunks of a large search on disk.
 //
-// Every number of a row has 64 bits, low byte first, row after row; the whole is compressed by
-// zstd. Reading gives the same rows, bit for bit.
+// Every number of a row has 64 bits with the low byte first. The rows follow each other and are compressed
+// by zstd. Reading gives the same rows, bit for bit.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ namespace gearwright {
 
 struct ChunkFinds {
   std::vector<DesignRow> designs;
-  std::vector<ShiftPoint> points;  ///< of the grid of shifts, if requested
+  std::vector<ShiftPoint> points;  ///< points of the grid of profile shifts, if requested
 };
 
 std::string pack(const ChunkFinds& finds);
 
-/// Throws    IoError if pack() did not make the bytes; `where` names them
+/// Throws    IoError if the bytes were not made by pack(). `where` names the bytes in the message
 ChunkFinds unpack(std::string_view bytes, const std::string& where);
 
 }  // namespace gearwright

@@ -29,9 +29,9 @@ RegionDetail detail_of(const SearchProblem& problem, bool files) {
 
 namespace {
 
-// Trials per second of one thread, measured for half a second at places spread over the search.
-// Tables of a helix are made before the measurement, because the search makes them only once. The
-// measurement ends after its time even if trials are slow.
+// The speed of one thread in trials per second, measured for half a second at places that are spread over
+// the search. Tables of a helix are made before the measurement, because the search makes them only once.
+// The measurement ends after its time even if trials are slow.
 double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kSeconds = 0.5;
@@ -40,7 +40,7 @@ double measured_rate(const Search& search, std::int64_t trials, const std::atomi
   std::int64_t done = 0;
   double seconds = 0.0;
   for (int i = 0; i < kPlaces && !(stop && *stop); ++i) {
-    // Places spread by the golden ratio.
+    // The golden ratio spreads the places evenly.
     const double share = std::fmod(i * 0.6180339887498949, 1.0);
     const auto from = static_cast<std::int64_t>(share * static_cast<double>(trials - step));
     std::vector<DesignRow> rows;
@@ -65,9 +65,9 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} years", seconds / 31557600);
 }
 
-// The number of points of a grid of shifts follows from the sum of the areas of the regions. It is
-// estimated from a thousand trials that pass the filter, or from all if there are fewer. The error
-// of a few percent is sufficient for this limit, which is a size of files.
+// Rejects a grid of profile shifts with too many points. The number of points follows from the sum of the areas of
+// the regions. It is estimated from a thousand trials that pass the filter, or from all if there are fewer. An error
+// of a few percent does not matter, because the limit is only for the size of the files.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;

@@ -1,5 +1,5 @@
-// Rejects searches that are too large before they begin: candidates are counted in closed form,
-// their speed is measured for half a second, and points of a grid are estimated.
+// Rejects searches that are too large before they begin. Candidates are counted in closed form, the speed
+// is measured for half a second, and the points of a grid are estimated.
 //
 // Internal to job/.
 #pragma once
@@ -10,16 +10,16 @@
 
 namespace gearwright {
 
-/// The reason why the search does not begin; none if it does.
+/// The reason why the search must not begin, or nothing if it may begin.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
 
-/// The error that a spec describes no search.
+/// The error for a spec without a search.
 Error no_search();
-/// The error of a search without candidates.
+/// The error for a search without candidates.
 Error no_tooth_numbers();
 
-/// Regions are computed immediately if the ranking or a table of all designs needs them, otherwise
-/// at the end for the listed designs.
+/// Determines when regions are computed: at once if the ranking or a table of all designs needs them,
+/// otherwise at the end and only for the listed designs.
 RegionDetail detail_of(const SearchProblem& problem, bool files);
 
 }  // namespace gearwright

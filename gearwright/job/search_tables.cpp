@@ -26,7 +26,7 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
 }
 
 const TableColumns<DesignView>& design_columns(const SearchProblem& problem) {
-  // Columns that only some searches have; the problem determines which.
+  // Only some searches have these columns. The problem determines which of them exist.
   const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H", "S_F",
                                             "mass_kg"};
   const DesignRow any;

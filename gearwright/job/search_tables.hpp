@@ -1,5 +1,5 @@
-// The columns of a search's tables, CSV and Parquet, from the catalogue: one column for each
-// quantity with a column name, two for a quantity of both gears. Internal to job/.
+// The columns of the tables of a search, CSV and Parquet, from the catalogue. Each quantity with a column
+// name has one column, and a quantity of both gears has two. Internal to job/.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// Adds the headings of a column: one, or one for each gear or end.
+/// Adds the headings of a column: one heading, or one for each gear or end.
 void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads);
 
 template <class S>
@@ -53,13 +53,13 @@ class TableColumns {
  private:
   struct Source {
     const Quantity<S>* quantity;
-    std::vector<RecordColumn> columns;  ///< of it, or of its record
+    std::vector<RecordColumn> columns;  ///< columns of the quantity, or of its record
   };
   std::vector<Source> sources_;
   std::vector<ParquetColumn> heads_;
 };
 
-/// One table to be written.
+/// A table that is written to a Parquet file.
 template <class S>
 class ParquetTable {
  public:
@@ -84,7 +84,7 @@ class ParquetTable {
   ParquetWriter writer_;
 };
 
-/// Safeties, masses and face widths have columns if the search computes them.
+/// The columns of designs. Safeties, masses and face widths are included if the search computes them.
 const TableColumns<DesignView>& design_columns(const SearchProblem& problem);
 const TableColumns<ShiftPoint>& point_columns();
 

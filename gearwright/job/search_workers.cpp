@@ -35,7 +35,7 @@ void SearchWorkers::work(const Done& done) {
   while (const auto c = next()) {
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
-    // Points are needed only for files. Their counts are in the result of every search.
+    // Only files contain the points. Every result contains their counts.
     const SearchCounts counts =
         search_.range(from, from + trials_of(*c), finds.designs,
                       {.detail = detail_of(search_.problem(), !options_.out.empty()),
@@ -67,7 +67,7 @@ std::optional<std::int64_t> SearchWorkers::next() {
   if (stopped()) return std::nullopt;
   const std::lock_guard lock(queue_mutex_);
   if (options_.next_chunk) {
-    // The missing chunks when this process opened the folder.
+    // Chunks that were already finished when this process opened the folder are skipped.
     std::int64_t c = options_.next_chunk();
     while (c < progress_.of_chunks && !std::binary_search(todo_.begin(), todo_.end(), c))
       c = options_.next_chunk();

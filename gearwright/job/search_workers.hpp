@@ -1,4 +1,4 @@
-// Computes chunks of a search with all threads of this process; each is passed on as soon as it is
+// Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as it is
 // finished.
 //
 // Internal to job/.
@@ -17,12 +17,12 @@ namespace gearwright {
 
 class SearchWorkers {
  public:
-  /// Receives a chunk's number, its designs, and the number of trials that each limit rejected.
-  /// Called from several threads at once.
+  /// Receives the number of a chunk, its designs, and the numbers of trials that each limit rejected.
+  /// Several threads call it at once.
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
-  /// `todo`: ascending numbers of chunks with this number of trials. Search and options must
-  /// outlive it.
+  /// `todo` contains the numbers of the chunks in ascending order. Each has `chunk` trials. `search` and
+  /// `options` must outlive this object.
   SearchWorkers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
                 const SearchOptions& options);
 

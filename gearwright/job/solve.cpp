@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Values that gear 2 takes from gear 1 and that no number of gear 2 shows.
+// A note about the values that gear 2 takes from gear 1 and that are not among its numbers: material and quality.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -26,7 +26,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
 }
 
-// Fits of the drawing that apply to no gear of the spec.
+// Notes about fits of the drawing that apply to no gear of the spec.
 std::vector<Warning> note_unused_fits(const JobSpec& spec) {
   bool bore = false, keyway = false;
   for (const auto& gear : spec.gears) {
@@ -49,7 +49,7 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
   return notes;
 }
 
-// Adds the data of double-helical gears, of which `job` contains a half each.
+// Adds the data of double-helical gears. `job` contains one half of each.
 std::optional<Error> find_halves(SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const int which = static_cast<int>(i) + 1;
@@ -67,7 +67,7 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "crosses the axes; double-helical gears run on parallel axes, with opposite hands"};
 }
 
-// The gears and the pair; for double-helical gears those of one half.
+// Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one half.
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
@@ -100,7 +100,7 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   SolvedJob job{std::move(arranged).take(), spec};
   if (auto error = find_halves(job)) return *error;
-  // Warnings are for the author of the file, so the members in them become its keys.
+  // Warnings are for the author of the file, so members in their text are replaced by keys.
   for (Warning& w : job.warnings)
     w.message = spelled(w.message, spec.given, w.gear == 0 ? "" : gear_field(w.gear));
   return job;
@@ -121,7 +121,7 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   if (spec.drive) return "";
   if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
   if (!spec.has(2)) return "";
-  // A fit computes position, helices and shifts.
+  // The verb fit can compute the position, the helices and the profile shifts.
   const bool found_by_fit =
       error.kind == FailureKind::placement || error.kind == FailureKind::missing;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;

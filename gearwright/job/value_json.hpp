@@ -1,4 +1,4 @@
-// A value of the catalogue as JSON, with the keys for JSON. Internal to job/ and the
+// Converts a value of the catalogue to JSON, with the keys for JSON, and back. Internal to job/ and the
 // program.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace gearwright {
 
-/// Numbers read back to the same double; null, NaN and infinity become null.
+/// Reading the JSON gives the same doubles. An absent value, NaN and infinity become null.
 Json to_json(const Value& value);
 
-/// A tree of JSON, a spec inside a result, as a value.
+/// A tree of JSON as a value, for example a spec inside a result.
 Value to_value(const Json& json);
 
 }  // namespace gearwright

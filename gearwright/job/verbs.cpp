@@ -28,7 +28,7 @@ namespace gearwright {
 
 namespace {
 
-// Continuation of a verb after the gears and the pair are solved: its result, the verdict, and the
+// The steps of a verb after the gears and the pair are solved: the result, the verdict and the
 // output.
 template <class Found>
 struct Solving {
@@ -39,7 +39,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
-  bool rack = false;  // true if it accepts a rack
+  bool rack = false;  // true if the verb accepts a rack
 };
 
 template <class Found>
@@ -65,7 +65,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   return answer;
 }
 
-// For verbs that need only the gears and the pair.
+// The empty result of verbs that need only the gears and the pair.
 struct AsSolved {};
 
 Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
@@ -173,7 +173,7 @@ Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
   return titled_record(job.spec, "rating", rating_quantities().of(answer));
 }
 
-// Inputs, factors, safeties: symbol, value, unit, clause of the standard, branch.
+// Lists inputs, factors and safeties with symbol, value, unit, clause of the standard and branch.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
   return title_listing(job.spec, "\n") +
@@ -194,7 +194,7 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// A verb that computes gears needs none as input. Its specs are the gears.
+// The answer of a verb that computes gears and does not need them as input. `specs` are the computed gears.
 template <class Found>
 Answer proposals(Found&& found, Json (*record)(const Found&),
                  std::string (*listing)(const Found&)) {

@@ -22,7 +22,7 @@ struct Tolerance {
   double absolute = 0.0;
 };
 
-// The tolerance of the case, or that of the value in "tolerance": {"values": {path: absolute}}.
+// The tolerance of a value in "tolerance": {"values": {path: absolute}}, or otherwise the tolerance of the case.
 Tolerance tolerance_of(const Json& c, const std::string& path) {
   Tolerance tolerance;
   if (!c.contains("tolerance")) return tolerance;
@@ -108,7 +108,7 @@ Result<CaseOutcome> run_case(const Json& c) {
 }  // namespace
 
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
-  constexpr int kDeepest = 64;  // limit; a case has ten levels
+  constexpr int kDeepest = 64;  // a real case has ten levels
   const auto unreadable = [](const std::string& why) {
     return Error{"", "", "the case file cannot be read: " + why};
   };

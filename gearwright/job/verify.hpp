@@ -1,14 +1,14 @@
-// Case files: published numbers with their source, computed in the same way as a user's spec.
+// Case files contain published numbers with their source, which are computed in the same way as a user's spec.
 //
 //   {"cases": [{"id", "source", "verb", "spec": {...},
 //               "expected": {"pair.center_distance_mm": 56.4999},
 //               "tolerance": {"relative", "absolute"}, "note"}]}
 //
-// "tolerance" may also hold "values": {path: absolute} for single values printed with other digits.
+// "tolerance" may also contain "values": {path: absolute} for single values that are printed with other digits.
 // Each expected value has a path with list indices as numbers ("gears.0.base_diameter_mm"). Numbers
-// are as printed. A number passes if it is within the relative or the absolute tolerance, whichever
+// are given as printed. A number passes if it is within the relative or the absolute tolerance, whichever
 // is wider. true, false, null and words pass if they are equal. A case that expects "error.key"
-// requires that error.
+// passes only if that error occurs.
 #pragma once
 
 #include <string>
@@ -22,12 +22,12 @@ namespace gearwright {
 struct CaseOutcome {
   std::string id;
   int values = 0;                        ///< number of compared values
-  std::vector<std::string> differences;  ///< a line each; empty if the case passes
+  std::vector<std::string> differences;  ///< one line each; empty if the case passes
 };
 
 /// Runs the cases of one file.
 ///
-/// Errors    a case file of another form, or without a case, because an empty check must not
+/// Errors    a case file of another form; a file without a case, because an empty check must not
 ///           pass
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);
 

@@ -24,7 +24,7 @@ namespace gearwright {
 
 namespace {
 
-// "span.length_mm" in a record; none if it has no value there.
+// The member of a record with this path, "span.length_mm", or null if there is no value.
 const Member* find(const ValueRecord& record, std::string_view path) {
   const std::size_t dot = std::min(path.find('.'), path.size());
   for (const Member& m : record) {
@@ -45,10 +45,10 @@ std::string number(const QuantityInfo& info, double value) {
   return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
-// A drawing gives a hand instead of a sign.
+// Whether the sign of a helix angle or lead is written. A drawing gives the hand instead of the sign.
 enum class Sign { kept, dropped };
 
-/// A record, and the same at the lower and at the upper end of its tolerances.
+/// A record, and the same record at the lower and at the upper end of its tolerances.
 struct Records {
   ValueRecord nominal;
   std::vector<ValueRecord> ends;  ///< two, or none
@@ -80,7 +80,7 @@ class Group {
   void row(std::string words, std::string symbol, std::string value) {
     group_.rows.push_back({std::move(words), std::move(symbol), std::move(value)});
   }
-  /// The row of a quantity of the catalogue; no row if there is no value.
+  /// Adds the row of a quantity of the catalogue. No row is added if there is no value.
   void row(const Records& r, std::string_view path, Sign sign = Sign::kept) {
     const Member* const m = find(r.nominal, path);
     if (m) row(capitalised(m->info->words), m->info->symbol, *r.value(path, sign));
@@ -131,12 +131,12 @@ Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records
   return group;
 }
 
-// A size with the limits of its fit; of a size without a fit, a blank for the limits.
+// Adds a size with the limits of its fit. If the size has no fit, the limits are left blank.
 void size_rows(Group& group, const std::string& what, const std::string& symbol, double size,
                const std::string& fit, const std::optional<std::array<double, 2>>& deviations) {
   const std::string text = with_minus(short_decimals(size, 4));
   group.row(what, symbol, fit.empty() ? text : text + " " + fit);
-  // Half of an odd number of µm needs a fourth decimal.
+  // A limit of half a µm needs a fourth decimal.
   const auto limit = [&](double deviation) {
     const double um = 1e3 * (size + deviation);
     return fixed_decimals(size + deviation, std::abs(um - std::round(um)) < 1e-6 ? 3 : 4);
@@ -167,7 +167,7 @@ Group bore_group(const Gear& gear, const DrawingInput& words) {
   return group;
 }
 
-// Empty if no material is given.
+// The mass as text, or empty if no material is given.
 std::string mass_of(const SolvedJob& job, int which, const ToothedBody& body) {
   const MaterialInput& given = job.spec.gear(which).material;
   if (!given.name) return "";

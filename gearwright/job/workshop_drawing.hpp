@@ -1,4 +1,4 @@
-// The workshop drawings of a job: a sheet for each gear, as PDF, SVG or DXF.
+// The workshop drawings of a job. There is one sheet for each gear, as PDF, SVG or DXF.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,18 @@ namespace gearwright {
 
 enum class SheetFormat { pdf, svg, dxf };
 
-/// The format for the extension of a file, in upper or lower case; none for other extensions.
+/// The format for the extension of a file name, in upper or lower case. Other extensions have no format.
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {
   std::vector<Sheet> sheets;
   std::string scales;   ///< "1:1, 1:2"
-  double deviation_mm;  ///< greatest, of the outlines
+  double deviation_mm;  ///< greatest deviation of the outlines
 };
 
-/// A sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
+/// One sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
 ///
-/// Errors    as make_body and make_file
+/// Errors    the errors of make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 

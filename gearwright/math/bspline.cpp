@@ -59,14 +59,14 @@ std::vector<int> BSplineBasis::multiplicities() const {
 
 int BSplineBasis::span(double u) const {
   GW_EXPECTS(u >= knots_.front() && u <= knots_.back());
-  // The last knot <= u among t_p … t_(n−1); at the right end the last span that is not empty.
+  // The last knot <= u among t_p … t_(n−1). At the right end, this is the start of the last span that is not empty.
   const auto first = knots_.begin() + degree_;
   const auto last = knots_.begin() + poles_;
   const auto above = std::upper_bound(first, last, u);
   return static_cast<int>(above - knots_.begin()) - 1;
 }
 
-// Cox-de Boor without divisions by empty spans: The NURBS Book, algorithm A2.2.
+// The Cox-de Boor recursion without divisions by empty spans (The NURBS Book, algorithm A2.2).
 BSplineBasis::Local BSplineBasis::local(double u) const {
   const auto p = static_cast<std::size_t>(degree_);
   const int s = span(u);
@@ -95,7 +95,7 @@ void BSplineBasis::prepare() {
     for (std::size_t j = 1; j <= p; ++j) sum += knots_[i + j];
     greville_.push_back(sum / degree_);
   }
-  // The sum of p equal numbers divided by p may differ from that number.
+  // The sum of p equal numbers divided by p may differ from that number, so the ends are set exactly.
   greville_.front() = knots_.front();
   greville_.back() = knots_.back();
 

@@ -1,7 +1,7 @@
 // Clamped B-splines and their interpolation at the Greville abscissae.
 //
 //   p      degree                          n     number of poles, n ≥ p + 1
-//   t_j    knots, n + p + 1 of them: p + 1 equal ones at each end, non-decreasing between
+//   t_j    knots, n + p + 1 of them: p + 1 equal knots at each end, non-decreasing in between
 //   N_i    basis functions, i = 0 … n−1, nonzero on [t_i, t_(i+p+1)]; their sum is 1 at every u
 //   g_i    Greville abscissae (t_(i+1) + … + t_(i+p)) / p; poles g_i give the function u itself
 //   P_i    poles, rows of an n × dim matrix;  C(u) = Σ N_i(u) P_i
@@ -12,7 +12,7 @@
 //
 //   Laws  (1) the first and last pole are the first and last sample, bit for bit
 //         (2) polynomials of degree ≤ p are reproduced
-//         (3) poles mirrored end to end draw the same curve backwards (symmetric knots)
+//         (3) poles in reverse order give the same curve in the opposite direction (symmetric knots)
 #pragma once
 
 #include <Eigen/Core>
@@ -33,17 +33,17 @@ class BSplineBasis {
   int degree() const { return degree_; }
   int poles() const { return poles_; }
 
-  /// Full knot vector, every knot as often as its multiplicity: poles + degree + 1 numbers.
+  /// The full knot vector of poles + degree + 1 numbers, in which each knot is repeated by its multiplicity.
   const std::vector<double>& knots() const { return knots_; }
 
   /// The distinct knots in increasing order, used with multiplicities() (the form that OCCT needs).
   std::vector<double> distinct_knots() const;
   std::vector<int> multiplicities() const;
 
-  /// g_i; the first and last are the ends of the knot vector exactly.
+  /// The Greville abscissae g_i. The first and the last are exactly the ends of the knot vector.
   const std::vector<double>& greville() const { return greville_; }
 
-  /// Poles of the spline through `samples`: row i of the result belongs to row i of `samples`.
+  /// Poles of the spline through `samples`. Row i of the result belongs to row i of `samples`.
   ///
   /// Units     those of the samples
   /// Domain    samples.rows() == poles() (contract); any number of columns
@@ -53,8 +53,8 @@ class BSplineBasis {
   /// C(u) for poles in rows.   Domain: knots.front() ≤ u ≤ knots.back() (contract)
   Eigen::VectorXd evaluate(const Eigen::MatrixXd& poles, double u) const;
 
-  /// dᵏC/duᵏ; zero for k > degree; at a knot the derivative from the right (from the left at the
-  /// end).
+  /// dᵏC/duᵏ, which is zero for k > degree. At a knot it is the derivative from the right, and at the
+  /// end of the last span the derivative from the left.
   Eigen::VectorXd derivative(const Eigen::MatrixXd& poles, double u, int k = 1) const;
 
   /// The p + 1 nonzero basis functions at u; values[j] belongs to pole first + j.

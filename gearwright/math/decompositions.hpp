@@ -1,6 +1,6 @@
 // Small dense problems of linear algebra, solved by decompositions of Eigen.
 //
-// These templates are the most expensive of the engine, with two to seven seconds of compilation
+// These templates of Eigen take longer to compile than anything else in the engine, two to seven seconds
 // each. They are instantiated once, behind these functions.
 #pragma once
 
@@ -14,18 +14,18 @@ struct SymmetricEigen {
   Eigen::Matrix2d vectors;  ///< of length 1, in columns, in the order of the values
 };
 
-/// Reads the lower triangle only.
+/// Eigenvalues and eigenvectors of m, of which only the lower triangle is read.
 SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 
-/// x with a·x = b, by elimination with complete pivoting. Unknowns that a singular `a` leaves free
-/// are 0.
+/// The solution x of a·x = b, by elimination with complete pivoting. If `a` is singular, the unknowns
+/// that it does not determine are 0.
 ///
-/// Domain    a is square, b as long (contract)
+/// Domain    a is square, and b has as many rows as a (contract)
 Eigen::VectorXd solve_linear(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// The x of least norm among those that minimise |a·x − b|.
 ///
-/// Domain    b has a row for each of a (contract)
+/// Domain    b has as many rows as a (contract)
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 }  // namespace gearwright

@@ -21,7 +21,7 @@ double tan_minus_self_series(double alpha) {
 }
 
 double self_minus_atan_series(double xi) {
-  // ξ − atan ξ = ξ³/3 − ξ⁵/5 + …; at 0.28 the first omitted term, ξ³³/33, is 3e-18 of the sum.
+  // ξ − atan ξ = ξ³/3 − ξ⁵/5 + …. At ξ = 0.28 the first omitted term, ξ³³/33, is 3e-18 of the sum.
   const double square = xi * xi;
   double sum = 0.0;
   for (int n = 31; n >= 3; n -= 2) sum = 1.0 / n - square * sum;

@@ -3,8 +3,8 @@
 //   α    pressure angle at a point, rad        ξ = tan α   roll angle, rad
 //   r_b  base radius, mm                       inv α       polar angle of the point, rad
 //
-// Templates over the scalar: double here, 50 digits in the accuracy ledger. For double, small
-// angles use a series, because tan α − α loses 3ε/α² to cancellation.
+// The functions are templates over the scalar, which is double here and a number of 50 digits in the
+// accuracy ledger. For double, small angles use a series, because tan α − α loses 3ε/α² to cancellation.
 #pragma once
 
 #include <cmath>
@@ -54,12 +54,12 @@ T involute_of_roll(const T& xi) {
   return xi - atan(xi);
 }
 
-/// Pressure angle α with inv α = y: Halley's iteration from a start value with an error of at most
+/// Pressure angle α with inv α = y, by Halley's iteration from a start value with an error of at most
 /// 2.4 %.
 ///
 /// Formula   [T2.3]; the iteration is monotone from the second step on
 /// Units     rad; odd in y
-/// Domain    |y| ≤ 1e12 (contract): beyond, α is π/2 to the last bits
+/// Domain    |y| ≤ 1e12 (contract); for greater |y|, α equals π/2 except in the last bits
 /// Accuracy  ledger row `inverse_involute`
 template <class T>
 T inverse_involute(const T& y) {
@@ -68,7 +68,7 @@ T inverse_involute(const T& y) {
   using std::cbrt;
   using std::tan;
   const T limit(1e12);    // π/2 − α is 1/y there
-  const T rounding(1e3);  // times the tolerance: possible loss of tan α − α near π/2
+  const T rounding(1e3);  // loss of tan α − α near π/2, as a multiple of the tolerance
   GW_EXPECTS(abs(y) <= limit);
   if (y == T(0)) return y;
   if (y < T(0)) return -inverse_involute<T>(-y);

@@ -18,7 +18,7 @@ enum class Minimiser {
 /// A search ends after this number of evaluations, or when f changes by less than either gain.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< the box
-  std::vector<double> step{};      ///< first steps, > 0
+  std::vector<double> step{};      ///< first step of each variable, > 0
   int evaluations = 1;
   double relative_gain = 0.0;
   double gain = 0.0;
@@ -30,7 +30,7 @@ bool can_minimise();
 
 /// The best point found from `start`.
 ///
-/// Domain    as many of lo, hi and step as of start; lo ≤ start ≤ hi; can_minimise() (contract)
+/// Domain    lo, hi and step are as long as start; lo ≤ start ≤ hi; can_minimise() (contract)
 std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vector<double> start);
 
 }  // namespace gearwright

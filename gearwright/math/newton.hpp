@@ -1,8 +1,8 @@
 // Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket. If a step would leave the bracket, or if two steps gain
-// less than a bisection, the middle is used instead. The function is a template over the scalar,
-// like the formulas.
+// Every evaluation narrows the bracket. If a step would leave the bracket, or is longer than half the
+// previous step, the bracket is bisected instead. The function is a template over the scalar, like
+// the formulas.
 #pragma once
 
 #include <cmath>
@@ -34,15 +34,15 @@ struct NewtonRoot {
   bool found() const { return stop != NewtonStop::iterations; }
 };
 
-/// Root of f in [lo, hi]; `rising`: f(lo) ≤ 0 ≤ f(hi), else f(lo) ≥ 0 ≥ f(hi). The ends are not
-/// evaluated, so f may be infinite there; f(x) returns a Slope<T>.
+/// The root of f in [lo, hi]. If `rising` is true, f(lo) ≤ 0 ≤ f(hi), otherwise f(lo) ≥ 0 ≥ f(hi). f is not evaluated
+/// at the ends, where it may be infinite. f(x) returns a Slope<T>.
 ///
 /// Domain    lo ≤ start ≤ hi (contract)
 template <class T, class F>
 NewtonRoot<T> newton_in_bracket(const F& f, T lo, T hi, T start, bool rising) {
   using std::abs;
   GW_EXPECTS(!(start < lo) && !(hi < start));
-  constexpr int kBudget = 400;  // 50 digits need at most 170 bisections, doubled
+  constexpr int kBudget = 400;  // twice the 170 bisections that 50 digits need at most
   const T ulps = T(2) * std::numeric_limits<T>::epsilon();
   NewtonRoot<T> root{start, T(0), 0, NewtonStop::iterations};
   T last = hi - lo;

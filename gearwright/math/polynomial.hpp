@@ -1,4 +1,4 @@
-// All real roots of a polynomial on an interval, isolated exactly by the roots of its derivative.
+// All real roots of a polynomial on an interval, separated exactly by the roots of its derivative.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ double evaluate_polynomial(std::span<const double> c, double x);
 
 /// The roots of Σ c_i x^i in [lo, hi] at which it changes sign, in ascending order.
 ///
-/// Between two neighbouring roots of the derivative a polynomial is monotone, so each piece
+/// A polynomial is monotone between two neighbouring roots of its derivative, so each piece
 /// contains at most one root. The recursion ends at degree 1. Nothing is sampled.
 ///
 /// Accuracy  each root is bisected until its bracket is two neighbouring doubles

@@ -28,7 +28,8 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
-    if (std::nextafter(a, b) == b) return true;  // for a root at 0 a relative criterion never ends
+    // Near a root at 0, the relative criterion below is never met.
+    if (std::nextafter(a, b) == b) return true;
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
@@ -58,7 +59,7 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   auto [a, b] = boost::math::tools::toms748_solve(look, lo, hi, f_lo, f_hi, nearly_closed, budget);
   double f_a = known(a);
   double f_b = known(b);
-  // The last few brackets are halved.
+  // The bracket that remains is bisected.
   while (!closed(a, b) && f_a != 0.0 && f_b != 0.0) {
     const double middle = a + (b - a) / 2;
     if (middle == a || middle == b) break;

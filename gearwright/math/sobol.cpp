@@ -11,7 +11,7 @@ namespace {
 using Table = boost::random::default_sobol_table;
 static_assert(SobolPoints::kMaxDimensions == Table::max_dimension);
 
-// v_k = m_k 2^(31 − k), k from 0. `polynomial` has the coefficients a_0 = 1 to a_degree = 1 as bits.
+// v_k = m_k 2^(31 − k) for k from 0. The bits of `polynomial` are its coefficients a_0 = 1 to a_degree = 1.
 std::array<std::uint32_t, 32> directions(unsigned polynomial, unsigned degree, std::size_t j) {
   std::array<std::uint32_t, 32> m{};
   for (unsigned k = 0; k < 32; ++k) {

@@ -1,5 +1,5 @@
 // Points that fill the unit cube evenly: Sobol's sequence with random access, and Owen's scrambling
-// from a hash, so that any thread computes any point and the bits are the same everywhere.
+// by a hash. Any thread can compute any point, and the bits are the same on every machine.
 //
 //   x_n   point n, in the order of the Gray code      v_k   direction numbers of a coordinate, 32 bits
 //   u     a coordinate of the scrambled point, 0 < u < 1
@@ -12,16 +12,16 @@
 
 namespace gearwright {
 
-/// Steele, Lea and Flood's splitmix64: 64 bits in, 64 well mixed bits out.
+/// Steele, Lea and Flood's splitmix64, which converts 64 bits to 64 well mixed bits.
 std::uint64_t hash64(std::uint64_t x);
 
-/// The point's coordinates as 32 bits each, by the direction numbers of Joe and Kuo (2008, file
-/// new-joe-kuo-6), whose table Boost.Random contains.
+/// Points of Sobol's sequence, each coordinate as 32 bits, from the direction numbers of Joe and Kuo
+/// (2008, file new-joe-kuo-6), whose table Boost.Random contains.
 ///
 /// Formula   [T14.3], [T14.4]
 class SobolPoints {
  public:
-  static constexpr int kMaxDimensions = 3667;  ///< of Boost's table
+  static constexpr int kMaxDimensions = 3667;  ///< size of Boost's table
 
   /// Domain    1 ≤ dimensions ≤ kMaxDimensions (contract)
   explicit SobolPoints(int dimensions);

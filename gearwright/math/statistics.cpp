@@ -28,7 +28,7 @@ double sum_of_squares(std::span<const double> f, std::span<const double> g) {
 Moments moments(std::span<const double> samples) {
   GW_EXPECTS(!samples.empty());
   const auto n = static_cast<double>(samples.size());
-  // The first sample is subtracted, because a mean far from 0 would cost digits of the others.
+  // The first sample is subtracted, because the sum would lose digits if the mean is far from 0.
   double sum = 0.0;
   for (const double x : samples) sum += x - samples[0];
   const double mean = samples[0] + sum / n;

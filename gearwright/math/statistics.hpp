@@ -16,7 +16,7 @@ namespace gearwright {
 
 struct Moments {
   double mean;
-  double variance;  ///< of the samples as a random choice, with n − 1; 0 for n = 1
+  double variance;  ///< unbiased estimate, with the divisor n − 1; 0 for n = 1
 };
 
 /// Domain    n ≥ 1 (contract)
@@ -29,8 +29,8 @@ Moments moments(std::span<const double> samples);
 /// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
 double quantile(std::span<const double> sorted, double p);
 
-/// Ranks of sorted samples, from 1 on, between which the p-quantile lies. There is none if the samples
-/// are too few for a bound on that side.
+/// Ranks of sorted samples, counted from 1, between which the p-quantile lies. A bound is absent if there are too few
+/// samples for it.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
@@ -43,8 +43,8 @@ struct ConfidenceInterval {
   double lower, upper;
 };
 
-/// Clopper and Pearson's interval of the probability of an event that occurred `count` times in
-/// `of`.
+/// Clopper and Pearson's interval for the probability of an event that occurred `count` times in
+/// `of` trials.
 ///
 /// Formula   [T14.7]
 /// Domain    0 ≤ count ≤ of, of ≥ 1, 0 < confidence < 1 (contract)
@@ -53,8 +53,7 @@ ConfidenceInterval probability_interval(std::int64_t count, std::int64_t of, dou
 /// A statistic as the mean of its values in R replicates.
 struct Estimate {
   double value;
-  std::optional<double> standard_error;  ///< none for one replicate, which does not determine its
-                                         ///< error
+  std::optional<double> standard_error;  ///< none if R = 1
 };
 
 /// Formula   [T14.9]
@@ -70,11 +69,12 @@ struct SobolIndices {
   std::vector<double> first, total;  ///< by group
 };
 
-/// Jansen's estimates from n evaluations each of f at A, at B, and at A with the columns of each group
-/// from B. There are none if the variance is at most `least_variance` or a value is not a number.
+/// Jansen's estimates. `a` and `b` contain n values of f at A and at B. For each group, `mixed` contains n values of f
+/// at A with the columns of the group taken from B. There are no estimates if the variance is at most `least_variance`
+/// or a value is not a number.
 ///
 /// Formula   [T14.10]
-/// Domain    n ≥ 1, as many in each (contract)
+/// Domain    n ≥ 1, and all spans have n values (contract)
 std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
                                           std::span<const std::vector<double>> mixed,
                                           double least_variance);

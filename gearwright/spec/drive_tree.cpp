@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-// Takes the name of a gear in the graph, the key of its material and the material's table.
+// The arguments are the name of a gear in the graph, the key of its material and the table of the material.
 using MaterialVisit =
     std::function<void(const std::string& gear, const std::string& key, const Json& material)>;
 
@@ -30,7 +30,7 @@ void visit_material(const Json& owner, const std::string& path,
   for (const std::string& gear : gears) visit(gear, key, node);
 }
 
-// One material for all members, or one for each named member.
+// Visits the one material of all members, or the materials of the members that have their own.
 void visit_set(const Json& set, const std::string& path, const std::string& prefix,
                const MaterialVisit& visit) {
   if (!set.is_object() || !set.contains("material")) return;
@@ -85,7 +85,7 @@ void visit_materials(const Json& tree, const MaterialVisit& visit) {
     }
 }
 
-// The table with the load of the drive; null if it is not a table.
+// The table that contains the load of the drive, or null if it is not a table.
 const Json* input_table(const Json& tree) {
   const auto table = [](const Json& owner, const char* key) -> const Json* {
     const auto it = owner.find(key);
@@ -105,7 +105,7 @@ constexpr const char* kSpacings[] = {"nearest", "equal", "equal_clocked", "oppos
 
 const char* word(Spacing spacing) { return kSpacings[static_cast<std::size_t>(spacing)]; }
 
-// Degrees as given: 12, not 12° converted to radians and back.
+// The angle in degrees without the rounding error of radians: 12, not 12.000000000000002.
 double tidy(Angle angle) {
   const double deg = angle.deg();
   const double rounded = std::round(deg * 1e9) / 1e9;
@@ -150,7 +150,7 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   return j;
 }
 
-// The table of a gear that a stage gives in full, with all its keys; null if there is none.
+// The table of a gear, with all its keys, if a stage contains the whole gear; otherwise null.
 Json whole_gear(const Json& tree, const std::string& name) {
   if (!tree.contains("stage")) return nullptr;
   for (std::size_t k = 0; k < tree["stage"].size(); ++k) {

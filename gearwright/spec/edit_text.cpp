@@ -1,4 +1,4 @@
-// As in spec_text.cpp: the asserts of toml++ do not handle broken input.
+// The asserts of toml++ are switched off, because they do not handle broken input (see spec_text.cpp).
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -28,7 +28,7 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-// Sets the value at the path in the tree. Null removes it, and missing tables are made. False if a
+// Sets the value at the path in the tree and makes missing tables. Null removes the value. The result is false if a
 // part of the path is not a table.
 bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value) {
   Json* node = &tree;
@@ -48,7 +48,7 @@ bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value
   return true;
 }
 
-bool same(const Json& a, const Json& b) {  // members in any order
+bool same(const Json& a, const Json& b) {  // ignores the order of members
   return nlohmann::json(a) == nlohmann::json(b);
 }
 
@@ -109,7 +109,7 @@ class Editor {
     std::size_t from = offset(key->source().begin);
     std::size_t to = range(node->source()).second;
     if (table->is_inline() && depth > 0) {
-      // Removes one comma as well: the next comma, or for the last element the previous comma.
+      // Removes one comma as well: the next comma, or the previous comma if the element is the last.
       const std::size_t next = text_.find_first_not_of(" \t", to);
       if (next != std::string::npos && text_[next] == ',') {
         to = text_.find_first_not_of(" \t", next + 1);
@@ -128,7 +128,7 @@ class Editor {
  private:
   struct Found {
     const toml::table* table;
-    std::size_t depth;  // number of parts of the path that lead to it
+    std::size_t depth;  // number of parts of the path that lead to the table
   };
 
   Found deepest(const std::vector<std::string>& parts) const {
@@ -159,7 +159,7 @@ class Editor {
            1;
   }
 
-  // "key = value" at the end of a table.
+  // Inserts "key = value" at the end of a table.
   void insert(const toml::table& table, const std::string& line, bool root) {
     if (table.is_inline() && !root) {
       const std::size_t brace = range(table.source()).second - 1;
@@ -189,7 +189,7 @@ class Editor {
     text_.insert(at, line + "\n");
   }
 
-  // The lines of the headings of a table and its sub-tables, or of all tables.
+  // Collects the lines of the headings of all tables in `table`, including those in inner tables.
   void headers(const toml::table& table, std::vector<std::size_t>& lines) const {
     for (const auto& [key, node] : table) {
       const toml::table* inner = node.as_table();
@@ -245,7 +245,7 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     editor.set(parts, toml_value(wished));
   }
   std::string text = std::move(editor).text();
-  // Rare forms, such as a table in dotted parts, are written anew, without the comments.
+  // In rare forms, such as a table in dotted parts, the whole text is written anew, without the comments.
   const bool none = text.find_first_not_of(" \t\r\n") == std::string::npos;
   const auto after = none ? Result<Json>(Json::object()) : parse_spec(text, SpecFormat::toml);
   if (!after || !same(*after, wanted)) return toml_text(wanted);

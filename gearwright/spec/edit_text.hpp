@@ -1,7 +1,7 @@
 // Sets one key of a spec's TOML text to another value and leaves comments, order and blanks
 // unchanged.
 //
-// Forms on the page use it for the text, and programs for the files of a user.
+// The page uses this for its forms, and programs use it to change the files of a user.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace gearwright {
 
-/// `path` is that of errors, "gear1.rack.dedendum". `value` is JSON text. Null removes the key,
-/// with its line if it has its own.
+/// `path` has the form that errors use, "gear1.rack.dedendum". `value` is JSON text. Null removes the
+/// key, and its line if the key has a line of its own.
 ///
-/// A key that is absent is put at the end of its table; a table that is absent at the end of the
-/// text. Keys inside an inline table { … } are set there.
+/// An absent key is added at the end of its table. An absent table is added at the end of the text.
+/// Keys of an inline table { … } are set inside the braces.
 ///
 /// Errors    a text that is not TOML; a value that is not JSON; a path through a value that is not
 ///           a table

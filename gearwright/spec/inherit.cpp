@@ -21,8 +21,8 @@ using Keys = std::vector<std::string>;
 
 const Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
 
-// A new member is inserted in alphabetic order, as by the TOML reader, so that a spec that is
-// written and read again is the same tree.
+// A new member is inserted in alphabetic order, as the TOML reader does, so that a spec that is
+// written and read again gives the same tree.
 void put(Json& table, const std::string& key, const Json& value) {
   Json::object_t& members = table.get_ref<Json::object_t&>();
   Json::object_t sorted;
@@ -42,7 +42,7 @@ std::optional<double> number(const Json& table, const std::string& key) {
   return it->get<double>();
 }
 
-// |β| in degrees.
+// The magnitude of the helix angle in degrees.
 double helix_of(const Json& gear) {
   if (const auto beta = number(gear, "helix_angle_deg")) return std::abs(*beta);
   if (const auto lead = number(gear, "lead_angle_deg")) return 90.0 - *lead;
@@ -55,7 +55,7 @@ bool parallel(const Json& tree) {
   return !pair->contains("shaft_angle_deg") || number(*pair, "shaft_angle_deg") == 0.0;
 }
 
-// Copies helix angle and hand. Returns true if gear 2 then has those of gear 1.
+// Copies helix angle and hand. Returns true if they were copied.
 bool hand_on_helix(const Json& from, Json& to) {
   if (has_any(to, kHelices) || !has_any(from, kHelices)) return false;
   const bool ring = number(to, "teeth").value_or(0.0) < 0.0;
@@ -73,8 +73,8 @@ bool hand_on_helix(const Json& from, Json& to) {
   return true;
 }
 
-// Copies a number of the normal section, in any key of gear 1. The helix of gear 2 may be
-// different.
+// Copies a number of the normal section from any of its keys in gear 1. A transverse value is
+// converted, because the helix of gear 2 may be different.
 void hand_on(const Json& from, Json& to, const std::string& key) {
   const Keys ways = gear_keys().ways(key);
   if (has_any(to, ways)) return;
@@ -91,7 +91,7 @@ void hand_on(const Json& from, Json& to, const std::string& key) {
   }
 }
 
-// The grade of a gear, which its table or its tolerances contain.
+// The accuracy grade of a gear, which is either in the gear's table or in its tolerances.
 const Json* quality_of(const Json& gear) {
   if (const auto own = gear.find("quality"); own != gear.end()) return &*own;
   const auto tolerance = gear.find("tolerance");
@@ -100,7 +100,7 @@ const Json* quality_of(const Json& gear) {
   return grade == tolerance->end() ? nullptr : &*grade;
 }
 
-// Copies the edition that belongs to a grade.
+// Copies the edition of the standard that belongs to a grade.
 void hand_on_edition(const Json& from, Json& to) {
   const auto tolerance = from.find("tolerance");
   if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;
@@ -114,7 +114,7 @@ void hand_on_edition(const Json& from, Json& to) {
   }
 }
 
-// Copies gap and stagger, but neither the groove nor the hob of gear 1.
+// Copies the gap and the stagger of the halves, but neither the groove nor the hob of gear 1.
 void hand_on_halves(const Json& from, Json& to) {
   const auto halves = from.find("double_helical");
   if (halves == from.end() || !halves->is_object() || to.contains("double_helical")) return;
@@ -124,7 +124,7 @@ void hand_on_halves(const Json& from, Json& to) {
   put(to, "double_helical", own);
 }
 
-// Straight flanks and double arcs cut both gears of a pair. F and P cut one gear each.
+// A rack with straight flanks or with double arcs cuts both gears of a pair. The racks F and P cut one gear each.
 bool cuts_both(const Json& rack) {
   if (rack.is_string()) return true;
   if (!rack.is_object()) return false;
@@ -155,7 +155,7 @@ Json with_named_materials(const Json& tree) {
     if (key == "drawing") {
       whole.emplace_back(key, node);  // its `material` is a text for users
     } else if (key == "material" && node.is_object()) {
-      Json::object_t table;  // in a set, each member may have its own material
+      Json::object_t table;  // in a planetary set, each member may have its own material
       for (const auto& [member, value] : node.items())
         table.emplace_back(member, material_keys().find(member) ? value : named(value));
       whole.emplace_back(key, std::move(table));

@@ -1,8 +1,8 @@
-// Trees of specs and results, members in the order in which they were written.
+// Trees of specs and results. Members keep the order in which they were written.
 //
-// Declared only: nlohmann/json.hpp costs a compilation a second, and reading or writing text
-// another two. Headers include this one, sources that look into a tree nlohmann/json.hpp, and text
-// is read and written here.
+// This header only declares the tree, because nlohmann/json.hpp adds a second to each compilation, and
+// reading or writing text adds two more. Headers include this file. Sources that look into a tree
+// include nlohmann/json.hpp. Text is read and written by the functions below.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,14 +13,14 @@ namespace gearwright {
 
 using Json = nlohmann::ordered_json;
 
-/// The nesting depth of brackets in a text, except those in strings. Callers check it before a
-/// foreign text is parsed, because trees are written and destroyed recursively.
+/// The nesting depth of the brackets in a text, without those in strings. Callers check the depth
+/// before a foreign text is parsed, because trees are written and destroyed recursively.
 int json_depth(std::string_view text);
 
 /// Throws  nlohmann::json::parse_error
 Json parse_json(std::string_view text);
 
-/// The text of a tree on one line, or with `indent` spaces per level. Bytes that are not characters
+/// The text of a tree on one line, or with `indent` spaces per level. Bytes that are not valid UTF-8
 /// become U+FFFD.
 std::string json_text(const Json& tree, int indent = -1);
 

@@ -19,7 +19,7 @@ class Walk {
   }
   /// Moves past the bracket, comma or colon at this position.
   void step() { ++at_; }
-  /// Passes a string; returns the text between the quotes, with escapes unchanged.
+  /// Moves past a string and returns the text between the quotes, with escapes unchanged.
   std::string_view quoted() {
     const std::size_t begin = ++at_;
     while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
@@ -66,7 +66,7 @@ TextPlace place_at(std::string_view text, std::size_t at) {
   return place;
 }
 
-// Moves to the value of the member at the beginning of `path`; false if there is none.
+// Moves to the value of the member at the beginning of `path`. The result is false if there is no such member.
 bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   walk.step();  // skips the brace
   while (walk.here() == '"') {
@@ -89,7 +89,7 @@ bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found
   return false;
 }
 
-// Moves to the element of a list that "[2]" names.
+// Moves to the element of a list whose number, "[2]", is at the beginning of `path`.
 bool enter_list(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   const int wanted = std::atoi(path.data() + 1);
   walk.step();

@@ -10,8 +10,8 @@
 
 namespace gearwright {
 
-/// The position of the key, or of the last existing table or element on the path; none if the first
-/// does not exist.
+/// The position of the key. If the key does not exist, it is the position of the last table or element of the path
+/// that exists, or none if the first part does not exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
 
 }  // namespace gearwright

@@ -33,7 +33,7 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   const int halves = spec.has(1) && spec.gear(1).double_helical ? 2 : 1;
   add(missing, missing_for_rating(spec.rating, materials, tables, halves));
   std::erase_if(missing, [&](const Error& e) {
-    // A material that was not read because other data of its gear are missing.
+    // If other data of a gear are missing, its material was not read. A material that is given is not missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
     return of_material && spec.given.contains(e.field);
   });
@@ -53,7 +53,7 @@ bool any_tolerance(const JobSpec& spec) {
          std::any_of(s.gears.begin(), s.gears.end(), of_gear);
 }
 
-// Arcs and crossed axes cannot be rated; the rating reports the reason.
+// Gears with arcs or crossed axes cannot be rated. The rating itself reports the reason.
 bool can_be_rated(const JobSpec& spec) {
   const bool crossed = spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0;
   return !crossed && std::none_of(spec.gears.begin(), spec.gears.end(), [](const auto& gear) {
@@ -90,14 +90,14 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
       missing.push_back(spelled(material.error()));
     }
   }
-  // The inputs of VDI 2736 depend on the materials.
+  // The inputs of VDI 2736 depend on the materials, so they are listed only if the materials are known.
   if (known || input.edition != RatingEdition::vdi_2736)
     for (const Error& error : missing_inputs(input, halves)) missing.push_back(spelled(error));
   return missing;
 }
 
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
-  // A rack as gear 2 has only geometry, and other verbs reject it with the reason.
+  // If gear 2 is a rack, only the geometry is computed. The other verbs reject the rack with the reason.
   if (spec.rack) return {};
   std::vector<Error> missing;
   if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1] ||

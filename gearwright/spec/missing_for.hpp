@@ -1,4 +1,4 @@
-// The inputs that a spec lacks for a computation, found beforehand and reported together.
+// The inputs that a spec lacks for a computation. They are found before the computation and reported together.
 #pragma once
 
 #include <array>
@@ -15,31 +15,31 @@ struct JobSpec;  // spec/spec.hpp
 
 enum class SpecUse {
   geometry,    ///< the gears, and the pair if there are two
-  pair,        ///< the mounted pair, its contact
+  pair,        ///< the mounted pair and its contact
   load,        ///< teeth under torque, or probes of one tooth
-  compensate,  ///< corrections, which may aim at teeth under torque
+  compensate,  ///< corrections, which may be for teeth under torque
   scatter,     ///< effect of tolerances on the pair
-  rate,        ///< strength by the standard
-  run,         ///< everything for which the spec has a table
+  rate,        ///< strength according to a standard
+  run,         ///< every computation for which the spec has a table
 };
 
-/// Everything that a spec lacks, each with an example, with the keys of a file: a second gear, a
-/// torque, and for a rating its load, the gears' materials and the inputs of its factors. A wrong
-/// material is included. Nothing is listed for a search and for an unknown gear, which have other
-/// verbs.
+/// All inputs that a spec lacks, by their keys in a file and each with an example: a second gear, a
+/// torque and, for a rating, its load, the materials of the gears and the inputs of its factors. A
+/// wrong material is included. The list is empty for a search and for an unknown gear, which have
+/// verbs of their own.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
-/// The same as one error; none if nothing is missing.
+/// The missing inputs as one error, or nothing if no input is missing.
 std::optional<Error> missing_error(SpecUse use, const JobSpec& spec);
 
-/// The missing inputs of a rating alone. `tables` are those of the materials of both gears,
+/// The missing inputs of a rating alone. `tables` are the tables of the materials of both gears,
 /// and `halves` is 2 for double-helical gears.
 std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables, int halves = 1);
 
-/// The table of a gear's material: its own, that of gear 1, or [rating.material]; if there is none,
-/// its own or that of gear 1.
+/// The table that contains the material of a gear: the gear's own table, that of gear 1, or
+/// [rating.material]. If the spec has none of these, it is the table in which a material would be given.
 std::string material_table(const JobSpec& spec, int which);
 
 }  // namespace gearwright

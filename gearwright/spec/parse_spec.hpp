@@ -1,6 +1,6 @@
-// The tree of tables of a spec, between its text and its data.
+// The tree of tables of a spec, which is made from the text and contains the data.
 //
-// Internal to spec/, job/ and the programs: public headers show no tree.
+// Internal to spec/, job/ and the programs, because public headers do not contain trees.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@
 
 namespace gearwright {
 
-/// The tables of a spec, hidden from public headers.
+/// The tables of a spec, in a struct that public headers only declare.
 struct SpecTree {
   Json tables;
 };
 
-/// The tree of a spec, members in their order. Nesting is bounded, and every key of a table occurs
-/// once, in JSON too.
+/// The tree of a spec, with members in the order of the text. The nesting is limited, and every key of a
+/// table must occur once, in JSON as well.
 ///
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
@@ -27,9 +27,9 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format);
 /// Checks a tree before its keys are read: it must be a table, with bounded nesting.
 std::optional<Error> check_tree(const Json& tree);
 
-/// The spec of a tree, equal to that of read_spec for its text.
+/// The spec of a tree, equal to the result of read_spec for its text.
 ///
-/// Errors    as read_spec, except those of syntax; as check_tree
+/// Errors    like read_spec, except errors of syntax; like check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},
                                SpecUse use = SpecUse::geometry);
 

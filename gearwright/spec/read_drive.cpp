@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// Members that one mesh joins with the planet.
+// Pairs of members that mesh: the name of a mesh consists of the names of its two members.
 const std::vector<std::string> kMeshes{"sun_planet",  "sun_idler",   "idler_planet",
                                        "sun2_planet", "planet_ring", "planet_ring2"};
 
@@ -28,8 +28,8 @@ double number_of(const TableReader& t, const std::string& key, const Json& value
   return value.get<double>();
 }
 
-// One number, or a table of numbers by name. `set` receives the index of the name among the known
-// names.
+// Reads one number, or a table of numbers by name. `set` receives the index of the name among the known
+// names, and the number.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
                 const std::vector<std::string>& known,
                 const std::function<void(std::size_t, double)>& set) {
@@ -68,7 +68,7 @@ void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
   for (const auto& [name, eta] : meshes.each) check(eta);
 }
 
-// One value or a list of values; none if absent.
+// One value or a list of values, or nothing if the key is absent.
 template <class T>
 std::optional<std::vector<T>> read_values(TableReader& t, const std::string& key,
                                           bool (Json::*is)() const noexcept, const char* rule) {
@@ -92,7 +92,7 @@ std::vector<double> read_list(TableReader& t, const std::string& key) {
       .value_or(std::vector<double>());
 }
 
-// Speeds and the torque of the inputs; of several torques the first one is used.
+// Reads the speeds and the torque of the inputs. Only one torque may be given.
 void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque) {
   speeds = read_list(t, "speed_rpm");
   const std::vector<double> torques = read_list(t, "torque_Nm");
@@ -101,7 +101,7 @@ void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional
   if (!torques.empty()) torque = torques.front();
 }
 
-// Rejects halves outside the table of a gear; `where` names the place.
+// Rejects the key double_helical outside the table of a gear. `where` is the reason.
 void refuse_halves(const Json& node, const std::string& path, const char* where) {
   if (node.contains("double_helical"))
     throw SpecError{{path + ".double_helical", shown(node["double_helical"]), where}};
@@ -134,7 +134,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
 
 namespace {
 
-// Adds the numbers of a stage that its set omits.
+// Copies the numbers that the table of a stage gives and the table of its set omits.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
   for (const char* key :
@@ -179,7 +179,7 @@ void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
   const bool two =
       gears.is_array() && gears.size() == 2 && gears[0].is_object() && gears[1].is_object();
   if (!two) t.fail("gears", "must be a list of two tables, each as [gear1]");
-  // The second gear inherits from the first gear in the same way as gear 2 from gear 1.
+  // The second gear of the stage inherits from the first in the same way as gear 2 from gear 1.
   const Json both = inherit(Json{{"gear1", gears[0]}, {"gear2", gears[1]}}).tree;
   for (const std::size_t i : {0, 1}) {
     const std::string name = i == 0 ? "gear1" : "gear2";
@@ -261,7 +261,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
   return stage;
 }
 
-// A table of a list, with its path in the spec.
+// An element of a list of tables, with its path in the spec.
 struct ListedTable {
   std::string path;
   const Json& node;
@@ -412,7 +412,7 @@ T taken(Result<T> made, const Json& tree) {
 bool is_drive(const Json& tree) { return has_any(tree, {"planetary", "stage", "drive"}); }
 
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
-  drive_materials(tree);  // the materials are read only to report errors; a rating reads them again
+  drive_materials(tree);  // read here only to report errors; a rating reads the materials again
   const char* first = nullptr;
   for (const char* table : {"planetary", "stage", "drive"}) {
     if (!tree.contains(table)) continue;

@@ -1,6 +1,6 @@
 // Reads a drive of a spec: [planetary], [[stage]] or the graph [drive].
 //
-// Internal to spec/: throws SpecError, as the readers of single values do.
+// Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
 #include <filesystem>
@@ -16,27 +16,27 @@ namespace gearwright {
 /// True if the spec has one of the three tables.
 bool is_drive(const Json& tree);
 
-/// The graph into which they expand, with the stages of a train.
+/// The graph of the drive, to which a short form is expanded, with the stages of a train.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// The materials of gears that have their own, by the names of the gears; empty for a table that
-/// does not describe a drive.
+/// The materials of the gears that have their own material, by the names of the gears. The map is empty
+/// for a table that does not describe a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Sets the speed of [rating] to that of the first input if it is absent, because a life and a
-/// power need a speed.
+/// Sets an absent speed of [rating] to the speed of the first input, because a life and a power need a
+/// speed.
 void lend_speed(Json& tree);
 
-/// The set of a table with the keys of [planetary].
+/// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 
 /// The spec with its short form replaced by the equivalent [drive].
 ///
-/// Domain    a spec with a drive that was read (contract)
+/// Domain    read_drive accepts the spec (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);
 
-/// Replaces members of a drive's graph in an error by keys of the file: `drive.fixed` of a set is
-/// planetary.fixed.
+/// Replaces the names in an error of a drive's graph by the keys of the file. For example, `drive.fixed` of a set
+/// becomes planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 
 }  // namespace gearwright

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// Rejects keys that do not apply to this kind.
+// Rejects numbers of teeth of members that drives of this kind do not have.
 void check_members(TableReader& t, const DriveSearchProblem& p) {
   constexpr const char* kTeeth[] = {"sun_teeth",     "sun2_teeth", "idler_teeth", "planet_teeth",
                                     "planet2_teeth", "ring_teeth", "ring2_teeth"};

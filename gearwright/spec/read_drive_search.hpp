@@ -1,6 +1,6 @@
-// Reads [search] with a kind: a search for drives.
+// Reads a table [search] with the key `kind`, which is a search for drives.
 //
-// Internal to spec/: throws SpecError, as the readers of single values do.
+// Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
 #include "gearwright/design/drive_search.hpp"
@@ -13,7 +13,7 @@ bool is_drive_search(const Json& search);
 
 DriveSearchProblem read_drive_search(const Json& search);
 
-/// The keys of [search] that every set has in [planetary], or every stage of a train.
+/// The keys of [search] that are copied to [planetary] of every set, or to every stage of a train.
 Json shared_keys(const Json& search, bool train);
 
 }  // namespace gearwright

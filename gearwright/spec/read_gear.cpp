@@ -36,7 +36,7 @@ std::optional<double> read_helix(TableReader& t) {
   return value;
 }
 
-// Checks tolerances that repeat the gear's own keys.
+// Checks the tolerances that are also given by keys of the gear.
 void check_tolerance(TableReader& gear, const GearInput& g) {
   const Json* node = gear.table("tolerance");
   if (!node) return;
@@ -55,7 +55,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// The dimensions of the finished gear determine module, helix angle and profile shift for one rack.
+// Computes module, helix angle and profile shift for a given rack from the dimensions of the finished gear in [basic].
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");
@@ -126,7 +126,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   c.rack = *leaving;
 }
 
-// Rejects keys of an involute gear, which have no meaning for a rack of arcs.
+// Rejects the keys of an involute gear that have no meaning for a rack of arcs.
 void refuse_involute_keys(TableReader& gear) {
   const std::string why = "cannot be combined with a rack of arcs";
   for (const char* key : {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}) {
@@ -139,7 +139,7 @@ void refuse_involute_keys(TableReader& gear) {
     gear.fail("profile_shift", why + "; the positions of the arc centres determine the depth");
 }
 
-// The table that the word `kind` selects among the tables of a key; by default the first table.
+// The table that the word `kind` selects among the possible tables of a key. Without `kind` it is the first table.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
@@ -154,7 +154,7 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
                         : "must be a text in quotes");
 }
 
-// Numbers that a gear, its cutter and its mating gear share. The table of a cutter may omit them.
+// The table of a cutter with the numbers that it omits. They are taken from the gear or from its mating gear.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
@@ -177,7 +177,7 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   return whole;
 }
 
-// A cutter reaches deep enough for the clearance of the teeth.
+// The default addendum of a cutter is sufficient for the tip clearance.
 constexpr double kCutterAddendum = 1.25;
 
 }  // namespace

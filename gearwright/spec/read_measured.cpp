@@ -35,7 +35,7 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
             [](const SpanReading& a, const SpanReading& b) { return a.teeth < b.teeth; });
 }
 
-// Adds the data of the mating gear to readings that have none.
+// Adds the data of the mating gear if the readings do not contain them.
 void add_mating_gear(const Json& tree, int mate, Json& readings) {
   const std::string name = gear_field(mate);
   if (!tree.contains(name) || !tree[name].is_object() || is_rack(tree[name])) return;
@@ -74,7 +74,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
     throw SpecError{
         {path + ".measured", shown(readings), "must be a table, [" + path + ".measured]"}};
   IdentifyProblem p;
-  // Other data of a known gear are read with the gears.
+  // If the gear is known, only these of its keys are read here. The others are read with the gears.
   const bool unknown = is_unknown_gear(gear);
   Json known = Json::object();
   for (const Key& key : unknown_gear_keys().keys) {

@@ -2,7 +2,7 @@
 //
 // A key sets both flanks. With the prefix right_ or left_ it sets one flank and takes precedence.
 //
-// Internal to spec/: throws SpecError, as the readers of single values do.
+// Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
 #include <array>
@@ -14,19 +14,20 @@
 
 namespace gearwright {
 
-constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes: 200 000 points
+constexpr std::size_t kMaxTopography = 4 << 20;  ///< in bytes, enough for 200 000 points
 
-/// The right and the left flank; nothing is removed if the gear has no such table. Conditions on
-/// the finished gear are checked by make_removal_field.
+/// The modifications of the right and the left flank, without removal if the gear has no such table.
+/// Conditions on the finished gear are checked by make_removal_field.
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,
                                                      const std::filesystem::path& folder);
 
-/// A topography from CSV: rows of diameter_mm, z_mm, removed_um in any order, every diameter with
-/// every z once; a first line with these names, empty lines and comments after # are allowed.
+/// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have any order,
+/// and every diameter must occur once with every z. A first line with these names, empty lines and comments after #
+/// are allowed.
 ///
-/// Errors    without a key: line and reason
+/// Errors    line and reason, without a key
 Result<Topography> topography_from_csv(std::string_view csv);
 
 }  // namespace gearwright

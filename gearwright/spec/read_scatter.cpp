@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// Checks the distribution. An error names the key, or `path` if the table has it.
+// Checks the distribution. The error names `key`, or a key inside it if the value is a table.
 void check(const TableReader& t, const std::string& key, const DistributionSpec& d,
            const Json& value) {
   const auto made = Distribution::of(d);

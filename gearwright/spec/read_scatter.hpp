@@ -1,6 +1,6 @@
-// Reads [scatter]: toleranced numbers as a list of two or a table, and the groups of inputs.
+// Reads [scatter]: the groups of inputs and the toleranced numbers, each a list of two numbers or a table.
 //
-// Internal to spec/: throws SpecError, as the readers of single values do.
+// Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
 #include "gearwright/catalogue/scatter_keys.hpp"

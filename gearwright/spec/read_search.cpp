@@ -25,7 +25,7 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-constexpr std::size_t kMaxAngles = 100'000;  // limit for a range with a step
+constexpr std::size_t kMaxAngles = 100'000;  // greatest number of angles in a range with a step
 
 std::vector<double> read_modules(TableReader& t) {
   const Json* given = t.any("modules_mm");
@@ -72,7 +72,7 @@ void check_teeth(TableReader& t, SearchProblem& p) {
   if (!t.has("target_ratio")) p.target_ratio = (p.ratio[0] + p.ratio[1]) / 2.0;
 }
 
-// One angle, a range with a step, or a list.
+// Reads one helix angle, a range of angles with a step, or a list of angles.
 void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   const auto b = t.numbers("helix_angle_deg");
   const auto step = t.number("helix_step_deg");
@@ -89,7 +89,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
                                            "allowed",
                                            count + 1, kMaxAngles));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back(b->front() + i * h);
-    // The end of the range, unless a step has just reached it.
+    // The end of the range is added unless it is a whole number of steps from the start.
     if (degrees.back() < b->back() - 1e-9 * h) degrees.push_back(b->back());
   } else if (step) {
     t.fail("helix_step_deg", "needs a band, helix_angle_deg = [least, greatest]");
@@ -141,7 +141,7 @@ void check_objectives(const TableReader& t, const SearchProblem& p) {
   }
 }
 
-// Keys of a [gearN] of a search that a user may give. The search computes the others.
+// The keys of a [gearN] that a user may give for a search. The search computes all other values.
 struct Blank {
   std::optional<double> alpha_deg, helix_deg, face_mm;
   std::optional<StraightRack> rack;
@@ -183,7 +183,7 @@ Blank read_blank(const Json* node, const std::string& path) {
   return b;
 }
 
-// Depth of the straight edge below the datum line, h_FfP*.
+// The depth h_FfP* of the straight edge below the datum line.
 double straight_depth(const StraightRack& rack, double alpha_n) {
   const double radius =
       rack.named ? std::min(rack.root_fillet_radius, full_radius(rack, Angle::radians(alpha_n)))
@@ -191,7 +191,7 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
   return rack.dedendum - radius * (1.0 - std::sin(alpha_n));
 }
 
-// The racks to be tried, each for both gears.
+// Reads the racks to be tried. Each is used for both gears.
 void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
   const auto depth = t.number("undercut_depth");
   const Json* list = t.any("racks");
@@ -264,7 +264,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (one(p.face_width) && one(p.face_modules))
     t.fail("face_width_modules", "contradicts face_width_mm; leave one out");
   const auto mounting = t.word("mounting");
-  // An internal pair at the extended distance is tighter than one free of backlash.
+  // At the extended centre distance, an internal pair has negative backlash, so its default is tight.
   const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
   p.mounting = tight ? Mounting::tight : Mounting::extended;
   read_limits(t, p);

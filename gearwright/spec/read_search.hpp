@@ -1,7 +1,7 @@
 // Reads [search] of a spec, and the keys of [gear1] and [gear2] that a search does not choose:
 // pressure angle, rack, helix, face width.
 //
-// Internal to spec/: throws SpecError, as the readers of single values do.
+// Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
 #include "gearwright/design/search_problem.hpp"
@@ -10,10 +10,10 @@
 
 namespace gearwright {
 
-/// The tables as given; null if the spec has none.
+/// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
 
-/// ISO 54 series I, and II, mm.
+/// The modules of ISO 54, series I (1) or series II (2), in mm.
 const std::vector<double>& iso54_modules(int series);
 
 }  // namespace gearwright

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The materials of the gears' tables, with or without teeth. Gear 2 without a material has that of
-// gear 1.
+// The materials in the tables of the gears, with or without teeth. If gear 2 has no material, it takes the
+// material of gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -32,7 +32,7 @@ std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable&
   return materials;
 }
 
-// The key of [search] that needs a rating; empty if none is found. The table may be incomplete.
+// The key of [search] that needs a rating, or "" if there is none. The table may be incomplete.
 std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;
@@ -51,11 +51,11 @@ constexpr const char* kNeedsRating =
 constexpr const char* kNoAllowances = "none";
 constexpr const char* kUsualSeries = "cd25";
 
-// Face widths in reference diameters of the pinion: the shaft of a wider pinion bends and
-// twists too much for its whole face to carry, and narrower gears are rare in reducers.
+// Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and twists too
+// much, so its whole face does not carry. Narrower gears are rare in reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
-// A gear and a centre distance that every table covers: only the names are checked here.
+// Only the names are checked here, for a diameter and a centre distance that every table contains.
 constexpr double kAnyDiameter = 100.0;
 
 void check_names(const TableReader& t, const SearchAllowances& allowances) {
@@ -67,7 +67,7 @@ void check_names(const TableReader& t, const SearchAllowances& allowances) {
       t.fail("center_distance_tolerance", half.error().rule);
 }
 
-// The first of the keys that the table has.
+// The first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (t.given(key)) return key;
@@ -97,7 +97,7 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
 
 void read_search_rating(const Json& tree, JobSpec& spec) {
   const RatingTable& rating = spec.rating;
-  // Values that gear 2 takes from gear 1 are named in the table of gear 1.
+  // If gear 2 takes a material from gear 1, the table of gear 1 is named.
   const std::array<std::string, 2> tables{material_table(spec, 1), material_table(spec, 2)};
   const auto check = [&](const std::array<MaterialInput, 2>& given) {
     const std::vector<Error> missing = missing_for_rating(rating, given, tables);

@@ -28,7 +28,7 @@ bool too_deep(std::string_view xml) {
       continue;
     }
     const std::size_t end = xml.find('>', i);
-    if (end == std::string_view::npos) return false;  // the parser reports it
+    if (end == std::string_view::npos) return false;  // the parser reports this error
     if (xml[end - 1] != '/' && ++depth > kDeepest) return true;
   }
   return false;
@@ -87,7 +87,7 @@ std::optional<double> RexsComponent::number(std::string_view attribute) const {
   const double value = std::strtod(text.c_str(), &end);
   if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value))
     return std::nullopt;
-  return value == 0.0 ? 0.0 : value;  // 0, and not −0
+  return value == 0.0 ? 0.0 : value;  // gives 0 instead of −0
 }
 
 std::optional<std::string> RexsComponent::text(std::string_view attribute) const {

@@ -21,7 +21,7 @@ struct RexsComponent {
   std::map<std::string, std::string, std::less<>> attributes{};  ///< plain values as text
   std::map<std::string, std::string, std::less<>> units{};
 
-  /// The value of an attribute; none if it is absent or no number.
+  /// The value of an attribute, or nothing if it is absent or not a number.
   std::optional<double> number(std::string_view attribute) const;
   std::optional<std::string> text(std::string_view attribute) const;
   void set(const std::string& attribute, double value, const std::string& unit);
@@ -31,7 +31,7 @@ struct RexsRelation {
   std::string type;                                         ///< "stage"
   std::vector<std::pair<std::string, std::string>> refs{};  ///< role and id of a component
 
-  /// The component with this role, or empty.
+  /// The id of the component with this role, or an empty text.
   std::string_view of(std::string_view role) const;
   bool names(std::string_view id) const;
 };
@@ -42,18 +42,18 @@ struct RexsModel {
   std::vector<RexsComponent> components{};
   std::vector<RexsRelation> relations{};
 
-  /// Null if there is none.
+  /// The component with this id, or null if there is none.
   const RexsComponent* find(std::string_view id) const;
   std::vector<const RexsComponent*> of_type(std::string_view type) const;
 };
 
-/// The model of a file. Arrays and tables of values are left out.
+/// The model of a file, without its arrays and tables of values.
 ///
-/// Errors    text that is no XML, with its line; another root than `model`; a version other than 1.x
-///           and 2.0; deep nesting
+/// Errors    text that is not XML, with its line; a root element other than `model`; a version other
+///           than 1.x and 2.0; deep nesting
 Result<RexsModel> read_rexs(std::string_view xml);
 
-/// The file of a model; numbers read back to the same double.
+/// The model as the text of a file. Reading the text gives the same doubles.
 std::string rexs_text(const RexsModel& model);
 
 }  // namespace gearwright

@@ -63,7 +63,7 @@ class Reader {
     return std::nullopt;
   }
 
-  // The other component of a relation of this type that names `id`, of one of these types.
+  // The first component with one of these types that shares a relation of one of these types with `id`.
   const Component* related(std::string_view id, std::initializer_list<std::string_view> relations,
                            std::initializer_list<std::string_view> types) const {
     for (const RexsRelation& r : model_.relations) {
@@ -84,7 +84,7 @@ class Reader {
   const Component* shaft_of(const Component& gear) const {
     return related(gear.id, {"assembly"}, {"shaft"});
   }
-  // A tool belongs to the gear or to its flank, by a reference or by a step of manufacture.
+  // The tool is connected to the gear or to its flank, by a reference or by a manufacturing step.
   const Component* tool_of(const Component& gear) const {
     const Component* const flank = flank_of(gear);
     for (const Component* part : {&gear, flank}) {
@@ -107,7 +107,7 @@ class Reader {
     return flank ? flank->number("addendum_modification_coefficient") : std::nullopt;
   }
 
-  // The rack of a tool. Version 2.0 has a new name for the radius of its corners.
+  // The rack of a tool. In version 2.0 the radius of the tip corners has a new name.
   static Json rack_of(const Component& tool) {
     Json rack = Json::object();
     const bool hob = tool.type == "rack_shaped_tool";
@@ -158,7 +158,8 @@ class Reader {
     return table;
   }
 
-  // By the generating shift, or in a drive, which has no tolerances, the mean of the series.
+  // The thickness allowance, computed from the generating profile shift. In a drive, which has no tolerances, it is the
+  // mean allowance of the series.
   std::optional<double> allowance_of(const Component& gear,
                                      const std::optional<std::string>& series,
                                      bool of_drive) const {
@@ -209,7 +210,7 @@ class Reader {
     return spec;
   }
 
-  // A load that defines a torque, on this shaft.
+  // The load on this shaft that defines a torque, or null.
   const Component* torque_on(const Component& shaft) const {
     for (const Component* load : model_.of_type("external_load"))
       if (load->text("defines_torque") == "true" && load->number("torque_around_u_axis") &&
@@ -218,8 +219,8 @@ class Reader {
     return nullptr;
   }
 
-  // The chain of stages over their shafts, from the shaft with the given torque, otherwise from the
-  // first stage.
+  // The chain of stages along their common shafts. It starts at the shaft with the given torque, or at the
+  // first stage if there is none.
   Result<Json> train() {
     const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
       Stage* found = nullptr;
@@ -314,7 +315,7 @@ class Reader {
     return spec;
   }
 
-  // The components that no key of a spec describes, by type.
+  // Adds a note with the types of the components that no key of a spec describes.
   void note_the_rest() {
     std::map<std::string, int> left;
     for (const Component& c : model_.components) {

@@ -1,5 +1,5 @@
-// A REXS model as a spec: one cylindrical stage as a pair, a chain of stages as [[stage]]s, and a
-// planetary stage as [planetary]. Internal to spec/ and job/.
+// Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]] tables, and a
+// planetary stage to [planetary]. Internal to spec/ and job/.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,14 +13,14 @@ namespace gearwright {
 
 struct RexsSpec {
   Json tables;
-  std::vector<std::string> notes;  ///< what was not read, a sentence each
+  std::vector<std::string> notes;  ///< one sentence about each part that was not read
 };
 
 /// Errors    a model without cylindrical stages; stages that form neither a chain nor one planetary
 ///           set; a stage without two gears, a gear without teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
-/// The spec as TOML, under comments that name the file's version and what was not read.
+/// The spec as TOML. Comments at its beginning name the version of the file and the parts that were not read.
 Result<std::string> spec_text_of_rexs(std::string_view xml);
 
 }  // namespace gearwright

@@ -39,7 +39,7 @@ bool says_thickness(const Json& tolerance) {
          tolerance.contains("over_balls_mm");
 }
 
-// A backlash and allowances that determine it exclude each other.
+// Rejects a backlash together with thickness allowances, because either determines the other.
 void check_backlash(const Json& tree, const JobSpec& spec) {
   if (!spec.pair.wants_backlash()) return;
   const PairInput& p = spec.pair;
@@ -59,7 +59,7 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
   }
 }
 
-// Collects the inputs that the tables of a spec lack, as one error.
+// Collects the missing inputs of all tables of a spec and reports them as one error.
 class Lacks {
  public:
   /// Reads a table and collects its missing inputs for a common error.
@@ -84,7 +84,7 @@ class Lacks {
       }
     }
   }
-  /// A spec that lacks the first input lacks the second input only for that reason.
+  /// Omits the second input if the first is also missing, because the second follows from the first.
   void shared(const std::string& first, const std::string& second) {
     if (!has(all_, first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -104,7 +104,7 @@ class Lacks {
   std::vector<SpecError> caught_;
 };
 
-// Shares materials between [rating] and the gears.
+// Copies the materials between [rating] and the gears.
 void share_with_rating(const Json& tree, JobSpec& spec) {
   RatingTable& rating = spec.rating;
   auto& [one, two] = spec.gears;
@@ -118,7 +118,7 @@ void share_with_rating(const Json& tree, JobSpec& spec) {
     rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
 }
 
-// Passes the shafts of the gears to [rating].
+// Copies the shafts of the gears to [rating].
 void share_shafts(const Json& tree, JobSpec& spec) {
   MeshShafts shafts;
   shafts.gear2_drives = spec.load.driver == 2;
@@ -145,7 +145,7 @@ void share_shafts(const Json& tree, JobSpec& spec) {
   if (shafts.any()) spec.rating.input.shafts = shafts;
 }
 
-// A rack as gear 2. Its pair has only the keys of its position.
+// Reads a rack as gear 2. In this case [pair] may contain only the keys of the rack's position.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
   RackBar bar;
@@ -166,7 +166,7 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
   return bar;
 }
 
-// Rejects the two halves of a gear where the verbs that compute gears do not support them.
+// Rejects the halves of a double-helical gear for verbs that do not support them.
 void refuse_halves(const Json* gear, const std::string& path, const Json& tree) {
   if (!gear || !gear->contains("double_helical")) return;
   TableReader t(gear_keys(), *gear, path);
@@ -191,8 +191,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
-  // With [search], a gear's table without teeth contains only the data that the search does not
-  // choose. The mating gear of an unknown gear may have only its number of teeth.
+  // In a spec with [search], a table of a gear without teeth contains only the data that the search does not
+  // choose. The mating gear of an unknown gear may have no data except its number of teeth.
   const auto is_gear = [&](const Json* gear) {
     const Json* other = gear == gear_1 ? gear_2 : gear_1;
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&
@@ -220,7 +220,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   refuse_halves(gear_2, "gear2", tree);
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth",
-               "gear2.normal_module_mm");  // with them, gear 2 takes the material of gear 1
+               "gear2.normal_module_mm");  // with teeth, gear 2 takes the module of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   const bool drives = search && is_drive_search(*search);
   if (drives) {

@@ -1,7 +1,7 @@
 // The spec file: a gear or a pair as on a drawing, in TOML or JSON.
 //
-// Lengths are in mm and angles in degrees, as given in the key. Absent keys are absent here too.
-// job/solved_job.hpp computes the values that follow.
+// Lengths are in mm and angles in degrees, as given in the key. Absent keys are also absent in the structs.
+// job/solved_job.hpp computes the values that follow from the spec.
 #pragma once
 
 #include <array>
@@ -27,33 +27,33 @@ struct DriveInput;       // drive/drive.hpp
 struct SpecTree;         // spec/parse_spec.hpp
 
 struct JobSpec : SpecTables {
-  std::string text;  ///< the spec as read, for the report; for a tree its JSON
-  /// The same as a tree of tables, with the values that gear 2 takes from gear 1; null if the spec
+  std::string text;  ///< the spec as read, for the report; JSON for a tree
+  /// The spec as a tree of tables, with the values that gear 2 takes from gear 1. It is null if the spec
   /// was not read.
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
-  std::optional<RackBar> rack;  ///< gear 2 is a rack, and `gears` contains only the pinion
+  std::optional<RackBar> rack;  ///< set if gear 2 is a rack; `gears` then contains only the pinion
   std::optional<SearchProblem> search;
-  /// [gearN.measured]: of a known gear, or of an unknown one that is not in `gears`.
+  /// The readings in [gearN.measured]. An unknown gear has readings but is not in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
-  std::vector<std::string> inherited;  ///< keys of gear 2 that are gear 1's: material, quality
+  std::vector<std::string> inherited;  ///< keys of gear 2 copied from gear 1: material, quality
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
-/// `folder` is empty. All missing inputs, in general and for `use`, are one error.
+/// `folder` is empty. All missing inputs, in general and for `use`, are reported as one error.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the
-///           permitted values; syntax errors with line and column; unknown keys with the nearest
-///           known one
+///           permitted values; syntax errors with line and column; an unknown key with the nearest
+///           known key
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
                           const std::filesystem::path& folder = {},
                           SpecUse use = SpecUse::geometry);
 
 Result<JobSpec> read_spec(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// Reads the text with read_spec_text(), then the spec.
+/// Reads the text of the file with read_spec_text(), then the spec.
 Result<JobSpec> read_spec_file(const std::filesystem::path& path);
 
 }  // namespace gearwright

@@ -1,6 +1,6 @@
-// toml++ 3.3 responds to some broken input ("[" and a newline) with an assert instead of a parse
-// error. In release mode the same code gives a clean parse error, so this file is compiled in that
-// mode in every build.
+// For some broken input ("[" and a newline), toml++ 3.3 fails an assert instead of returning a parse
+// error. Without asserts the same code returns a parse error, so this file is compiled without asserts
+// in every build.
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -36,8 +36,8 @@ Error too_deep() {
   return syntax_error(fmt::format("it has more than {} nested tables", kDeepest));
 }
 
-// Members are appended to an object without a check for duplicates, which would take quadratic
-// time. Both parsers give every key once.
+// Appends a member to an object without a check for duplicates, which would take quadratic time. In
+// both parsers every key occurs only once.
 Json& put(Json& object, std::string key, Json value) {
   return object.get_ref<Json::object_t&>().emplace_back(std::move(key), std::move(value)).second;
 }
@@ -57,7 +57,7 @@ Json to_json(const toml::node& node) {
   if (const auto* v = node.as_floating_point()) return v->get();
   if (const auto* v = node.as_boolean()) return v->get();
   if (const auto* v = node.as_string()) return v->get();
-  // A date or time, as it is written.
+  // A date or time becomes the text as it is written.
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   return text.str();
@@ -130,8 +130,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// The first line with more dots outside quotes than the permitted nesting, because the TOML parser
-// recurses for each part of a dotted name.
+// The first line with too many dots outside quotes. The TOML parser recurses for each part of a dotted
+// name, so their number is limited before parsing.
 std::optional<int> deep_line(std::string_view text) {
   int line = 1;
   int dots = 0;
@@ -146,7 +146,7 @@ std::optional<int> deep_line(std::string_view text) {
     } else if (c == '"' || c == '\'') {
       quote = c;
     } else if (c == ',') {
-      dots = 0;  // the next name of a list
+      dots = 0;  // the next element of a list begins
     } else if (c == '.' && ++dots > 8 * kDeepest) {
       return line;
     }
@@ -154,7 +154,7 @@ std::optional<int> deep_line(std::string_view text) {
   return std::nullopt;
 }
 
-// Detects "2,5", a number with a decimal comma, near the position of the parser error.
+// A hint if the line with the parser error contains "2,5", a number with a decimal comma.
 std::string comma_hint(std::string_view text, const toml::source_position& at) {
   for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
   text = text.substr(0, text.find('\n'));
@@ -174,7 +174,7 @@ TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// The longest key of a table with which `path` begins.
+// The longest key of the table that is at the beginning of `path`.
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {
@@ -211,7 +211,7 @@ std::optional<TextPlace> toml_place(const toml::table& root, std::string_view pa
   return place;
 }
 
-// The nesting depth of tables and lists, counted up to one too many.
+// The nesting depth of tables and lists. The count stops at `most`.
 int depth_of(const Json& tree, int most) {
   int deepest = 0;
   if (!tree.is_structured() || most == 0) return 0;

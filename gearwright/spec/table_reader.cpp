@@ -32,7 +32,7 @@ std::string shown(const Json& value) {
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // also nan and inf
   if (value.is_object()) return "(a table)";
   if (value.is_array()) {
-    // As it was written, if it is short enough for a message. JSON has no word for nan and inf.
+    // A short list is shown as it was written. JSON has no words for nan and inf, so dump() is not used.
     std::string list;
     for (const Json& item : value) {
       list += list.empty() ? "[" : ", ";
@@ -216,7 +216,7 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
     }
     default: break;
   }
-  GW_EXPECTS(false);  // a table has no value
+  GW_EXPECTS(false);  // not reached, because a table has no value
   return std::nullopt;
 }
 

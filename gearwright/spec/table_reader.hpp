@@ -1,10 +1,10 @@
-// Reads one table of a spec by the catalogue: values within their ranges are stored in the places
-// of their keys, sub-tables and lists of tables in their structs. An error names the key.
+// Reads one table of a spec with the catalogue. Values within their ranges are stored in the places
+// of their keys, and sub-tables and lists of tables in their structs. An error names the key.
 //
-// A key that is not in the catalogue, or one of the catalogue that was not read, is a defect of
-// this program and violates a contract, so table and reader always agree.
+// The reader violates a contract if it reads a key that is not in the catalogue, or if it leaves a key
+// of the catalogue unread. This ensures that catalogue and reader agree.
 //
-// Internal to spec/: throws SpecError, which read_spec turns into a Result.
+// Internal to spec/. The functions throw SpecError, which read_spec converts to a Result.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,18 @@ namespace gearwright {
 
 struct SpecError {
   Error error;
-  std::vector<Error> missing{};  ///< the parts of an error about missing inputs
+  std::vector<Error> missing{};  ///< if inputs are missing, one error for each of them
 };
 
 class TableReader {
  public:
-  /// `path` is the table's dotted name, empty for the file itself.
+  /// `path` is the dotted name of the table. It is empty for the file itself.
   TableReader(const KeyTable& keys, const Json& node, std::string path);
 
-  /// Reads every key that has a place, tables after plain values. Absent keys leave the members
+  /// Reads every key that has a place, plain values first and then tables. Absent keys leave the members
   /// unchanged.
   void read(KeyTarget input);
-  /// Reads one key, which has a place.
+  /// Reads one key, which must have a place.
   void read(const Key& key, KeyTarget input);
   /// Reads the whole table: read(), finish(), and the rule of the table.
   void read_whole(KeyTarget input);
@@ -42,34 +42,34 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// The list of a key: finite numbers, as many as permitted, whose range is not checked.
+  /// The list of finite numbers of a key. Their number is checked, but not their range.
   std::optional<std::vector<double>> raw_numbers(const std::string& key);
-  /// The same list, with the numbers within their range, in the required order, whole if required.
+  /// The same list with more checks: the range of the numbers, their order, and whole numbers if required.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
-  const Json* any(const std::string& key);    ///< a value of whatever type, or null
-  /// The value in the unit of `key`, from the key and its aliases, which must all agree; `what`:
-  /// "module".
+  const Json* any(const std::string& key);    ///< a value of any type, or null
+  /// The value in the unit of `key`, from the key or its aliases. If several are given, they must agree.
+  /// `what` names the quantity, for example "module".
   std::optional<double> one_of(const std::string& key, const std::string& what, double cos_beta);
 
   /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
-  /// Fails if a required key is absent; a misspelled one is named first.
+  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled key.
   void require_all() const;
-  /// The key and its aliases are missing; finish() fails.
+  /// Records that the key and its aliases are missing, so that finish() fails.
   void lacks_one_of(const std::string& key, const std::string& what);
   /// Rejects a key that is not allowed here, with the reason.
   void refuse(const std::string& key, const std::string& why);
-  /// Fails because of an unknown key, naming the nearest one, because of a missing key, by itself
-  /// or required by another, or because of two keys that exclude each other.
+  /// Fails because of an unknown key, with the nearest known key; because of a missing key that is
+  /// required always or by another key; or because of two keys that exclude each other.
   void finish() const;
-  void refuse_unknown() const;  ///< only the first of these checks
+  void refuse_unknown() const;  ///< makes only the first of these checks
 
   const KeyTable& keys() const { return keys_; }
-  const std::string& name() const { return path_; }  ///< of the table
+  const std::string& name() const { return path_; }  ///< name of the table
   std::string name(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   [[noreturn]] void fail(const std::string& key, const std::string& why) const;
-  /// The key is missing; `rest` continues that sentence.
+  /// Fails because the key is missing. `rest` continues the sentence "is missing".
   [[noreturn]] void fail_absent(const std::string& key, std::string_view rest) const;
 
   bool given(std::string_view key) const;
@@ -81,7 +81,7 @@ class TableReader {
   std::optional<int> whole(const std::string& key);
   std::optional<std::vector<int>> words(const Key& key);
   void read_tables(const Key& key, KeyTarget input);
-  /// Fails because of all required keys that are missing.
+  /// Fails with one error for all required keys that are missing.
   [[noreturn]] void fail_missing() const;
 
   const KeyTable& keys_;
@@ -98,7 +98,7 @@ T read_table(const KeyTable& keys, const Json& node, const std::string& path) {
   return input;
 }
 
-constexpr double kSameInput = 1e-9;  ///< two forms of one number may differ by rounding
+constexpr double kSameInput = 1e-9;  ///< relative difference allowed between two forms of a number
 
 bool has_any(const Json& table, const std::vector<std::string>& keys);
 

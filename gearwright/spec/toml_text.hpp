@@ -9,16 +9,16 @@
 
 namespace gearwright {
 
-/// A value on one line; a table in braces.
+/// A value on one line. A table is written in braces.
 std::string toml_value(const Json& value);
 
-/// Numbers read back to the same double. Plain values precede tables, and lists of tables have a
-/// heading [[name]] for each table.
+/// The tree as TOML text. Reading the text gives the same doubles. Plain values precede tables, and each table
+/// of a list has a heading [[name]].
 ///
 /// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
 std::string toml_text(const Json& tree);
 
-/// Sentences as comments, each on lines of its own.
+/// Sentences as comments. Each sentence begins on a new line.
 std::string toml_comment(const std::vector<std::string>& sentences);
 
 }  // namespace gearwright

@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view kChunkMagic = "GWCHUNK1";
 constexpr std::string_view kEnding = ".chunk";
 constexpr std::string_view kPart = ".part.";
-constexpr std::size_t kHeader = 56;  // without the counts by constraint
+constexpr std::size_t kHeader = 56;  // length in bytes without the counts by constraint
 constexpr std::size_t kMaxHeader = kHeader + 8 * kMaxConstraints;
 constexpr auto kStaleAfter = std::chrono::hours(24);
 
@@ -77,7 +77,7 @@ ChunkRead broken(std::string damage) {
 
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
-// The value of `text`, if the whole text is a number.
+// The value of `text`, if the whole text is a number ≥ 0.
 std::optional<std::int64_t> number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -100,14 +100,14 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return found;
 }
 
-// The host's name in a form that suits file names.
+// The name of this host in a form that suits file names.
 std::string host_in_names() {
   std::string host = host_name();
   std::replace(host.begin(), host.end(), '/', '_');
   return host;
 }
 
-// `owner` is HOST.PID; a process of another host may be alive, which cannot be checked here.
+// `owner` is HOST.PID. A process of another host counts as alive, because it cannot be checked here.
 bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;
@@ -220,8 +220,8 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   }
   int error = file.write(head);
   if (error == 0) error = file.write(payload);
-  // The file is closed first, because only then does a network file system show its bytes to other
-  // hosts.
+  // The file is closed before it is renamed, because a network file system shows its bytes to other
+  // hosts only after closing.
   if (const int closing = file.close(); error == 0) error = closing;
   std::error_code renaming, ignored;
   if (error == 0) fs::rename(part, place, renaming);
@@ -244,7 +244,7 @@ void ChunkFolder::remove_stale_parts() const {
     const std::size_t part = name.find(kPart);
     if (part == std::string::npos || name.find(kEnding) > part) continue;
     const std::string_view owner = std::string_view(name).substr(part + kPart.size());
-    // A file that cannot be removed only occupies space.
+    // An error is ignored, because a file that cannot be removed only occupies space.
     std::error_code ignored;
     if (owner_is_dead(owner, host_) || is_old(entry)) fs::remove(entry, ignored);
   }

@@ -12,8 +12,8 @@
 //   52 + 8k  4      CRC-32 of the header up to here
 //   56 + 8k         the payload
 //
-// All numbers least significant byte first. The file does not contain its writer or time, so two
-// runs of one campaign write the same bytes.
+// All numbers have the least significant byte first. The header names neither the writer nor the
+// time, so two runs of one campaign write the same bytes.
 //
 // Internal to store/, used through chunk_store.hpp.
 #pragma once
@@ -30,11 +30,11 @@
 
 namespace gearwright {
 
-constexpr std::size_t kMaxConstraints = 500;  ///< so that a header is read in one page
+constexpr std::size_t kMaxConstraints = 500;  ///< a limit that lets a header be read in one page
 
-/// A file as it was found.
+/// The content of a chunk file and its state.
 struct ChunkRead {
-  enum class State { whole, damaged, foreign };  ///< foreign: whole, of another campaign
+  enum class State { whole, damaged, foreign };  ///< foreign: undamaged, but of another campaign
   State state = State::whole;
   std::string damage;     ///< "is 12 bytes long, not 96"; empty when whole
   ChunkCounts counts;     ///< when whole
@@ -44,7 +44,7 @@ struct ChunkRead {
 
 class ChunkFolder {
  public:
-  enum class Depth { header, payload };  ///< header: the payload is checked by its length alone
+  enum class Depth { header, payload };  ///< header: only the length of the payload is checked
 
   /// `stamp` distinguishes the chunks of different campaigns.
   ChunkFolder(std::filesystem::path folder, std::uint32_t stamp);
@@ -52,16 +52,16 @@ class ChunkFolder {
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path path(std::int64_t chunk) const;
   bool there(std::int64_t chunk) const;
-  /// The numbers of all chunk files, ascending; none if the folder does not exist.
+  /// The numbers of all chunk files in ascending order. The list is empty if the folder does not exist.
   std::vector<std::int64_t> list() const;
 
-  /// The chunk; empty if there is no such file.
+  /// The chunk, or nothing if its file does not exist.
   std::optional<ChunkRead> read(std::int64_t chunk, Depth depth) const;
   /// Writes the whole file or nothing.
   void write(std::int64_t chunk, std::string_view payload, const ChunkCounts& counts) const;
   /// Renames the file so that it no longer counts as a chunk.
   void set_aside(std::int64_t chunk) const;
-  /// Removes temporary files of dead processes of this host, and of any process if they are older
+  /// Removes the temporary files of dead processes of this host, and all temporary files that are older
   /// than a day.
   void remove_stale_parts() const;
 
@@ -71,7 +71,7 @@ class ChunkFolder {
   std::string host_;
 };
 
-/// True if `path` exists.   Throws  IoError if the system cannot determine it
+/// True if `path` exists.   Throws  IoError if the system cannot determine this
 bool path_exists(const std::filesystem::path& path);
 
 /// CRC-32, as in ZIP.

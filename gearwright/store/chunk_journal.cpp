@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A longer wait means that the other process hangs.
+// A wait for a lock that is longer than this means that the other process hangs.
 constexpr int kBusyMilliseconds = 60'000;
 constexpr int kLongestNap = 5;  // ms
 
-// Called with the number of times it was called before; SQLite tries again if it returns 1. The
-// default handler sleeps up to 100 ms, and two processes that write continuously kept each other
-// waiting for 20 s.
+// SQLite calls this with the number of earlier calls and tries again if the result is 1. The
+// default handler sleeps up to 100 ms, and with it two processes that write continuously kept each
+// other waiting for 20 s.
 int nap(void*, int before) {
   const int longest_of_all = kBusyMilliseconds / kLongestNap;
   if (before >= longest_of_all) return 0;
@@ -34,7 +34,7 @@ bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// Names of columns, quoted and all different as SQLite compares them, without regard to case.
+// Quoted names of columns. All are different for SQLite, which ignores case.
 std::vector<std::string> column_names(const std::vector<std::string>& constraints) {
   std::set<std::string> taken = {"chunk", "tested", "feasible", "bytes", "writer", "finished"};
   std::vector<std::string> columns;
@@ -73,7 +73,7 @@ ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>&
   // A rollback journal is used, because the write-ahead log needs memory shared by all writers,
   // which cluster nodes do not have.
   run("PRAGMA journal_mode = DELETE");
-  // A sync waits three times per row until the chunks written by all threads are on the disk. The
+  // With synchronous writes, each row would wait three times until the chunks of all threads are on the disk. The
   // journal contains nothing beyond the chunk files, so it need not survive a power failure.
   run("PRAGMA synchronous = OFF");
 }
@@ -114,8 +114,8 @@ void ChunkJournal::bind(const Statement& statement, int place, const std::string
 bool ChunkJournal::step(const Statement& statement) const {
   const int status = sqlite3_step(statement.get());
   if (status != SQLITE_ROW && status != SQLITE_DONE) {
-    // The message belongs to the connection, and reset keeps it. Without the reset a lock would
-    // remain.
+    // The message belongs to the connection, so reset does not erase it. Without the reset a lock
+    // would remain.
     sqlite3_reset(statement.get());
     fail();
   }
@@ -179,7 +179,7 @@ std::set<std::int64_t> ChunkJournal::chunks() {
   return found;
 }
 
-// `verb` determines the treatment of an existing row. Without a writer the row has no time.
+// `verb` determines the treatment of an existing row. If there is no writer, the row has no time.
 void ChunkJournal::insert(const char* verb, const ChunkRow& row, const std::string* writer) {
   GW_EXPECTS(row.counts.rejected.size() == columns_.size());
   Statement& statement = inserts_[verb];

@@ -3,8 +3,8 @@
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)
 //
-// `bytes` is the length of the payload, `finished` the time in UTC. Both `writer` and `finished`
-// are null in a row that was restored from its file. No result of a search depends on the journal.
+// `bytes` is the length of the payload, and `finished` is the time in UTC. Both `writer` and `finished`
+// are null in a row that was restored from the chunk file. No result of a search depends on the journal.
 //
 // Internal to store/, used through chunk_store.hpp.
 #pragma once
@@ -31,7 +31,7 @@ struct ChunkRow {
   std::int64_t bytes = 0;
 };
 
-/// Not thread-safe; the store holds its lock.
+/// The journal is not thread-safe. The store locks a mutex around every call.
 ///
 /// Throws    IoError from every member, with SQLite's message and the path
 class ChunkJournal {
@@ -39,8 +39,8 @@ class ChunkJournal {
   /// Opens the journal, or makes an empty one.
   ChunkJournal(const std::filesystem::path& path, const std::vector<std::string>& constraints);
 
-  /// Excludes all other writers until commit(). Without commit(), the transaction is undone at its
-  /// end.
+  /// Excludes all other writers until commit(). The destructor undoes a transaction that was not
+  /// committed.
   class Transaction {
    public:
     explicit Transaction(ChunkJournal& journal);
@@ -54,15 +54,15 @@ class ChunkJournal {
     bool open_ = true;
   };
 
-  /// The contents of `campaign`; empty before the start of a campaign. Within a transaction.
+  /// The contents of `campaign`, empty before a campaign has begun. Call it within a transaction.
   std::map<std::string, std::string> campaign();
-  /// Makes the tables and begins the campaign. Within a transaction.
+  /// Makes the tables and begins the campaign. Call it within a transaction.
   void begin(const std::map<std::string, std::string>& campaign);
 
   std::set<std::int64_t> chunks();
-  /// Records a chunk that was just finished; an existing row is replaced.
+  /// Records a chunk that was just finished. An existing row is replaced.
   void finish(const ChunkRow& row, const std::string& writer);
-  /// Records a chunk whose file was found; an existing row is kept.
+  /// Records a chunk whose file was found. An existing row is kept.
   void found(const ChunkRow& row);
   void forget(std::int64_t chunk);
 

@@ -37,7 +37,7 @@ Record record_of(const Campaign& campaign, const std::vector<std::string>& rejec
           {"counts", names}};
 }
 
-// Everything in which two campaigns may differ, as lines "key = value".
+// All properties in which two campaigns may differ, as lines "key = value".
 std::string text_of(Record record) {
   return record["fingerprint"] + "\nchunks = " + record["chunks"] +
          "\ncounts = " + record["counts"] + "\n";
@@ -100,7 +100,7 @@ Error refused_folder(const fs::path& folder, const std::string& why) {
   return {"--out", folder.string(), why};
 }
 
-// The reason why `as` is impossible in this folder, if it is. `old` is the content of the journal,
+// The reason why the folder cannot be opened as `as`, or nothing if it can. `old` is the content of the journal,
 // empty if there is none.
 std::optional<Error> refusal(const fs::path& folder, const Record& old, const Record& now,
                              const ChunkFolder& files, OpenAs as) {
@@ -118,7 +118,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
     changed = fmt::format("{} belongs to another search, and there is no journal",
                           files.path(chunks[i]).filename().string());
   }
-  // The search was killed before its first chunk, so it can start again.
+  // In this case the search was killed before its first chunk, so it can start again.
   const bool just_begun = changed.empty() && chunks.empty();
   if (as == OpenAs::fresh && !just_begun) {
     const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
@@ -171,21 +171,21 @@ struct ChunkStore::Impl {
   ChunkFolder files;
   std::vector<std::string> notes;
 
-  std::mutex mutex;  // of all below
+  std::mutex mutex;  // protects all members below
   ChunkJournal journal;
   std::vector<bool> counted;  // the chunks in `sum`
   ChunkCounts sum;
 };
 
-// Files with a number outside the campaign are not changed.
+// The finished chunks of this campaign. Files with a number outside the campaign are ignored.
 std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   std::vector<std::int64_t> chunks = files.list();
   while (!chunks.empty() && !ours(chunks.back())) chunks.pop_back();
   return chunks;
 }
 
-// Renames a broken chunk and returns its fault; empty if there was nothing to do. Another process
-// may have renamed or replaced it since it was read, so it is read again under the lock.
+// Renames a broken chunk and returns its fault, or nothing if the chunk is not broken. The chunk is read again under
+// the lock, because another process may have renamed or replaced it since it was read.
 std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   const std::lock_guard lock(mutex);
   ChunkJournal::Transaction transaction(journal);
@@ -199,11 +199,11 @@ std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   return again ? std::optional(again->damage) : std::nullopt;
 }
 
-// A finished chunk, whole.
+// Reads a finished chunk, which must be whole.
 ChunkRead ChunkStore::Impl::read(std::int64_t chunk, Depth depth) {
   GW_EXPECTS(ours(chunk));
   const std::string path = files.path(chunk).string();
-  for (;;) {  // repeated only if another process replaces a broken chunk meanwhile
+  for (;;) {  // repeated only if another process replaces a broken chunk in the meantime
     auto read = files.read(chunk, depth);
     if (!read) throw IoError("cannot read " + path + ": there is no such chunk");
     if (read->state == ChunkRead::State::whole) return *std::move(read);
@@ -225,7 +225,7 @@ void ChunkStore::Impl::add(std::int64_t chunk, const ChunkCounts& counts) {
 
 // Checks every file and makes the journal agree with the files.
 void ChunkStore::Impl::square_accounts() {
-  // The rows are read first, so every row has a file or has lost it.
+  // The rows are read before the files, so a row without a file has lost its file.
   const std::set<std::int64_t> rows = journal.chunks();
   std::set<std::int64_t> lost = rows;
   std::vector<ChunkRow> without_row;
@@ -268,7 +268,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   auto impl = std::make_unique<Impl>(folder, campaign.chunks, rejected_names.size(),
                                      std::move(writer), std::move(files), rejected_names);
   {
-    // If several processes start at the same moment, one makes the campaign and the others find it.
+    // If several processes start at the same moment, one begins the campaign and the others find it.
     ChunkJournal::Transaction transaction(impl->journal);
     const Record old = impl->journal.campaign();
     if (auto error = refusal(folder, old, record, impl->files, as)) return *std::move(error);

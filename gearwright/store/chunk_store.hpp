@@ -1,17 +1,17 @@
 // The folder of a large search: numbered chunks of work, each saved as soon as it is finished.
 //
 //   out/chunks/000123.chunk         a finished chunk: header with its counts, bytes
-//   out/chunks/….part.HOST.PID      being written; renamed when it is whole
-//   out/chunks/….chunk.damaged      found broken; counts as missing
+//   out/chunks/….part.HOST.PID      a chunk that is being written; it is renamed when it is whole
+//   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
 //
 // The chunk files are authoritative, and the journal serves users and progress output. A file is
 // renamed into place before its row is written, so a process that is killed loses only its current
 // chunk. The next process that opens the folder writes the missing rows. Shards, ranks and nodes on
-// one file system may work in one folder at once; they coordinate by the journal and SQLite's
-// locks, which the file system must support (Lustre: mounted with flock). Nothing is synced to the
-// disk. After a power failure a file may be short, which its checksum detects, or the journal may
-// be broken, and can then be moved away without loss.
+// one file system may work in one folder at once. They coordinate by the journal and SQLite's
+// locks, which the file system must support (Lustre must be mounted with flock). Nothing is synced
+// to the disk. After a power failure, a chunk file may be too short, which its checksum detects. The
+// journal may then be broken, but it can be moved away without loss.
 #pragma once
 
 #include <cstdint>
@@ -28,12 +28,12 @@ namespace gearwright {
 /// One search, cut into chunks 0 … chunks − 1.
 struct Campaign {
   /// Everything that determines the result, as lines "key = value": normalised spec, version of the
-  /// program, size of a chunk. Two campaigns with one text may share their chunks.
+  /// program, size of a chunk. Two campaigns with the same text may share their chunks.
   std::string fingerprint;
   std::int64_t chunks = 0;
 };
 
-/// The result counts of a chunk's candidates.
+/// The numbers of a chunk's candidates, by their result.
 struct ChunkCounts {
   std::int64_t tested = 0;
   std::int64_t feasible = 0;
@@ -50,13 +50,13 @@ enum class OpenAs {
 
 /// Every member may be called from several threads at once. A store does not survive fork().
 ///
-/// Throws    IoError from every member: a folder that cannot be read or written, a full disk,
-/// the message of SQLite with the path of the journal
+/// Throws    IoError from every member if a folder cannot be read or written, if the disk is full, or
+///           with SQLite's message and the path of the journal
 class ChunkStore {
  public:
-  /// Opens `folder`, and checks every chunk file in it against its checksum: a broken one is set
-  /// aside with a note and counts as missing. Leftovers of processes that are dead on this host,
-  /// and any older than a day, are removed. `writer` is the name in the rows of the journal.
+  /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is renamed
+  /// with a note and counts as missing. Temporary files are removed if their process on this host is
+  /// dead or if they are older than a day. `writer` is the name in the rows of the journal.
   ///
   /// Errors    key "--out": fresh although a search exists; resume although none exists; a
   /// different fingerprint, number of chunks or list of names, with the first lines that differ
@@ -75,21 +75,21 @@ class ChunkStore {
   /// The unfinished chunks, ascending.
   std::vector<std::int64_t> missing() const;
 
-  /// Saves a finished chunk, either whole or not at all. An existing one is replaced, because two
-  /// processes write the same bytes for the same chunk.
+  /// Saves a finished chunk, either whole or not at all. An existing chunk is replaced; the bytes are
+  /// the same, whichever process writes the chunk.
   ///
-  /// Throws    IoError; if it names the journal, the chunk itself is safe and gets its row at the
-  ///           next open
+  /// Throws    IoError. If the error names the journal, the chunk itself is saved, and the next open()
+  ///           writes its row
   void put(std::int64_t chunk, std::string_view bytes, const ChunkCounts& counts);
 
-  /// The bytes of a finished chunk, checked.
+  /// The bytes of a finished chunk, checked against its checksum.
   ///
-  /// Throws    IoError if the chunk is missing or broken. A broken chunk is set aside and counts as
+  /// Throws    IoError if the chunk is missing or broken. A broken chunk is renamed and counts as
   ///           missing
   std::string get(std::int64_t chunk) const;
-  /// The counts of a finished chunk.   Throws  IoError as get()
+  /// The counts of a finished chunk.   Throws  IoError like get()
   ChunkCounts counts(std::int64_t chunk) const;
-  /// The sum over all finished chunks of all processes.   Throws  IoError as get()
+  /// The sum over all finished chunks of all processes.   Throws  IoError like get()
   ChunkCounts totals() const;
 
   /// The repairs made by open(), one sentence each.
@@ -101,7 +101,7 @@ class ChunkStore {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The first three differences of two campaigns in their lines "key = value":
+/// The first three differences between the lines "key = value" of two campaigns:
 /// "search.contact_ratio_min was 1.2, is 1.3; search.m_max was 5, is not set now".
 std::string campaign_differences(const std::string& was, const std::string& is);
 

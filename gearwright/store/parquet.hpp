@@ -1,17 +1,17 @@
 // Result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and MATLAB read.
 //
-// A table is flat: named columns, each of one type, rows written one after another. Rows are kept
-// until a row group is full and are then written column by column. Memory is that of one group,
-// independent of the length of the table, plus some 100 bytes of footer for each column of a group.
+// A table is flat: it has named columns, each of one type, and rows are added one after another. Rows are kept in
+// memory until a row group is full and are then written column by column. The memory does not grow with the table,
+// except by some 100 bytes of footer for each column of a group.
 //
 //   int32, int64   PLAIN
 //   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
 //                  places similar exponents next to each other
 //   text           PLAIN, UTF-8
 //
-// Everything is compressed by zstd with its checksum, so a reader detects a damaged file. Chunks
-// contain their least and greatest value (not of text), so readers can skip groups that a query
-// does not need. The same rows and the same version of zstd give the same bytes.
+// All pages are compressed by zstd with its checksum, so a reader detects a damaged file. A chunk of
+// numbers contains their least and greatest value, so readers can skip groups that a query does not
+// need. The same rows and the same version of zstd give the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct ParquetColumn {
   bool optional = false;  ///< a row may omit it, which gives null
 };
 
-/// Writes one table. Values are set in any order, then end_row() takes the row:
+/// Writes one table. The values of a row are set in any order, and end_row() then adds the row:
 ///
 ///     ParquetWriter table(part, {{"teeth", ParquetType::int32}, {"loss", ParquetType::float64}});
 ///     table.set(0, 17);
@@ -47,12 +47,12 @@ struct ParquetColumn {
 class ParquetWriter {
  public:
   static constexpr std::size_t kGroupRows = 65'536;
-  /// A group also ends with the row at which its texts reach this many bytes. This limits memory
+  /// A group also ends with the row in which the total of its texts reaches this many bytes. This limits memory
   /// for long texts and keeps a page within the format's 2 GiB.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
-  /// Opens exactly `part_file`, which the caller renames when it is whole (write_file_by in
-  /// base/output_file.hpp); `key_values` go into the footer.
+  /// Opens exactly `part_file`, which the caller renames when the table is complete (write_file_by in
+  /// base/output_file.hpp). The `key_values` are written into the footer.
   ///
   /// Domain    at least one column; names not empty and unique; UTF-8 throughout (contract)
   ParquetWriter(const std::filesystem::path& part_file, std::vector<ParquetColumn> columns,
@@ -63,10 +63,10 @@ class ParquetWriter {
   ParquetWriter(const ParquetWriter&) = delete;
   ParquetWriter& operator=(const ParquetWriter&) = delete;
 
-  /// The value of `column`, counted from 0, in the row being made; every bit of it is kept.
+  /// Sets the value of `column`, counted from 0, in the current row. Every bit of the value is kept.
   ///
-  /// Domain    a column of that type, not set in this row before; an integer within int32 for an
-  ///           int32 column; UTF-8 text below 1 GiB (contract)
+  /// Domain    the column has that type and was not set in this row before; the value of an int32
+  ///           column fits into int32; text is UTF-8 below 1 GiB (contract)
   void set(std::size_t column, double value);
   void set(std::size_t column, std::int64_t value);
   void set(std::size_t column, std::int32_t value) { set(column, std::int64_t{value}); }
@@ -79,7 +79,7 @@ class ParquetWriter {
 
   /// Writes the remaining rows and the footer, which completes the table.
   ///
-  /// Domain    no row begun and not ended (contract)
+  /// Domain    every row that was begun has been ended (contract)
   void close();
 
  private:
@@ -87,7 +87,7 @@ class ParquetWriter {
   std::unique_ptr<State> state_;
 };
 
-/// The value of a key in the footer of a table made by ParquetWriter; none if there is no such
+/// The value of a key in the footer of a table made by ParquetWriter, or nothing if there is no such
 /// table or key.
 ///
 /// Throws    IoError if the file exists and cannot be read

@@ -15,10 +15,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Definition levels, 1 for a value and 0 for null, in the format's hybrid of runs and bits,
-// preceded by its length. If there are no nulls, or only nulls, it is one run of all rows.
-// Otherwise it is one run of bits, 8 kB before compression, which is a sixteenth of the size of
-// runs in the worst pattern.
+// Definition levels, 1 for a value and 0 for null, in the format's hybrid of runs and bits. The length
+// of the hybrid comes first. If there are no nulls, or only nulls, the hybrid is one run of all rows.
+// Otherwise it is one run of bits, 8 kB before compression. In the worst pattern, runs of equal levels
+// would need 16 times as much.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {
@@ -57,7 +57,8 @@ void write_range(Thrift& out, const std::string& values) {
   if (!numbers.empty() && not_numbers == 0) {
     auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     Number range[] = {*least, *greatest};
-    if constexpr (real) {  // the format requires both zeros inside, because they are equal
+    if constexpr (real) {
+      // The two zeros are equal, so the format requires that a range with one includes the other.
       if (range[0] == 0) range[0] = -0.0;
       if (range[1] == 0) range[1] = 0.0;
     }

@@ -23,10 +23,10 @@ void append_bytes(std::string& bytes, Number value) {
 
 struct ColumnChunk {
   ParquetColumn column;
-  std::string values = {};   ///< those that are not null, PLAIN
-  std::string defined = {};  ///< of an optional column, one bit a row: 1 where it is not null
-  std::size_t count = 0;     ///< of values
-  bool is_set = false;       ///< in the row being made
+  std::string values = {};   ///< the values that are not null, PLAIN
+  std::string defined = {};  ///< one bit per row of an optional column, 1 for a value, 0 for null
+  std::size_t count = 0;     ///< number of values that are not null
+  bool is_set = false;       ///< true if the value was set in the current row
 };
 
 /// Ends row number `row` of the group, whose value was set or is null.
@@ -35,7 +35,7 @@ void end_row(ColumnChunk& chunk, std::size_t row);
 /// The data page, before compression: definition levels if nulls are possible, then the values.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
-/// Fields of the struct Statistics: the number of nulls, and of numbers the range.
+/// Fields of the struct Statistics: the number of nulls and, for numbers, the range.
 void write_statistics(Thrift& out, const ColumnChunk& chunk, std::size_t rows);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
 // A writer of structs in Thrift's compact protocol, which headers and footer of Parquet use.
 //
-// Integers are zigzag varints; a field is named by its distance from the one before it in the same
-// struct; a struct ends with a zero. Fields are given in rising order, as the protocol numbers
-// them. Internal to store/.
+// Integers are zigzag varints. A field is identified by its distance from the previous field of the
+// same struct, and a struct ends with a zero byte. Fields must be given in ascending order of their
+// numbers in the protocol. Internal to store/.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-/// Appends seven bits a byte, the lowest first; all bytes but the last have their top bit set.
+/// Appends seven bits in each byte, the lowest bits first. All bytes but the last have their top bit set.
 inline void append_varint(std::string& bytes, std::uint64_t value) {
   for (; value >= 128; value >>= 7) bytes += static_cast<char>(value | 128);
   bytes += static_cast<char>(value);
@@ -26,7 +26,7 @@ class Thrift {
  public:
   enum class Kind { i32 = 5, i64 = 6, binary = 8, list = 9, structure = 12 };
 
-  // Fields of the struct that is open; a new Thrift is an open struct.
+  // These functions write fields of the open struct. A new Thrift is an open struct.
   void i32(int field, std::size_t value) { header(field, Kind::i32), element(value); }
   void i64(int field, std::size_t value) { header(field, Kind::i64), element(value); }
   void binary(int field, std::string_view bytes) { header(field, Kind::binary), element(bytes); }
@@ -38,7 +38,7 @@ class Thrift {
     if (size >= 15) append_varint(bytes_, size);
   }
 
-  // Elements of a list.
+  // These functions write elements of a list.
   void element(std::size_t value) { append_varint(bytes_, std::uint64_t{value} << 1); }
   void element(std::string_view bytes) { append_varint(bytes_, bytes.size()), bytes_ += bytes; }
   void finished_elements(std::string_view structs) { bytes_ += structs; }
@@ -63,7 +63,7 @@ class Thrift {
   }
 
   std::string bytes_;
-  std::vector<int> last_{0};  // the field before, of every struct that is open
+  std::vector<int> last_{0};  // for every open struct, the number of its previous field
 };
 
 }  // namespace gearwright

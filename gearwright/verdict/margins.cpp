@@ -27,14 +27,14 @@ constexpr Margin kTip{WarningCode::tip_margin,
                       "The clearance of the tip of gear {} to the root of its mating gear",
                       kMarginTip};
 
-// "0.1500 mm", or below a micrometre "0.021 µm" instead of 0.0000 mm.
+// "0.1500 mm". A length below a micrometre is written as "0.021 µm", because 0.0000 mm has no digits.
 std::string millimetres(double mm) {
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }
 
 void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
            const std::optional<double>& clearance, double module) {
-  if (!clearance || *clearance < 0.0) return;  // below 0 a warning covers it
+  if (!clearance || *clearance < 0.0) return;  // a clearance below 0 has a warning of its own
   const double threshold = margin.modules * module;
   if (*clearance >= threshold) return;
   findings.push_back({margin.code,
@@ -47,7 +47,7 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
                       {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
 }
 
-// A warning states that already.
+// True if a warning already states that this gear has no tip clearance.
 bool runs_on_root(const Pair& pair, int which) {
   const auto& warnings = pair.warnings();
   return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
@@ -66,7 +66,7 @@ std::vector<Finding> margin_findings(const Pair& pair) {
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
     if (p == nullptr) continue;
-    // There is no flank beyond an undercut, and `undercut` and `contact_lost` report it.
+    // There is no flank beyond an undercut, which the warnings `undercut` and `contact_lost` report.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
     if (const ParallelPair* parallel = pair.parallel())
       judge(findings, kFillet, which, parallel->fillet_clearance[i], m);

@@ -1,4 +1,4 @@
-// Findings without a warning: clearances that are too small, and the position of the contact.
+// Findings that are not warnings: clearances that are too small, and the position of the contact.
 // Internal to verdict/.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace gearwright::detail {
 
-/// Clearances ≥ 0 below their margins.
+/// Findings for clearances that are not negative but below their margins.
 std::vector<Finding> margin_findings(const Pair& pair);
 
-/// Edges that touch, and a pattern off the middle of the face.
+/// Findings for contact at edges and for a contact pattern that is not in the middle of the face.
 std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& pair);
 
 }  // namespace gearwright::detail

@@ -9,7 +9,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// To three significant digits.
+// The number rounded down to three significant digits.
 double rounded_down(double x) {
   const double step = std::pow(10.0, std::floor(std::log10(x)) - 2);
   return std::floor(x / step) * step;
@@ -63,7 +63,7 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
     judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
   }
-  // The least safety of each level comes first.
+  // Within a level, the least safety comes first.
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return a.values.front().value / a.values.back().value <
            b.values.front().value / b.values.back().value;

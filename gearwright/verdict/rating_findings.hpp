@@ -13,7 +13,7 @@ namespace gearwright::detail {
 /// "6 mm more face width, or 17CrNiMo6 would hold.": changes that were rated and are sufficient.
 std::string rating_remedy(const JudgedRating& rating);
 
-/// Red if a safety is below 1, amber if it is below the required one.
+/// A finding for each insufficient safety: red if it is below 1, amber if it is below the required safety.
 std::vector<Finding> rating_findings(const JudgedRating& rating);
 
 }  // namespace gearwright::detail

@@ -50,10 +50,9 @@ class Trials {
     return done_.emplace(key, attempt_(change, depth)).first->second;
   }
 
-  /// The score of a change that removes the finding and makes no other finding worse; otherwise
-  /// none.
+  /// The score after a change, if the change removes the finding and makes no other finding worse.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
-    // The gears as drawn rule out most changes at the least cost, so they are tried first.
+    // The computation as drawn rejects most changes and costs least, so it is done first.
     if (depth != TryDepth::as_drawn && !score(finding, change, TryDepth::as_drawn))
       return std::nullopt;
     const std::optional<ChangedState>& state = of(change, depth);
@@ -75,9 +74,8 @@ struct Found {
   SpecChange change;
   Score score;
 };
-
-// The least change of one number with the best score. Values are multiples of the step, so that what
-// is printed is what was tried.
+// The smallest change of one number that has the best score. Values are multiples of the step, so that the printed
+// value is the value that was tried.
 std::optional<Found> least_change(Trials& trials, const Finding& finding, const Lever& lever,
                                   TryDepth depth) {
   const double step = lever.step();
@@ -154,7 +152,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     for (const Lever& lever : levers(*cure, finding, judged)) {
       const auto found = least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
-      // A contact analysis takes milliseconds, so the first change that helps is used.
+      // For a finding of a contact analysis, the first change that helps is used, because a trial takes milliseconds.
       if (best && (best->score == Score{} || cure->needs_contact)) break;
     }
     if (!best) continue;

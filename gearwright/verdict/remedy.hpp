@@ -1,10 +1,10 @@
-// Remedies of findings, each tried before it is printed.
+// Remedies of findings. Each remedy is tried before it is printed.
 //
-// For each code a table names the numbers of the spec that can help and in which direction. For
-// each number, the least change is computed that removes the finding and adds or worsens no other.
-// Of several changes, the one with the fewest remaining findings is used. The remedy states the
-// number that was tried, with the digits that were tried. A finding that no single change removes
-// has no remedy.
+// A table lists, for each code, the numbers of the spec that can help and their direction. For
+// each number, the smallest change is computed that removes the finding and adds or worsens no other
+// finding. If several changes succeed, the one with the fewest remaining findings is used. The
+// remedy states the number that was tried, with all its digits. A finding that no single change
+// removes has no remedy with a number.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@
 
 namespace gearwright::detail {
 
-/// Fills `remedy` of the findings, worst first, and `change` of the findings of the worst level
-/// only, because the others are treated after them.
+/// Fills `remedy` of all findings. `change` is filled only for the findings of the worst level,
+/// because findings of a lower level are treated later.
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);
 
 }  // namespace gearwright::detail

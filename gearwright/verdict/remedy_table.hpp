@@ -1,8 +1,8 @@
 // The numbers of a spec that can remove each finding, with their ranges.
 //
-// A cure is a row with the code of a finding, the levers in the order in which they are tried, and
-// the clause that is true after the finding is removed. A lever becomes a number of the spec with
-// its present value, direction, range and printed step.
+// A cure is a row with the code of a finding, the means in the order in which they are tried, and
+// a clause that is true after the finding is removed. For a given spec, each of the means becomes a
+// lever: a number of the spec with its present value, direction, range and printed step.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace gearwright::detail {
 
-/// The gear whose number is changed: the finding's, the mating one, gear 1, gear 2; or the pair.
+/// The owner of the number that is changed: the gear of the finding, its mating gear, gear 1, gear 2 or the pair.
 enum class Whose { own, mate, first, second, pair };
 
 struct Means {
@@ -25,7 +25,7 @@ struct Means {
 
 struct Cure {
   WarningCode code;
-  const char* then;  ///< "gear {} is not undercut"; a pair's number instead where `pair_number`
+  const char* then;  ///< "gear {} is not undercut"; {} is a gear, a contact ratio or a backlash
   std::vector<Means> means{};
   bool needs_contact = false;  ///< true for a finding of a contact analysis
 };
@@ -35,14 +35,14 @@ struct Lever {
   Adjustable what;
   int gear;
   double now;                     ///< present value, in the unit of SpecChange
-  int direction;                  ///< of the value
+  int direction;                  ///< +1 or −1, the sign of the change of the value
   double span;                    ///< greatest change
   int digits;                     ///< decimals of the values that are tried
   std::optional<double> hint{};   ///< a value from a closed form
   std::optional<double> exact{};  ///< the only value to try
 
   double step() const;
-  /// A multiple of the step, as the double of its decimal form.
+  /// The given number of steps as a value, rounded to the double of its decimal form.
   double in_steps(double steps) const;
 };
 

@@ -53,8 +53,8 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// A backlash shown as 0.0000 mm counts as no backlash, which is correct for nominal teeth but not
-// for running gears.
+// A backlash that would be printed as 0.0000 mm is stated as no backlash, with the recommended
+// value for running gears.
 std::string backlash_words(double j, double center_distance, double normal_module) {
   if (std::abs(j) >= 0.5e-4) return fmt::format("a normal backlash of {:.4f} mm", j);
   return fmt::format("no backlash (ISO/TR 10064-2 recommends at least {:.2f} mm)",
@@ -118,7 +118,7 @@ std::string gears_alone(const Judged& judged) {
   return fmt::format("{} can be cut as specified.", who);
 }
 
-// The statement on how the pair runs, if no finding is red.
+// The sentence that says how the gears run. It is used if no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +
@@ -252,7 +252,7 @@ std::vector<Finding> findings_of(const Judged& judged) {
 
 namespace {
 
-// Worst first. Safety factors keep their order, the least first.
+// The order of findings: the worst come first. Safety factors keep their order, with the least first.
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;

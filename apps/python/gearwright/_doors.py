@@ -1,4 +1,4 @@
-"""Verbs whose answers are for Python: search, measure, verify."""
+"""The verbs search, identify, measure and verify as functions of Python."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ def search(
     resume: bool = False,
     yes_large: bool = False,
 ) -> Search:
-    """Finds all designs that satisfy the table [search] of a spec, best first. Iterate over them, or use .pair(place)
-    or .to_pandas().
+    """Finds all designs that satisfy the table [search] of a spec, best first. The result can be iterated. .pair(place)
+    returns a Pair, and .to_pandas() a DataFrame.
 
-    top       greatest number of designs       progress  True: a line on stderr; or f(stage, done, of)
+    top       greatest number of designs       progress  True for a line on stderr, or f(stage, done, of)
     out       folder for the program's files; with resume=True, a stopped search continues
     Ctrl-C ends the search within a tenth of a second.
     """
@@ -62,24 +62,24 @@ def search(
 
 
 def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
-    """Finds the standard gears that match the readings of a gear. Returns the program's answer to a spec with
-    [gear1.measured] readings, as a dict."""
+    """Finds the standard gears that agree with the readings of a gear. The spec has the readings in [gear1.measured].
+    Returns the answer of the program as a dict."""
     return _core.solve(spec, "identify")
 
 
 def measure(value: Gear | Pair) -> Any:
-    """Returns the inspection dimensions of a gear, by key; for a Pair, a list of two."""
+    """Returns the inspection dimensions of a gear by key, or for a Pair a list of the two."""
     gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]
     return gears if isinstance(value, Pair) else gears[0]
 
 
 def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Compares published numbers (a case file of `gearwright verify`) with the engine. Returns for each case its id,
-    the number of compared values and a line for each difference. `cases` is the path of the file, or its content."""
+    """Compares published numbers with the engine. `cases` is the path of a case file of `gearwright verify`, or its
+    content. Returns for each case its id, the number of compared values and a line for each difference."""
     if isinstance(cases, (str, bytes, os.PathLike)):
         with open(cases, encoding="utf-8") as file:
             cases = json.load(file)
-    # a number would be taken as the descriptor of an open file
+    # open() would take a number as the descriptor of an open file
     elif not isinstance(cases, Mapping):
         raise TypeError(f"cases: must be the path of a case file, or its content, not {cases!r}")
     return _core._verify(cases)
@@ -90,14 +90,14 @@ def _designs(found: Search) -> Iterator[Any]:
 
 
 def _to_pandas(found: Search) -> Any:
-    """Returns the designs as a DataFrame, with a row each and the columns of search.parquet."""
+    """Returns the designs as a DataFrame, with a row for each design and the columns of search.parquet."""
     import pandas as pd
 
     return pd.DataFrame(found.to_numpy())
 
 
 def _repr_html(found: Search) -> str:
-    """The first designs as a table."""
+    """Returns the first designs as an HTML table."""
     columns = ("module_mm", "z1", "z2", "ratio", "center_distance_mm", "x1", "x2")
     table = found.to_numpy()[:20]
     shown = [c for c in columns if c in (table.dtype.names or ())]

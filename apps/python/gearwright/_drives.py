@@ -1,4 +1,4 @@
-"""Whole drives: Drive of a spec, planetary() and train() of their short forms."""
+"""Whole drives: Drive is made from a spec, and planetary() and train() from the short forms of a spec."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _core
 
-# Suffixes with which a parameter may be given, and the value of one such unit in mm or rad.
+# The units that a key may name after the name of a quantity, and the size of each unit in mm or rad.
 _UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_arcsec", math.pi / 648000.0))
 
 
@@ -28,7 +28,7 @@ def _value(record: Mapping[str, Any], name: str) -> Any:
 
 
 class Part:
-    """Quantities of a body, a mesh, the assembly or the like: attributes in mm and rad, items by key"""
+    """Quantities of a body, a mesh, the assembly and so on. Attributes are in mm and rad, and items are by key"""
 
     def __init__(self, record: Mapping[str, Any]) -> None:
         self._record = dict(record)
@@ -63,7 +63,8 @@ def _wrapped(value: Any) -> Any:
 
 
 class Drive:
-    """A planetary set, a train or any other drive: speeds, torques, positions, phases, backlash, pairs of its meshes.
+    """A planetary set, a train or any other drive, with its speeds, torques, positions, phases and backlash, and the
+    pairs of its meshes.
 
     The object is immutable. Attributes are in mm and rad, `drive.ratio`, `drive.backlash.output`. Items and as_dict()
     have the keys of the program's JSON. `bodies` and `meshes` are dicts by name.
@@ -78,7 +79,7 @@ class Drive:
 
     @property
     def spec(self) -> dict[str, Any]:
-        """The values from which it was made, by key"""
+        """The values from which the drive was made, by key"""
         return copy.deepcopy(self._spec)
 
     @property
@@ -93,7 +94,7 @@ class Drive:
 
     @property
     def verdict(self) -> Part:
-        """The worst of the drive and of the pairs in its meshes: level, headline and findings"""
+        """The verdict on the drive and on the pairs of its meshes, with level, headline and findings"""
         return Part(self._verdict)
 
     @property
@@ -101,21 +102,22 @@ class Drive:
         return [Part(warning) for warning in self._warnings]
 
     def rate(self, **rating: Any) -> dict[str, Part]:
-        """Returns the strength by ISO 6336 of each loaded mesh, by its name, with the keys of [rating]: quality=[6, 6],
-        material={"name": "17CrNiMo6"}, mesh_load_factor, …. Torque and speed are those of the drive unless given."""
+        """Returns the strength by ISO 6336 of each loaded mesh, by the name of the mesh. The keywords are keys of
+        [rating]: quality=[6, 6], material={"name": "17CrNiMo6"}, mesh_load_factor, …. By default, torque and speed are
+        those of the drive."""
         table = {**self._spec.get("rating", {}), **rating}
         answer = _core.solve({**self._spec, "rating": table}, "rate")
         rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}
         return {name: Part(record) for name, record in rated.items() if record}
 
     def replace(self, **changes: Any) -> Drive:
-        """Returns the drive with other tables or, for a planetary set, other keys of [planetary]. None removes one."""
+        """Returns the drive with other tables or, for a planetary set, other keys in [planetary]. None removes one."""
         spec = self.spec
         own = spec["planetary"] if "planetary" in spec else spec
         for key, value in changes.items():
             target = spec if key in spec else own
             target.pop(key, None)
-            for suffix, _ in _UNITS:  # already given in another unit
+            for suffix, _ in _UNITS:  # removes the same quantity in another unit
                 target.pop(key + suffix, None)
                 if key.endswith(suffix):
                     target.pop(key[: -len(suffix)], None)
@@ -124,7 +126,7 @@ class Drive:
         return Drive(spec)
 
     def as_dict(self) -> dict[str, Any]:
-        """Every quantity by key, each in the unit that its key names, as in JSON"""
+        """Every quantity by key, in the unit that the key names, as in JSON"""
         return copy.deepcopy(self._record)
 
     def __getattr__(self, name: str) -> Any:
@@ -149,19 +151,19 @@ class Drive:
 
 
 def planetary(**keys: Any) -> Drive:
-    """Makes a planetary set from the keys of [planetary]:
+    """Makes a planetary set from the keys of [planetary]. For example,
     gw.planetary(sun=20, planet=25, ring=70, planets=3, normal_module=2)."""
     return Drive({"planetary": keys})
 
 
 def train(*stages: Mapping[str, Any]) -> Drive:
-    """Makes a train of stages, each a dict with the keys of [[stage]]:
+    """Makes a train of stages. Each stage is a dict with the keys of [[stage]]. For example,
     gw.train({"teeth": [19, 58]}, {"teeth": [17, 67]})."""
     return Drive({"stage": [dict(stage) for stage in stages]})
 
 
 def load_drive(path: str | os.PathLike[str]) -> Drive:
-    """The drive of a spec file in TOML"""
+    """Makes the drive of a spec file in TOML"""
     import tomllib
 
     with open(path, "rb") as file:

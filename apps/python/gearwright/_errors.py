@@ -4,11 +4,11 @@ from __future__ import annotations
 
 
 class SpecError(ValueError):
-    """A number that no gear can have.
+    """A number that is impossible for a gear.
 
-    key      the key of a spec, "pair.center_distance_mm"; of a Gear by itself "helix_angle_deg"
-    value    the given value as a text; empty if there is none or it cannot be shown in a sentence
-    allowed  what is wrong, what is allowed and why, what would help
+    key      the key of a spec, "pair.center_distance_mm"; for a single Gear "helix_angle_deg"
+    value    the given value as text; empty if there is none or if it does not fit into a sentence
+    allowed  the fault, the permitted values with the reason, and a remedy
     message  all of these in one sentence
     """
 

@@ -1,4 +1,4 @@
-"""Plots with matplotlib, if it is installed: the data of figures, the sections of gears, the designs of a search."""
+"""Plots the data of figures, sections of gears and designs of a search with matplotlib, if it is installed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PLANE = {"x": {"words": "x", "unit": "mm"}, "y": {"words": "y", "unit": "mm"}}
 
 
 def plot(data: dict[str, Any], ax: Any = None) -> Any:
-    """Draws curves and dots over the axes of a figure's data and returns matplotlib's axes. Curves of one name have one
+    """Draws the curves and dots of a figure's data and returns matplotlib's axes. Curves with the same name have one
     colour."""
     if ax is None:
         import matplotlib.pyplot as plt
@@ -22,7 +22,7 @@ def plot(data: dict[str, Any], ax: Any = None) -> Any:
     colours: dict[str, str] = {}
     for kind, mark in (("curves", "-"), ("dots", ".")):
         for one in data.get(kind, ()):
-            points = np.array(one["points"], dtype=float)  # None, a break of a line, becomes NaN
+            points = np.array(one["points"], dtype=float)  # None, which marks a gap in a line, becomes NaN
             colour = colours.setdefault(one["name"], f"C{len(colours)}")
             ax.plot(points[:, 0], points[:, 1], mark, color=colour, label=one["name"])
     for axis, label in (("x", ax.set_xlabel), ("y", ax.set_ylabel)):
@@ -38,7 +38,7 @@ def plot_gear(gear: _core.Gear, ax: Any = None, points: int = 20) -> Any:
 
 
 def _placed(pair: _core.Pair, which: int, points: int, turn: float = 0.0) -> Any:
-    """The section z = 0 of a gear in the housing, turned about its own axis."""
+    """Returns the section z = 0 of a gear in the housing. `turn` is a rotation about the axis of the gear."""
     section = (pair.gear1 if which == 1 else pair.gear2).section(points)
     rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     flat = np.column_stack([section @ rotation.T, np.zeros(len(section)), np.ones(len(section))])
@@ -46,14 +46,14 @@ def _placed(pair: _core.Pair, which: int, points: int, turn: float = 0.0) -> Any
 
 
 def plot_pair(pair: _core.Pair, ax: Any = None, points: int = 20) -> Any:
-    """Plots both sections in the housing, at rest, and returns the axes."""
+    """Plots the sections of both gears in the housing and returns the axes."""
     curves = [{"name": f"gear {which}", "points": _placed(pair, which, points)} for which in (1, 2)]
     return plot({**PLANE, "curves": curves}, ax)
 
 
 def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: float = 40) -> Any:
-    """The pair turning through one pitch, parallel axes: a matplotlib FuncAnimation; .to_jshtml() shows it in a
-    notebook."""
+    """Shows the pair during one pitch of rotation, for parallel axes only. Returns a matplotlib FuncAnimation, and
+    .to_jshtml() of this object shows it in a notebook."""
     from matplotlib.animation import FuncAnimation
 
     if pair.shaft_angle != 0:
@@ -81,7 +81,7 @@ def plot_contact(contact: _core.Contact, ax: Any = None) -> Any:
 
 
 def plot_search(found: _core.Search, x: str = "center_distance_mm", y: str = "contact_ratio", ax: Any = None) -> Any:
-    """Plots two columns of the designs against each other, with the front in another colour, and returns the axes."""
+    """Plots two columns of the designs against each other and returns the axes. The Pareto front has another colour."""
     table = found.to_numpy()
     points = np.column_stack([table[x], table[y]])
     dots = [{"name": "designs", "points": points}, {"name": "front", "points": points[list(found.front)]}]

@@ -1,4 +1,4 @@
-"""Quantities of the catalogue as values: the type of an attribute of a gear, a pair or an answer that is a record."""
+"""Records of the catalogue as values. If an attribute of a gear, a pair or an answer is a record, it has this type."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import Any
 
 
 class Record:
-    """Quantities of the catalogue: attributes in mm and rad, items by key"""
+    """Quantities of the catalogue. Attributes are in mm and rad, and items are by key"""
 
     __slots__ = ("_attributes", "_items", "_keys")
 
     def __init__(self, attributes: dict[str, Any], items: dict[str, Any], keys: list[str]) -> None:
         self._attributes = attributes
         self._items = items
-        self._keys = keys  # the keys of the JSON
+        self._keys = keys  # the keys that the JSON contains
 
     def __getattr__(self, name: str) -> Any:
         if name in self._attributes:
@@ -34,7 +34,7 @@ class Record:
         return list(self._keys)
 
     def as_dict(self) -> dict[str, Any]:
-        """By key, each in the unit that its key names, as in JSON"""
+        """Returns every quantity by key, in the unit that the key names, as in JSON"""
         return {key: self[key] for key in self._keys}
 
     def __eq__(self, other: object) -> bool:

@@ -1,7 +1,8 @@
-"""Closed forms over arrays, with NumPy's broadcasting, for gears on parallel axes given by their numbers alone.
+"""Closed forms over arrays, with NumPy's broadcasting, for gears on parallel axes that are given by numbers alone.
 
-Angles in rad, lengths in mm (in modules while normal_module is 1), ISO 21771 signs: an internal gear has negative
-teeth, and helix_angle is that of gear 1. A missing value (no working angle, a tip inside its base circle) is NaN.
+Angles are in rad and lengths in mm (in modules if normal_module is 1). Signs are those of ISO 21771: an internal gear
+has negative teeth, and helix_angle is that of gear 1. A missing value (no working angle, a tip inside its base circle)
+is NaN.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ _ALPHA = math.radians(20)
 
 
 def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
-    """Returns columns for the module, the number of rows to which they broadcast, and their shape. A single number
-    stays one."""
+    """Returns columns for the extension module, their common number of rows after broadcasting, and their shape. A
+    single number stays a single number."""
     arrays = [_core._real(v) for v in values]
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
     columns = [a if a.size == 1 else np.ascontiguousarray(np.broadcast_to(a, shape)) for a in arrays]
@@ -49,7 +50,7 @@ def involute(alpha: ArrayLike) -> Any:
 
 
 def inverse_involute(inv: ArrayLike) -> Any:
-    """Returns the α with inv α = inv."""
+    """Returns the pressure angle α with inv α = inv."""
     columns, rows, shape = _columns(inv)
     return _shaped(_core._inverse_involute(columns, rows), shape)
 
@@ -70,16 +71,17 @@ def pair_table(
     shorten_tips: bool = False,
     columns: tuple[str, ...] | None = None,
 ) -> dict[str, Any]:
-    """Computes pairs from their numbers. Returns a column for each quantity, by name:
+    """Computes pairs from their numbers. Returns a dict with a column for each of these names:
 
-    center_distance         a, of the mounting: "tight" is free of backlash, "extended" a_d + m_n (x1 + x2)
+    center_distance         a; mounting "tight" is free of backlash, "extended" is a_d + m_n (x1 + x2)
     working_pressure_angle  α_wt
-    contact_ratio           ε_α of the tips; contact_ratio_true: of the path clipped to the usable flanks
-    sliding                 the greatest |ζ| of both flanks at the ends of the path; inf at a base tangent point
+    contact_ratio           ε_α between the tips; contact_ratio_true: ε_α of the path within the usable flanks
+    sliding                 greatest |ζ| of both flanks at the ends of the path; inf at a base tangent point
     tip_thickness1, 2       s_an    tip_clearance1, 2   c
 
-    addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. Rows that touch a limit of
-    these formulas are NaN. The search uses the same formulas. They agree with a Pair to 1e-12. The Pair is decisive.
+    addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. A row outside the limits of
+    these formulas is NaN. The search uses the same formulas. They agree with a Pair to 1e-12. If they differ, the Pair
+    is correct.
     """
     if mounting not in ("tight", "extended"):
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
@@ -101,19 +103,19 @@ def pair_table(
 
 def center_distance(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                     helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2); keywords as pair_table."""
+    """The centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2). Keywords as in pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("center_distance",), **more)["center_distance"]
 
 
 def working_pressure_angle(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                            helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The transverse working pressure angle α_wt; keywords as pair_table."""
+    """The transverse working pressure angle α_wt. Keywords as in pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("working_pressure_angle",), **more)["working_pressure_angle"]
 
 
 def contact_ratio(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                   helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The transverse contact ratio ε_α; keywords as pair_table."""
+    """The transverse contact ratio ε_α. Keywords as in pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("contact_ratio",), **more)["contact_ratio"]
 
 
@@ -121,7 +123,7 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
              helix_angle: ArrayLike = 0.0, *, thickness_allowance1: ArrayLike = 0.0,
              thickness_allowance2: ArrayLike = 0.0, normal_module: float = 1.0,
              normal_pressure_angle: float = _ALPHA) -> Any:
-    """The normal backlash j_n at a centre distance; < 0: the teeth overlap."""
+    """The normal backlash j_n at a centre distance. If it is negative, the teeth overlap."""
     columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
                                     thickness_allowance2, center_distance)
     tan_alpha = math.tan(_pressure_angle(normal_pressure_angle))
@@ -131,8 +133,9 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
 def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
                  normal_pressure_angle: float = _ALPHA, addendum: float = 1.0,
                  flank_depth: float = 1.0) -> tuple[Any, Any]:
-    """Returns the least profile shift, without undercut, and the greatest, with a tip of at least tip_thickness
-    modules. An internal gear has no undercut, so its least shift is -inf. NaN if there is no such shift."""
+    """Returns the least profile shift, which avoids undercut, and the greatest, at which the tip thickness is
+    tip_thickness modules. An internal gear has no undercut, so its least shift is -inf. A limit that does not exist is
+    NaN."""
     columns, rows, shape = _columns(z, helix_angle)
     alpha = _pressure_angle(normal_pressure_angle)
     least, greatest = _core._shift_limits(columns, rows, alpha, addendum, flank_depth, tip_thickness)

@@ -1,5 +1,5 @@
-// Computes from the text of a spec the text that the program prints with --json, byte for byte,
-// including errors. Files and folders, which a page does not need, are not available.
+// Computes for the text of a spec the text that the program prints with --json, byte for byte,
+// including errors. Files and folders are not available, because a page does not need them.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace gearwright::web {
 
-/// A text of a spec. It is JSON if it begins with a brace, otherwise TOML.
+/// The text of a spec. It is JSON if it begins with a brace, otherwise TOML.
 SpecText spec_text(std::string text);
 
-/// Reads it.   Errors  a text of more than kMaxSpec bytes; those of read_spec
+/// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// Returns {"error": …} with the keys of the spec and the line, as the program prints it.
+/// Returns {"error": …} with the keys of the spec and the line, as in the program.
 std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});
 
 /// Returns the output of `gearwright VERB SPEC --json`.
 std::string answer(std::string_view verb, const std::string& text);
 
-/// Returns the same tree in the other language. None if the text cannot be read.
+/// Returns the same tree in the other language, or an error if the text cannot be read.
 Result<std::string> to_toml(const std::string& json);
 Result<std::string> to_json_text(const std::string& toml);
 

@@ -1,7 +1,7 @@
-// Binds each function of the module. Functions take and return values; they throw no exceptions and
+// Binds each function of the module. The functions take and return values. They throw no exceptions and
 // contain no formulas.
 //
-// engine.js adapts them to engine.d.ts. It adds default arguments, and a catch around each call for
+// engine.js adapts them to engine.d.ts. It adds default arguments and a catch around each call. The catch is for
 // traps, which only JavaScript detects.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -29,7 +29,7 @@ namespace {
 
 using emscripten::val;
 
-// Returns a typed array of JavaScript. It is a copy that stays valid when the memory grows.
+// Returns a typed array of JavaScript. It is a copy, which remains valid when the memory grows.
 template <class T>
 val array_of(const std::vector<std::uint8_t>& bytes) {
   const auto* data = reinterpret_cast<const T*>(bytes.data());
@@ -77,7 +77,7 @@ val failed(const Error& error, const SpecText* text = nullptr, const GivenKeys& 
   return js(refusal(error, text, given));
 }
 
-// Returns the caught exception as an error. Must be called inside a handler.
+// Returns the caught exception as an error. It must be called inside a handler.
 Error caught() {
   try {
     throw;
@@ -140,7 +140,7 @@ Result<Json> contact_figures(Session& session, const val& of) {
   }
   return session.contact_figures(view);
 }
-// [x0, x1, y0, y1]
+// Converts [x0, x1, y0, y1] to bounds.
 std::optional<Bounds> window_of(const val& list) {
   if (list.isNull()) return std::nullopt;
   const auto ends = emscripten::convertJSArrayToNumberVector<double>(list);
@@ -188,7 +188,7 @@ val work_result(const Work& work) {
   return guarded([&] { return js(work.result()); });
 }
 
-// Returns the result of a function of a text, or its error with the line in the text.
+// Returns the result of a function of a text, or the error of the function with the line in the text.
 template <class T>
 val of_text(const Result<T>& result, const SpecText& text) {
   return result ? js(*result) : failed(result.error(), &text);

@@ -27,8 +27,8 @@ const char* name_of(const Names& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-// The suffix of a key and its unit for users. The list contains the units of the catalogue and
-// those that need no conversion there.
+// The suffix of a key and its unit for users. The list contains the units of the catalogue and the
+// units that the catalogue does not convert.
 struct Ending {
   std::string_view suffix, unit;
 };

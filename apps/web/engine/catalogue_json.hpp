@@ -1,4 +1,4 @@
-// Writes the catalogue as JSON, for forms and tables: every key of a spec and every quantity of a
+// Writes the catalogue as JSON for forms and tables. It contains every key of a spec and every quantity of a
 // result. Its structure is `Catalogue` in engine.d.ts.
 #pragma once
 

@@ -31,8 +31,8 @@ void append(Numbers& out, const Eigen::Matrix<double, n, 1>& p) {
   out.insert(out.end(), p.data(), p.data() + n);
 }
 
-// Points of an arc of a circle after its first point, so dense that chords stay within the
-// tolerance. The last one is `end` itself.
+// Appends the points of a circular arc after its first point. They are so dense that the chords stay within the
+// tolerance. The last point is exactly `end`.
 void append_circle(Numbers& out, const Vec2& center, const Vec2& begin, const Vec2& end,
                    double sweep, double tolerance) {
   const Vec2 arm = begin - center;
@@ -67,7 +67,7 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
   return out;
 }
 
-// The diameters of a record as circles about the axis of a gear.
+// Appends circles about the axis of a gear for the diameters in a record.
 void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
                     std::size_t gear) {
   for (const Member& m : record) {
@@ -101,7 +101,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
   auto bore = bore_outline(*made, *contour, tolerance);
   if (!bore) return spelled(within(made->name, bore.error()), job_.spec.given);
   const Gear& g = job_.gears[static_cast<std::size_t>(gear - 1)];
-  // Each arc of the half tooth is computed once and then placed in all its positions.
+  // Each arc of the half tooth is computed once and then copied to all its positions.
   std::vector<std::vector<Vec2>> arcs;
   for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
   Numbers out;
@@ -121,7 +121,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
                       {"from", from},
                       {"to", static_cast<int>(out.size() / 2) - 1}});
   }
-  out.resize(out.size() - 2);  // closed: the last point is the first
+  out.resize(out.size() - 2);  // the outline is closed, so the last point equals the first
   for (const NamedCircle& c : circles(gear)) {
     named.push_back(
         {{"key", c.key}, {"symbol", c.symbol}, {"words", c.words}, {"radius", c.radius}});
@@ -141,7 +141,7 @@ std::vector<NamedCircle> Session::circles(int gear) const {
 }
 
 Result<Json> Session::mesh_figure(const MeshView& view) const {
-  constexpr double kCoarse = 0.1;  // mm; coarse, because the section is only a preview
+  constexpr double kCoarse = 0.1;  // mm; coarse, because only errors of the section matter
   MeshScene scene;
   for (int gear = 1; gear <= gears(); ++gear) {
     if (const auto made = section(gear, kCoarse); !made) return made.error();
@@ -193,7 +193,7 @@ Result<Json> Session::lines() const {
   const Pair& pair = *job_.pair;
   Numbers line_of_action, trailing_line, path_of_contact;
   Json points = Json::array();
-  // Circular arcs touch in points that move along the teeth.
+  // Only involute gears have a line of action. Circular arcs touch in points that move along the teeth.
   if (const InvolutePair* p = pair.involute()) {
     const gearwright::Mesh<double>& m = p->mesh;
     for (const double rho : {0.0, m.sigma * m.base_tangent_distance}) {
@@ -221,8 +221,8 @@ Result<Json> Session::lines() const {
               {"points", std::move(points)}};
 }
 
-// Gear 1 turns clockwise seen from +z, and gear 2 as it is driven. Errors tilt and shift axis 1,
-// and ΔC moves axis 2. [T1.5], [T8.12]
+// Gear 1 turns clockwise seen from +z, and gear 2 turns as it is driven. Errors tilt and displace axis 1,
+// and ΔC displaces axis 2. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!job_.pair) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
@@ -242,8 +242,8 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // The rotations do not depend on the direction of the mirror into N. D M D is applied to
-        // each axis.
+        // The map D between the housing and N is its own inverse. Therefore the tilt M in N is the rotation D M D in
+        // the housing. It is computed for each axis.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;

@@ -1,4 +1,4 @@
-// Computes teeth under load in steps: a table for each gear, then position by position.
+// Computes teeth under load in steps. First the compliance of each gear is computed, then one position after the other.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -15,8 +15,8 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr int kTableSteps = 32;       // a table takes about as long as this number of positions
-constexpr std::size_t kMostKept = 4;  // both gears, draft and full
+constexpr int kTableSteps = 32;       // a table takes about as long as this many positions
+constexpr std::size_t kMostKept = 4;  // tables of both gears, in draft and full accuracy
 
 class LoadWork : public Work {
  public:
@@ -48,7 +48,7 @@ class LoadWork : public Work {
   Json result_;
 };
 
-// Makes the table of the next gear. The positions can be computed once both tables exist.
+// Makes the table of the next gear. When both tables exist, the positions can be computed.
 std::optional<Error> LoadWork::make_table() {
   const Gear &gear_1 = task_.setup.gear(1), &gear_2 = task_.setup.gear(2);
   const int which = tables_[0] ? 2 : 1;

@@ -1,6 +1,6 @@
 // Runs a search in steps, so that a worker can handle messages between them.
 //
-// The steps are parts of the range of trials. The final result equals that of the program, with the
+// Each step computes a part of the range of trials. The final result equals that of the program, with the
 // same designs, order and text.
 #pragma once
 
@@ -16,13 +16,13 @@ namespace gearwright::web {
 
 class SearchSession {
  public:
-  /// Errors    those of read_spec and run_search; a spec without [search]
+  /// Errors    the errors of read_spec and run_search; a spec without [search]
   static Result<std::shared_ptr<SearchSession>> open(std::string text, int most);
 
   std::int64_t trials() const { return trials_; }
   Steps step(double milliseconds);
   bool finished() const { return stage_ == Stage::done; }
-  /// The text of the answer, which is empty before the end, and the counts.
+  /// The counts and the text of the answer. The text is empty before the end.
   Json result() const;
   std::string best(int most) const;
   Result<std::string> take(int design) const;

@@ -24,7 +24,7 @@ bool is_number(const QuantityInfo& info) {
   return info.type == Type::number || info.type == Type::whole || info.type == Type::index;
 }
 
-// There is one column for each column of the table that has a fixed width, of numbers or of words.
+// Adds a column for each column of the table that contains numbers or words and has a fixed width.
 void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows,
                  ContactCurve& curve) {
   for (const RecordColumn& column : columns_of(table)) {

@@ -1,7 +1,7 @@
 // A spec that is read and solved, with the results that a page shows while the user changes it.
 //
-// The core computes everything on request. Data that several requests share, the solved pair and
-// its contact, are kept.
+// The core computes everything on request. The solved pair and its contact are kept, because several requests
+// use them.
 #pragma once
 
 #include <memory>
@@ -19,32 +19,32 @@ namespace gearwright::web {
 
 /// Options of the figures of contact.
 struct ContactView {
-  double width = 560.0;                 ///< px, of a figure
-  int positions = 64;                   ///< per pitch
+  double width = 560.0;                 ///< px, width of a figure
+  int positions = 64;                   ///< number per pitch
   int index = 0;                        ///< index of the position whose gap is shown on the flanks
-  std::array<FlankRaster, 2> patterns;  ///< from `pattern`; empty: not yet computed
-  bool curves = true;                   ///< false: only the flanks
+  std::array<FlankRaster, 2> patterns;  ///< the result of `pattern`; empty if not yet computed
+  bool curves = true;                   ///< false if only the flanks are drawn
 };
 
 /// Options of the figure of the gears in section.
 struct MeshView {
   MeshFrame frame = MeshFrame::mesh;
   double width = 560.0, height = 420.0;  ///< px
-  std::optional<Bounds> window;          ///< mm; none: the window of the frame
-  bool bodies = false;                   ///< without circles and lines
-  std::string name = "mesh";             ///< of the shapes, unique in the page
+  std::optional<Bounds> window;          ///< mm; by default the window of the frame
+  bool bodies = false;                   ///< true to omit circles and lines
+  std::string name = "mesh";             ///< name of the shapes, unique in the page
 };
 
 /// Options of the figure of the profile shifts.
 struct ShiftView {
   double width = 560.0;          ///< px
-  double aspect = 1.25;          ///< of the plot, width over height
-  std::optional<Bounds> window;  ///< (x1, x2); none: the window of the region
+  double aspect = 1.25;          ///< width over height of the plot
+  std::optional<Bounds> window;  ///< range of (x1, x2); by default that of the region
 };
 
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  /// Errors    those of read_spec and solve
+  /// Errors    the errors of read_spec and solve
   static Result<std::shared_ptr<Session>> open(std::string text);
 
   const SolvedJob& job() const { return job_; }
@@ -58,29 +58,29 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> lines() const;
   /// The gears in section, with all circles that the catalogue contains.
   Result<Json> mesh_figure(const MeshView& view) const;
-  /// Column-major, as three.js requires.
+  /// The pose of a gear as a column-major 4×4 matrix, as three.js requires.
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
   Result<ContactCurve> contact_curve(int positions);
-  /// Transmission error, spectrum, and both flanks at one position. Some may be missing.
+  /// Figures of the transmission error, the spectrum, and both flanks at one position. Some may be missing.
   Result<Json> contact_figures(const ContactView& view);
-  /// An object of contact.positions as JSON.
+  /// The contact at one position as JSON, with the keys of contact.positions.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
   /// The pair for contact analysis. It lives as long as the session.
   Result<const ContactPair*> contact_pair();
-  /// The same with other values of two errors, given by their indices in error_entries().
+  /// The same pair with other values of two errors. `keys` are their indices in error_entries().
   Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
-  /// Percentiles of the peak to peak over the tolerances of [scatter] to first order, with figures.
+  /// Percentiles of the peak to peak over the tolerances of [scatter], estimated to first order, with figures.
   Result<Json> scatter_sketch(double width);
-  /// The same by complete contacts of at most 1024 samples, as many as take about three seconds, with
-  /// the probabilities of events.
+  /// The same percentiles from complete contacts, with the probabilities of events. There are at most 1024 samples, as
+  /// many as take about three seconds.
   Result<Json> scatter(double width);
 
-  /// Includes a figure if `view` is given and the region is not empty.
+  /// The x1–x2 chart. It includes a figure if `view` is given and the region is not empty.
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 

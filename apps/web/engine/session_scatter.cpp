@@ -1,5 +1,5 @@
-// The scatter of a session's pair: an estimate to first order, which follows a slider, and the answer
-// of the verb with fewer samples.
+// The scatter of a session's pair, computed in two ways: an estimate to first order while a slider moves, and the
+// answer of the verb scatter with fewer samples.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
 constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;  // of complete contacts
-constexpr double kLongestMs = 1500;  // of the last of the growing families
+constexpr double kLongestMs = 1500;  // longest expected time of the last and largest family
 
 Json figures_of(const DistributionScene& scene, double width) {
   return Json::array(
@@ -57,8 +57,8 @@ Result<Json> Session::scatter_sketch(double width) {
               {"figures", varies ? figures_of(scene, width) : Json::array()}};
 }
 
-// The family grows until a larger one would take too long, because contact on flanks with reliefs
-// and waves takes many times as long as on smooth ones.
+// The number of samples grows until more of them would take too long, because contact on flanks with reliefs
+// and waves takes many times as long as on smooth flanks.
 Result<Json> Session::scatter(double width) {
   SolvedJob job = job_;
   ScatterInput& input = job.spec.scatter;

@@ -1,7 +1,7 @@
-// Data from the engine for a page: JSON with rows of numbers for buffers.
+// Data of the engine for a page, as JSON with rows of numbers for buffers.
 //
-// A row is binary data of the tree, so trees can be made and tested without a browser. bindings.cpp
-// converts them to values of JavaScript. Members have the names and meanings given in engine.d.ts.
+// A row is binary data in the tree, so trees can be made and tested without a browser. bindings.cpp
+// converts trees to values of JavaScript. The names and meanings of members are those of engine.d.ts.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@
 namespace gearwright::web {
 
 using Numbers = std::vector<double>;
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< no value
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< a missing value
 
-/// The typed array of JavaScript for a row, given by the subtype of its binary data.
+/// The typed array of JavaScript for a row. It is stored as the subtype of the binary data.
 enum class RowType : std::uint8_t { float64, float32, uint32, uint8 };
 Json row(const Numbers& numbers);
 Json row(const std::vector<float>& numbers);
@@ -43,7 +43,7 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
-/// A figure with its caption as HTML, and its data, for a width in px. A plane figure has no
+/// A figure for a width in px, with its caption as HTML and its data. A figure of the gears in section has no
 /// caption.
 Json shape(const Figure& figure, double width);
 

@@ -1,4 +1,4 @@
-// Computes the x1–x2 chart of a session's pair, which is that of a search for this one pair of
+// Computes the x1–x2 chart of a session's pair. It is the chart of a search that has only this pair of
 // tooth numbers.
 #include <fmt/format.h>
 
@@ -23,8 +23,8 @@ namespace gearwright::web {
 
 namespace {
 
-// A search with a single trial. Its limits are those of [search] in the spec, or the defaults of a
-// search. If `swapped`, gear 2 has fewer teeth and becomes gear 1 of the search.
+// A search with a single trial. Its limits are those of [search] in the spec, or otherwise the defaults. If `swapped`
+// is true, gear 2 has fewer teeth and becomes gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
@@ -85,10 +85,10 @@ struct Nearest {
   }
 };
 
-// The figure without the design point, which the page draws so that it can be dragged.
+// The figure without the design point. The page draws the point, so that it can be dragged.
 Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                     const ShiftView& view) {
-  // Fraction of the rectangle; a region at least this long is shown in the rectangle.
+  // Fraction of the rectangle of the limits. If the region is at least this long, the figure shows the rectangle.
   constexpr double kFairPart = 0.62;
   const ShiftChart chart = shift_chart(graph, design);
   const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
@@ -124,7 +124,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  // The least margin over all limits, each in its own unit. The chart uses only its sign.
+  // The least margin over all limits. Each limit has a unit of its own, so the chart uses only the sign.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();
@@ -166,7 +166,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
   if (view) chart["figure"] = shape(chart_figure(graph, asked, swapped, *view), view->width);
-  constexpr double kAtWall = 1e-6;  // modules: less than the accuracy of any shift
+  constexpr double kAtWall = 1e-6;  // modules; less than the accuracy of any profile shift
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;
   chart["area"] = region->area;

@@ -1,4 +1,4 @@
-// Measures the duration of a step of some work.
+// Measures the duration of a step of work.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Long work in steps, so that a worker can handle messages between them: the pattern, a map over
-// two errors, teeth under load.
+// Long work that is done in steps, so that a worker can handle messages between them: the pattern, a map over
+// two errors, and teeth under load.
 #pragma once
 
 #include <array>
@@ -27,11 +27,11 @@ class Work {
   Work& operator=(const Work&) = delete;
 
   Session& session() const { return *session_; }
-  /// Works for about this duration.
+  /// Works for about this number of milliseconds.
   virtual Result<Steps> step(double milliseconds) = 0;
-  /// The result so far; null if there is none yet.
+  /// The result so far, or null if there is none yet.
   virtual Json result() const = 0;
-  /// Figures of the result, for types of work that have some.
+  /// Figures of the result. Some types of work have none.
   virtual Result<Json> figures(int, double) const { return Json::array(); }
 
  private:
@@ -39,21 +39,21 @@ class Work {
 };
 using MadeWork = Result<std::shared_ptr<Work>>;
 
-/// The pattern in rasters of increasing resolution. The first one is available immediately.
+/// The pattern in rasters of increasing resolution. The first raster is available immediately.
 MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size);
 
-/// An error axis, in the unit of its key.
+/// The range of an error on one axis of a map, in the unit of its key.
 struct ErrorAxis {
-  std::string key;  ///< of [errors]
+  std::string key;  ///< key of [errors]
   double from = 0.0, to = 0.0;
   int n = 2;
 };
-/// Peak-to-peak transmission error over two errors, curve by curve.
+/// The peak-to-peak transmission error over two errors, computed one curve after the other.
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
-/// The compliance of the last gears under load. Torque, errors and modifications do not change it,
-/// so a page that changes only these waits only for the positions.
+/// The compliance of the last gears under load. It does not depend on torque, errors and modifications,
+/// so if only these change, only the positions are computed again.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,
@@ -69,8 +69,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load: a table for each gear, which takes longest, then position by position.
-/// Errors    as load_task
+/// Teeth under load. First a table for each gear is computed, which takes longest, then one position after the other.
+/// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);
 

@@ -1,12 +1,12 @@
-// import { solve } from "gearwright"
+// The usual import is: import { solve } from "gearwright"
 import type { Engine, FileKind, Verb } from "./engine/engine.js";
 export type { Engine, FileKind, Session, Verb } from "./engine/engine.js";
 export { failed } from "./engine/engine.js";
 
-/** TOML or JSON text, or the spec as an object: docs/spec.md. */
+/** A spec as TOML or JSON text or as an object. Its keys are described in docs/spec.md. */
 export type Spec = string | Record<string, unknown>;
 
-/** A number, a list of numbers per gear, a word, a flag, or a record. null means that there is no such
+/** A number, a list with a number for each gear, a word, a flag, or a record. null means that there is no such
  *  value. */
 export type Value =
   | number
@@ -17,7 +17,7 @@ export type Value =
   | { [key: string]: Value };
 export type Values = { [key: string]: Value };
 
-/** The answer of a verb: docs/spec.md, and gearwright schema result. */
+/** The answer of a verb. It is described in docs/spec.md and by `gearwright schema result`. */
 export interface Result {
   title?: string;
   gears?: Values[];
@@ -45,7 +45,7 @@ export class SpecError extends Error {
 /** Returns the output of `gearwright VERB SPEC --json` as an object.   Throws  SpecError */
 export function solve(spec: Spec, verb?: Verb): Result;
 
-/** Returns the bytes of a file of gear 1 or 2, or (0) of the pair as mounted.   Throws  SpecError */
+/** Returns the bytes of a file of gear 1 or 2, or for 0 of the pair as mounted.   Throws  SpecError */
 export function file(
   spec: Spec,
   kind: FileKind,

@@ -1,6 +1,6 @@
-// A tab with a result of the engine next to the keys of the spec that it needs: teeth under load,
-// and their rating. Above the result is the verdict on the spec, as in the bar. For a spec without
-// a load, the tab shows fields for one.
+// A tab with a result of the engine, teeth under load or their rating, next to the keys of the spec that
+// the result needs. Above the result is the verdict on the spec, as in the bar. If the spec has no load,
+// the tab shows fields for one.
 
 import { fill, h, scroller } from "./elements";
 import type { Fault, Notice, Solved, Verdict } from "./engine_worker";
@@ -14,9 +14,9 @@ import { at, bench } from "./workbench";
 
 interface Needs {
   panel: PanelGroup[];
-  keys: string[]; // places of the load; a spec without any of them has no load
-  without: string; // reason why there is no result in that case
-  alone: string; // reason why there is no result for a single gear
+  keys: string[]; // places of the keys of a load; without any of them, the spec has no load
+  without: string; // reason that is shown if the spec has no load
+  alone: string; // reason that is shown for a single gear
   offer: string; // purpose of the offered fields
   go: string;
   offered: Offered[];
@@ -54,7 +54,7 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
   abstract refresh(): Promise<void>;
   abstract judge(): Promise<void>;
 
-  /** Returns the pair of the spec, or null if the view shows why there is none. */
+  /** Returns the pair of the spec. If there is none, shows the reason and returns null. */
   protected pair(): Solved | null {
     const solved = bench.good;
     this.panel.show();
@@ -71,13 +71,13 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
     return null;
   }
 
-  /** Shows the answer for a text. The panel reports no error. */
+  /** Takes over the answer for a text. The panel shows no error. */
   protected take(answer: A, text: string): void {
     this.panel.show(null);
     this.answer = answer;
     this.shown = text;
   }
-  /** Shows an error of the engine, whose reason the panel shows at its field. */
+  /** Shows an error of the engine. The panel shows the reason at the field that caused it. */
   protected refuse(fault: Fault, text: string): void {
     judgement.take(this.part, text, { error: fault });
     this.clear(this.panel.show(fault), text);

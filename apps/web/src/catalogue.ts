@@ -20,12 +20,12 @@ export function inputKey(table: string, key: string): InputKey | undefined {
   return inputs(table)?.keys.find((one) => one.key === key);
 }
 
-/** Rows of the shipped table of materials. */
+/** Rows of the table of known materials. */
 export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-/** Results whose quantities have the words of a table's keys. The tables of the file itself come first. */
+/** Results whose quantities use the same words as the keys of a table. Tables with the name of a result need no row. */
 const kResultsOf: Record<string, string[]> = {
   material: ["rating"],
   rating_plastic: ["rating"],
@@ -35,13 +35,13 @@ const kResultsOf: Record<string, string[]> = {
   cutter: ["gear"],
   search: ["search.designs"],
 };
-/** Names that only a programmer understands and their words: an end of a range, a letter, a symbol, a
+/** Recognises names of keys that users would not understand as words: an end of a range, a letter, a symbol, or a
  *  name without its apostrophe. */
 const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
 const kLongest = 44;
 
-/** The name of a key on the page. It is that of the quantity that the key sets, otherwise the key itself
- *  as words, "normal module" for normal_module_mm, or its meaning if those words are unclear. */
+/** The name of a key on the page. It is the name of the quantity that the key sets. If there is none, it is the key
+ *  as words, "normal module" for normal_module_mm, or the meaning of the key if those words are unclear. */
 export function wordsOf(table: string, key: InputKey): string {
   const info = (kResultsOf[table] ?? [table])
     .map((name) => quantity(name, key.key))

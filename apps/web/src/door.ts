@@ -1,4 +1,4 @@
-// The interface for scripts, used by tests and in the browser's console.
+// The interface for scripts. Tests and the console of the browser use it.
 //
 //   await gearwright.run("pair", text)   the JSON that `gearwright pair --json` prints
 //   gearwright.open(text)                puts a design on screen
@@ -23,16 +23,16 @@ export function doorOf(page: Page) {
     text: (): string => bench.text,
     /** True if the answer on screen belongs to the text on screen. */
     settled: (): boolean => bench.solved?.text === bench.text,
-    /** True if the engine has no more work. */
+    /** True if the engine has no work left. */
     idle: (): boolean =>
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&
       [bench.front, bench.back, bench.press, bench.seek].every((one) => one.idle),
     /** True if no part of the verdict is pending. */
     judged: (): boolean => bench.solved?.text === bench.text && judgement.pending.length === 0,
-    /** Identifies the spec on screen. Pictures of it have the same value in `data-revision`. */
+    /** Identifies the spec on screen. Pictures of this spec have the same value in `data-revision`. */
     revision: (): string => revisionOf(bench.text),
-    /** Times of the last change: until the answer arrived, and the part used by the engine. */
+    /** Duration of the last change until its answer arrived, in ms. engineMs is the part used by the engine. */
     lastMs: (): number => bench.lastMs,
     engineMs: (): number => bench.solved?.milliseconds ?? NaN,
   };

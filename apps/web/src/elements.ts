@@ -1,6 +1,6 @@
 // Makes elements of the page without a framework.
 //
-// Every text is a text node, never markup, so the text of a spec is shown as text.
+// Every text becomes a text node, not markup, so the text of a spec is always shown as text.
 
 export type Child = Node | string | number | null | undefined | false;
 type Handler = (event: never) => void;
@@ -15,7 +15,7 @@ function dress(element: Element, properties: Properties, children: Child[]): voi
   put(element, ...children);
 }
 
-/** h("button", {class: "plain", click: go}, "Open") */
+/** Makes an element: h("button", {class: "plain", click: go}, "Open") */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   properties: Properties = {},
@@ -50,7 +50,7 @@ export function fill(element: Element, ...children: Child[]): void {
   put(element, ...children);
 }
 
-/** A button with words. `title` is used only if these are short. */
+/** A button with words. The property `title` explains them if they are short. */
 export function button(words: string, click: () => void, properties: Properties = {}): HTMLButtonElement {
   return h("button", { type: "button", click, ...properties }, words);
 }
@@ -65,22 +65,22 @@ export function slider(
   input.addEventListener("input", () => change(Number(input.value)));
   return input;
 }
-/** A slider among the controls of a picture, with a word before it and its value after it. */
+/** A slider among the controls of a picture, with its name before it and its value after it. */
 export function slide(words: string, of: HTMLInputElement, ...rest: Child[]): HTMLElement {
   return h("label", { class: "slide" }, h("span", {}, words), of, ...rest);
 }
-/** A check box, followed by its word. */
+/** A check box followed by its label. */
 export function check(words: string, box: HTMLInputElement): HTMLElement {
   return h("label", { class: "check" }, box, words);
 }
 
 type Words = Record<string, string> | ArrayLike<string>;
-/** Buttons in a row, one of which is pressed. */
+/** A row of buttons of which one is pressed. */
 export class Choice {
   readonly element: HTMLElement;
   constructor(
     name: string,
-    options: Words, // words for each value
+    options: Words, // the label of each value
     now: string,
     private readonly pick: (value: string) => void,
     properties: Properties = {},
@@ -104,7 +104,7 @@ export class Choice {
   }
 }
 
-/** A sheet that its button opens and closes. Escape and a click outside also close it. */
+/** A sheet that `opener` opens and closes. Escape and a click outside also close the sheet. */
 export function foldOut(
   style: string,
   opener: HTMLButtonElement,
@@ -131,7 +131,7 @@ export function foldOut(
   return holder;
 }
 
-/** Actions for the keys of a table while an element has the focus. */
+/** Calls an action of the table when its key is pressed while the element has the focus. */
 export function onKeys(
   element: HTMLElement | SVGElement,
   acts: Record<string, (event: KeyboardEvent) => void>,
@@ -144,12 +144,12 @@ export function onKeys(
   });
 }
 
-/** A scrolling area that the keyboard can reach and a screen reader can name. */
+/** A scrolling area that can be reached by the keyboard and has a name for screen readers. */
 export function scroller(style: string, name: string, ...children: Child[]): HTMLDivElement {
   return h("div", { class: style, tabindex: "0", role: "region", "aria-label": name }, ...children);
 }
 
-/** A table under a row of headings. */
+/** A table with a row of headings. */
 export function tableOf(style: string, heads: Child[], ...rows: Child[]): HTMLTableElement {
   return h("table", { class: style }, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows));
 }
@@ -181,7 +181,7 @@ export function onThemeChange(then: () => void): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", then);
 }
 
-/** Calls `paint` once with the next frame of the browser, even if requested several times before. */
+/** Calls `paint` once in the next frame of the browser, even if it was requested several times. */
 export function onNextFrame(paint: () => void): () => void {
   let waiting = false;
   return () => {

@@ -1,11 +1,11 @@
 // The engine runs in workers, so no computation blocks the page.
 //
-//   front   solves the design on screen: milliseconds, always free
-//   back    long computations: solids, patterns, maps, reports, files
-//   press   teeth under load, which keep their compliance from one torque to the next
-//   seek    searches and fits, which keep their results
+//   front   solves the design on screen, which takes milliseconds; it is always free for that
+//   back    runs long computations: solids, patterns, maps, reports, files
+//   press   computes teeth under load and keeps their compliance from one torque to the next
+//   seek    runs searches and fits and keeps their results
 //
-// If a newer request makes older ones obsolete, `latest` drops the older ones, so at most one
+// If a newer request makes older requests obsolete, `latest` drops them, so at most one
 // request of a kind is being computed and one waits. The result of a dropped request is null.
 
 import type { Questions } from "./engine_worker";
@@ -14,7 +14,7 @@ export type Name = keyof Questions;
 export type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
 export type Progress = (done: number, of: number, sofar?: unknown) => void;
 
-/** The error if the user has ended the work. */
+/** The error that is thrown if the user has ended the work. */
 export class Cancelled extends Error {
   override message = "cancelled";
 }
@@ -99,7 +99,7 @@ export class EngineLink {
     });
   }
 
-  /** Sends a request, or drops it if a newer one on this channel arrives before its turn. */
+  /** Sends a request. It is dropped if a newer request on this channel arrives before its turn. */
   latest<N extends Name>(
     channel: string,
     name: N,

@@ -1,8 +1,8 @@
 // The worker that runs the engine and handles the requests of the page.
 //
-// A request contains the spec's text. The last spec stays open, so a second request for the same
-// text needs no time. Long requests are computed in steps of some milliseconds. Messages are
-// handled between two steps, and an obsolete request ends.
+// A request contains the text of the spec. The last spec stays open, so a second request for the same
+// text need not solve it again. Long requests are computed in steps of some milliseconds. Messages are
+// handled between two steps, and an obsolete request ends there.
 
 import createEngine, { failed } from "gearwright-engine/engine.js";
 import type * as E from "../engine/engine";
@@ -13,14 +13,14 @@ export type Fault = E.Failed["error"];
 /** The result of a spec: the output of the program with --json, or the reason why there is none. */
 export interface Solved {
   text: string;
-  spec: { [key: string]: Json } | null; // the same tree as the text; null if it cannot be read
+  spec: { [key: string]: Json } | null; // the tree of the text; null if the text cannot be read
   result: { [key: string]: Json } | null;
   fault: Fault | null;
   gears: number;
   hasPair: boolean;
   milliseconds: number;
 }
-/** Teeth under load: the result's tables, and what pictures need. */
+/** Teeth under load: the tables of the result, and the data for the page. */
 export type Loaded =
   | { fault: Fault }
   | {
@@ -42,22 +42,22 @@ export interface Verdict {
   level: string;
   headline: string;
   findings: Finding[];
-  /** Parts of the verdict that the spec permits and this verb did not compute. */
+  /** Parts of the verdict that this verb did not compute although the spec allows them. */
   not_judged?: string[];
 }
 type Edit = [key: string, valueJson: string];
 interface Step {
-  // Resolves to true if the work shall continue.
+  // Resolves to true if the work must continue.
   (done: number, of: number, sofar?: unknown): Promise<boolean>;
 }
 
 let engine: E.Engine;
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
-/** The last work that has figures. They are made on request, in the requested width. */
+/** The last work that has figures. The figures are made on request in the requested width. */
 let drawn: E.Work<unknown> | null = null;
 
-/** The reason why there is no answer. */
+/** The exception for a request without an answer. It contains the reason. */
 class Refused extends Error {
   constructor(readonly fault: Fault) {
     super(fault.message);
@@ -76,7 +76,7 @@ function session(text: string): E.Session {
   return next;
 }
 
-/** True if a spec is JSON, which begins with a brace, as for the engine. */
+/** True if a spec is JSON. As in the engine, this is the case if it begins with a brace. */
 const isJson = (text: string) => text.trimStart().startsWith("{");
 function treeOf(text: string): Solved["spec"] {
   const tree = engine.toJson(isJson(text) ? good(engine.toToml(text)) : text);
@@ -97,7 +97,7 @@ function solve(text: string): Solved {
   try {
     solved.spec = treeOf(text);
   } catch {
-    // The engine's own reading, which follows, reports the reason.
+    // The engine also reads the text, in the next call, and reports the reason.
   }
   try {
     const { gears, hasPair, json } = session(text);
@@ -111,7 +111,7 @@ function solve(text: string): Solved {
   return solved;
 }
 
-/** Runs some work to its end in steps. Returns null if a newer request replaced it. */
+/** Runs work to its end in steps. Returns null if a newer request has replaced it. */
 async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): Promise<T | null> {
   for (;;) {
     const state = good(task.step(30));
@@ -119,7 +119,7 @@ async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): P
     if (!(await step(state.done, state.of, sofar?.()))) return null;
   }
 }
-/** The same for work that is not used later. */
+/** Runs work to its end and deletes it. */
 async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | null> {
   const task = good(begun);
   try {
@@ -128,7 +128,7 @@ async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | nul
     task.delete();
   }
 }
-/** The same for work with figures. `sofar` is called while the work is running. */
+/** Runs work with figures to its end and keeps it in `drawn`. `sofar` is called while the work is running. */
 async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (task: E.Work<T>) => unknown): Promise<T | null> {
   const task = good(begun);
   const result = await stepped(task, step, sofar && (() => sofar(task))).catch((reason) => {
@@ -143,7 +143,7 @@ async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (ta
   return result;
 }
 
-/** Adds the time that an answer takes. */
+/** Adds to an answer the time that it took. */
 function timed<T extends object>(make: () => T): T & { milliseconds: number } {
   const begin = performance.now();
   const answer = make();
@@ -157,7 +157,7 @@ function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
 const questions = {
   catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
   solve: (q: { text: string }) => solve(q.text),
-  /** Sets keys of the text, then solves the new text. */
+  /** Sets keys in the text and solves the new text. */
   edit(q: { text: string; edits: Edit[] }): Solved | { refused: string } {
     let text = isJson(q.text) ? good(engine.toToml(q.text)) : q.text;
     for (const [key, value] of q.edits) {
@@ -168,7 +168,7 @@ const questions = {
     return solve(text);
   },
   meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
-  /** Positions of the gears and of their contact over a pitch of gear 1 from −½ to ½. */
+  /** Positions of the gears and of their contact during a pitch of gear 1, from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
     const pitchDeg = 360 / good(s.section(1, 1)).teeth;
@@ -192,7 +192,7 @@ const questions = {
   contactFigures: (q: { text: string; view: E.ContactView }) => good(session(q.text).contactFigures(q.view)),
   pattern: (q: { text: string; positions: number; rows: number; columns: number }, step: Step) =>
     work(session(q.text).pattern(q.positions, q.rows, q.columns), step),
-  /** A map with its figure, which is updated during the computation. */
+  /** Computes a map with its figure. The figure is updated during the computation. */
   async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number; width: number }, step: Step) {
     const figure = (task: E.Work<E.ErrorMap>) => good(task.figures(0, q.width))[0]!;
     const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, figure);
@@ -200,7 +200,7 @@ const questions = {
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
   loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),
-  /** Teeth under load. An error includes its key, so that it can be shown at its field. */
+  /** Computes teeth under load. An error includes its key, so that it can be shown at the field of the key. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
     const begin = performance.now();
     try {
@@ -219,7 +219,7 @@ const questions = {
   /** Runs any verb and parses its JSON. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
-  /** Returns exactly the text that the program prints, for comparison. */
+  /** Returns exactly the text that the program prints. Tests compare the two. */
   print: (q: { text: string; verb: E.Verb }) => engine.run(q.verb, q.text),
   trials(q: { text: string }) {
     const s = good(engine.openSearch(q.text, 1));
@@ -253,7 +253,7 @@ export type Questions = typeof questions;
 const overtaken = new Set<number>();
 const running = new Map<string, number>();
 const letThrough = new MessageChannel();
-/** Pauses so that waiting messages are handled. */
+/** Pauses until waiting messages have been handled. */
 const moment = () =>
   new Promise<void>((go) => {
     letThrough.port1.onmessage = () => go();
@@ -279,8 +279,8 @@ async function answer(q: Question): Promise<void> {
   };
   try {
     const result = await (questions[q.name] as (question: unknown, step: Step) => unknown)(q.question, step);
-    // The finished part is sent although a newer request waits, so the picture follows a moving
-    // slider.
+    // A finished result is sent even if a newer request waits, so that the picture changes while a slider
+    // moves.
     postMessage({ id: q.id, answer: result });
   } catch (reason) {
     postMessage({ id: q.id, failed: reason instanceof Error ? reason.message : String(reason) });
@@ -300,6 +300,6 @@ onmessage = (event: MessageEvent) => {
     const id = running.get(message.overtake);
     if (id !== undefined) overtaken.add(id);
   } else {
-    queue = queue.then(() => answer(message)); // one after the other, in order
+    queue = queue.then(() => answer(message)); // requests are handled one after the other, in order
   }
 };

@@ -1,5 +1,5 @@
-// A figure of the engine on the page, shown as the engine has drawn it. The page adds interaction:
-// a line at the chosen position, a click or a drag that chooses another, and files to download.
+// A figure on the page, as the engine has drawn it. The page adds a line at the chosen position, the choice
+// of another position by a click or a drag, and files to download.
 //
 //   t   position in pitches of gear 1, −½ … ½
 
@@ -7,7 +7,7 @@ import type { Figure } from "../engine/engine";
 import style from "../../../gearwright/figure/figure_style.css?inline";
 import { button, download, fill, h, svg } from "./elements";
 
-/** An axis of a plot: values lo … hi at the px from … to. */
+/** An axis of a plot. The values lo … hi are drawn at the positions from … to in px. */
 export function axisOf(plot: Element, name: "x" | "y") {
   const [lo, hi, from, to] = plot.getAttribute(`data-${name}`)!.split(" ").map(Number) as [number, number, number, number];
   return {
@@ -32,8 +32,8 @@ export class FigureSlot {
   private figure: Figure | null = null;
   private t = NaN;
 
-  /** `chosen` is called for a press or a drag at a position, and `at` for a press or a passing pointer
-   *  at values. */
+  /** `chosen` is called when a position is clicked or dragged. `at` is called with the values at the pointer when it
+   *  is pressed or moves over the plot. */
   constructor(chosen?: (t: number) => void, at?: (x: number, y: number, pressed: boolean) => void) {
     fill(this.element, this.picture, this.save);
     const choose = (event: PointerEvent) => {
@@ -57,7 +57,7 @@ export class FigureSlot {
     this.mark(this.t);
   }
 
-  /** Moves the line, and the frame of a figure that has frames, to a position. */
+  /** Moves the line to a position. If the figure has frames, the frame of this position is shown. */
   mark(t: number): void {
     this.t = t;
     const { plot } = this;
@@ -87,7 +87,7 @@ export class FigureSlot {
     return this.picture.querySelector("g.plot");
   }
 
-  /** The values at a pointer on the plot; null outside of it. */
+  /** The values at a pointer on the plot, or null if the pointer is outside the plot. */
   valuesAt(event: MouseEvent): { at: [number, number]; pitch: number } | null {
     const picture = this.picture.querySelector("svg");
     const plot = picture?.querySelector("g.plot");
@@ -116,14 +116,14 @@ export class FigureSlot {
   }
 }
 
-/** The figures of one answer. Each keeps its place, in the order in which they first appeared. */
+/** The figures of one answer. A figure keeps its place when it is replaced. New figures are added at the end. */
 export class Figures {
   readonly element = h("div", { class: "plots" });
   private readonly slots = new Map<string, FigureSlot>();
   private t = NaN;
   constructor(private readonly chosen?: (t: number) => void) {}
 
-  /** If `all`, figures that are not in the list are removed. */
+  /** Shows these figures. If `all` is true, figures that are not in the list are removed. */
   show(figures: Figure[], all = true): void {
     for (const figure of figures) {
       if (!this.slots.has(figure.id)) {

@@ -1,6 +1,6 @@
-// Combines all results of the engine into one verdict for the spec on screen: the mounted pair, its
-// contact, its load, its rating. The worst level counts, and every finding is listed once. The
-// verdict names parts that are pending or that the engine rejected.
+// Combines the results of the engine for the mounted pair, its contact, its load and its rating into one verdict
+// on the spec on screen. The worst level is the level of the verdict, and every finding is listed
+// once. The verdict names the parts that are pending and those that the engine has rejected.
 
 import type { Verdict } from "./engine_worker";
 import { at, bench } from "./workbench";
@@ -11,7 +11,7 @@ export type Part = (typeof kParts)[number];
 type Judged = { verdict?: Verdict; error?: { message: string } };
 const kLevels = ["green", "amber", "red"];
 
-/** The worst of several verdicts: its headline, and the findings of all, worst first. */
+/** Combines verdicts. The headline is that of the worst, and the findings of all are listed with the worst first. */
 export function worstOf(verdicts: Verdict[]): Verdict {
   const rank = (level: string) => kLevels.indexOf(level);
   const worst = verdicts.reduce((a, b) => (rank(b.level) > rank(a.level) ? b : a));
@@ -32,12 +32,12 @@ class Judgement {
     this.listeners.add(listener);
   }
 
-  /** The result of the engine for a part of a spec. */
+  /** Takes over the result of the engine for a part of a spec. */
   take(part: Part, text: string, { verdict, error }: Judged): void {
     this.answers.set(part, { verdict, error, text });
     for (const listener of this.listeners) listener();
   }
-  /** The same for the spec on screen. */
+  /** The result of a part for the spec on screen, or null if there is none. */
   private of(part: Part): Judged | null {
     const last = this.answers.get(part);
     return last?.text === bench.text ? last : null;
@@ -65,7 +65,7 @@ class Judgement {
       return error ? [[part, error.message]] : [];
     });
   }
-  /** The verdict on all judged parts; null if there is no pair. */
+  /** The verdict on all parts that have been judged, or null if there is no pair. */
   get verdict(): Verdict | null {
     const pair = bench.solved?.result?.["verdict"] as unknown as Verdict | undefined;
     if (!pair) return null;

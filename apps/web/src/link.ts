@@ -1,10 +1,9 @@
-// A link contains a design: the compressed spec after the # of the address, so no server receives
+// A link contains a design. The compressed spec is in the part of the address after the #, so no server receives
 // it.
 //
 //   #1.<raw DEFLATE (RFC 1951) of the UTF-8 text, as base64url (RFC 4648, no padding)>
 //
-// 1 is the number of this format. A link of 100 000 characters still opens in every browser; a spec
-// is about 400.
+// 1 is the number of this format. Every browser opens a link of 100 000 characters. A usual spec needs about 400.
 
 import { kMostCharacters } from "./workbench";
 
@@ -48,7 +47,7 @@ export async function linkOf(text: string): Promise<string> {
   return kFormat + btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Returns the text in such a part, or null if there is none. Throws a sentence if the part is damaged. */
+/** Returns the text in such a part, or null if it contains none. Throws a sentence if the part is damaged. */
 export async function textOf(hash: string): Promise<string | null> {
   if (!hash.startsWith(kFormat)) return null;
   const packed = hash.slice(kFormat.length);

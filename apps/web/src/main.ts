@@ -1,5 +1,5 @@
-// Starts the page: loads the engine, reads the catalogue, and shows the design in the address or
-// the start screen.
+// Starts the page: loads the engine, reads the catalogue, and shows the design in the address or, if there is
+// none, the start screen.
 
 import "../../../gearwright/figure/figure_style.css";
 import "../../../gearwright/figure/figure_script.js";

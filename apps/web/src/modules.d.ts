@@ -10,9 +10,9 @@ declare module "*.css?inline" {
 }
 declare module "*/figure_script.js";
 declare module "*/zoom_script.js";
-/** Of unpack.js, in the one file: the compressed bytes of a part. */
+/** Defined by unpack.js in the self-contained file. It returns the compressed bytes of a part. */
 declare function packedPart(id: string): Uint8Array;
-/** Of zoom_script.js. */
+/** Defined by zoom_script.js. */
 declare function figureZoom(
   holder: Element,
   on: { always?: boolean; touch?: boolean; home?: () => void; settled?: () => void },

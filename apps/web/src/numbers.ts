@@ -1,4 +1,4 @@
-// Numbers as shown to users: digits and units of the catalogue, mm or inch.
+// Numbers in the form that users see, with the digits and units of the catalogue, in mm or inches.
 
 import type { Quantity } from "../engine/engine";
 import type { Json } from "./engine_worker";
@@ -7,7 +7,7 @@ const kMmPerInch = 25.4;
 let inches = localStorage.getItem("gearwright.unit") === "in";
 const listeners = new Set<() => void>();
 
-/** Lengths are shown in "mm" or "in". */
+/** Sets whether lengths are shown in "mm" or "in". */
 export function showLengthsIn(unit: string): void {
   inches = unit === "in";
   localStorage.setItem("gearwright.unit", unit);
@@ -21,19 +21,19 @@ export function onUnitChange(listener: () => void): void {
 export function shownUnit(unit: string): string {
   return unit === "mm" && inches ? "in" : unit;
 }
-/** Converts a value to the shown unit, and back. */
+/** Converts a value to the shown unit. fromShown converts it back. */
 export function toShown(value: number, unit: string): number {
   return unit === "mm" && inches ? value / kMmPerInch : value;
 }
 export function fromShown(value: number, unit: string): number {
   return unit === "mm" && inches ? clean(value * kMmPerInch) : value;
 }
-/** Removes rounding noise in the last bits: 0.1 in is 2.54 mm. */
+/** Removes rounding errors in the last bits, so that 0.1 in is 2.54 mm. */
 function clean(value: number): number {
   return Number(value.toPrecision(14));
 }
 
-/** A fixed number of decimals. A value that rounds to zero has no sign. */
+/** The number with a fixed number of decimals. A number that is rounded to zero has no sign. */
 export function fixed(value: number, digits: number): string {
   if (!Number.isFinite(value)) return "–";
   if (Math.abs(value) >= 1e15) return value.toExponential(6);
@@ -41,7 +41,7 @@ export function fixed(value: number, digits: number): string {
   return /^-[0.]+$/.test(text) ? text.slice(1) : text;
 }
 
-/** A length outside of the catalogue, such as one in the housing frame. */
+/** A length that is not in the catalogue, such as a coordinate in the housing frame, with its unit. */
 export function length(mm: number, digits = 3): string {
   return fixed(toShown(mm, "mm"), inches ? digits + 1 : digits) + " " + shownUnit("mm");
 }
@@ -51,7 +51,7 @@ export function short(value: number): string {
   return String(clean(value));
 }
 
-/** A value of a result for users, without its unit. */
+/** A value of a result as text for users, without its unit. */
 export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (value === null || value === undefined) return quantity.nothing || "–";
   if (typeof value === "boolean") return value ? "yes" : "no";
@@ -66,14 +66,14 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   return fixed(toShown(value, quantity.unit), quantity.digits + (quantity.unit === "mm" && inches ? 1 : 0));
 }
 
-/** A step of 1, 2 or 5 times a power of ten near a hundredth of the size. */
+/** A step of 1, 2 or 5 times a power of ten that is near a hundredth of the size. */
 export function niceStep(size: number, parts = 100): number {
   const raw = Math.abs(size) / parts || 0.01;
   const ten = 10 ** Math.floor(Math.log10(raw));
   const lead = raw / ten;
   return ten * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 }
-/** Rounds to a multiple of the step, without rounding noise. */
+/** Rounds to a multiple of the step and removes rounding errors. */
 export function onStep(value: number, step: number): number {
   return Number((Math.round(value / step) * step).toPrecision(12));
 }

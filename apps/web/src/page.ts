@@ -1,5 +1,5 @@
-// The page: a bar with title and verdict, the spec on the left, the picture on the right, the
-// numbers below it. A narrow screen shows one of the three at a time.
+// The page. It has a bar with title and verdict, the spec on the left, the picture on the right, and the
+// numbers below the picture. A narrow screen shows one of the three parts at a time.
 
 import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./elements";
 import { Form } from "./form/form";
@@ -14,7 +14,7 @@ import { bench, kMostCharacters } from "./workbench";
 
 /** The part that a narrow screen shows first. */
 const kFirstPart = "view";
-/** Height at which only the heading of the numbers is visible. */
+/** The fraction of the height at which only the heading of the numbers is visible. */
 const kFolded = 0.05;
 
 export class Page {
@@ -45,7 +45,7 @@ export class Page {
   private readonly main: HTMLElement;
   private readonly verdict = new VerdictLine();
   private readonly numbers = new QuantityPane();
-  /** Fraction of the height for the numbers, per tab. A report or a list needs more height than a picture. */
+  /** Fraction of the height for the numbers, for each tab. A report or a list needs more height than a picture. */
   private readonly shares: Record<string, number> = {
     contact: 0.2,
     load: kFolded,
@@ -110,7 +110,7 @@ export class Page {
     );
     bench.on("solved", () => {
       this.name();
-      this.main.classList.toggle("unsolved", bench.finder !== undefined); // there are no numbers yet
+      this.main.classList.toggle("unsolved", bench.finder !== undefined); // true while there are no numbers yet
     });
     bench.on("text", () => void this.address());
     bench.on("history", () => {
@@ -152,7 +152,7 @@ export class Page {
     return line;
   }
 
-  /** The three parts of a narrow screen. */
+  /** The buttons that choose one of the three parts on a narrow screen. */
   private parts(): HTMLElement {
     const parts = { spec: "Spec", view: "Pictures", numbers: "Numbers" };
     const show = (part: string) => {

@@ -1,7 +1,7 @@
-// The engine of a hosted page, as files next to it.
+// The parts of a hosted page. The engine is in files next to the page.
 import address from "gearwright-engine/gearwright.wasm?url";
 
-/** Loaded when the user first opens a solid. */
+/** This part is loaded when the user first opens a solid. */
 export const loadScene = () => import("./solid/scene");
 export const makeWorker = () =>
   new Worker(new URL("./engine_worker.ts", import.meta.url), { type: "module" });

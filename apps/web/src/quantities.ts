@@ -1,5 +1,5 @@
-// Every quantity of the result, in the catalogue's words and order, with a search box, the values
-// of both gears side by side, and a highlight on values that the last change has altered.
+// Every quantity of the result, in the words and the order of the catalogue. There is a search box, the values of both
+// gears are side by side, and values that the last change has altered are highlighted.
 
 import { quantities } from "./catalogue";
 import { fill, h, scroller } from "./elements";
@@ -25,7 +25,7 @@ export class QuantityPane {
     this.sheet,
   );
   private signature = "";
-  private shown = ""; // the text of the spec of the shown numbers
+  private shown = ""; // the text of the spec to which the shown numbers belong
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
 
@@ -39,7 +39,7 @@ export class QuantityPane {
     });
   }
 
-  /** Dims the numbers if they belong to another spec than the one on screen. */
+  /** Dims the numbers if they do not belong to the spec on screen. */
   private age(): void {
     markRevision(this.sheet, this.shown, bench.text, !bench.settled);
   }

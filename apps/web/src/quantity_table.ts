@@ -1,4 +1,4 @@
-// Quantities of a result as a table, in the catalogue's words, symbols, units and order.
+// A table of the quantities of a result, in the words, symbols, units and order of the catalogue.
 
 import type { Quantity, QuantityTable } from "../engine/engine";
 import { quantities } from "./catalogue";
@@ -10,11 +10,11 @@ export interface Row {
   id: string;
   group: string;
   info: Quantity;
-  values: (Json | undefined)[]; // one, or one per gear
-  ends: (Json | undefined)[]; // for a value with tolerances: at its lower and its upper end
+  values: (Json | undefined)[]; // one value, or one for each gear
+  ends: (Json | undefined)[]; // for a value with tolerances, the values at the lower and the upper end
 }
 
-/** If `printed`, records contain only the members that the program also prints. */
+/** Makes the rows of a table. If `printed` is true, records contain only the members that the program also prints. */
 export function rowsOf(
   table: QuantityTable,
   records: Json[],
@@ -53,7 +53,7 @@ function member(record: Json | undefined, key: string): Json | undefined {
   return record && typeof record === "object" ? (record as { [key: string]: Json })[key] : undefined;
 }
 
-/** A value for users, and below it the values at the ends of a tolerance. */
+/** A value as text for users, and the text below it with the values at both ends of a tolerance. */
 export function cellText(row: Row, i: number): [value: string, ends: string] {
   const ends = row.ends[i];
   const both = Array.isArray(ends) && ends.length === 2 && ends.every((one) => typeof one === "number");
@@ -67,13 +67,13 @@ export function fillCell(cell: Element, row: Row, i: number): void {
 }
 
 export interface Extra {
-  /** What distinguishes one group of rows from the next; its last word is the heading. */
+  /** The properties that distinguish one group of rows from the next. The last of them is the heading. */
   headingOf?(row: Row, index: number): string[];
   /** An additional last column. */
   last?: { head: string; of(row: Row): string };
 }
 
-/** The table with a column for each gear. It also returns the cells of the values of each row. */
+/** Makes a table with a column for each gear. Also returns the cells with the values of each row. */
 export function quantityTable(
   rows: Row[],
   gears: number,

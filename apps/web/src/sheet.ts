@@ -1,4 +1,4 @@
-// The tab "sheet": the report, the same page that the program writes. It is shown in a separate
+// The tab "sheet" shows the report, which is the same page that the program writes. The report is in a separate
 // frame without access to this page.
 
 import { h, sentenceOf } from "./elements";

@@ -1,6 +1,6 @@
-// The first screen: a design starts from a few known numbers, or from an example with its picture.
+// The first screen. A design starts either from a few known numbers or from an example with its picture.
 //
-// A start is only a spec. The engine computes unknown numbers by search and fit.
+// Each start is only a spec. If the spec has unknown numbers, the engine computes them by search or fit.
 
 import { fill, h } from "./elements";
 import { numberIn } from "./form/field";
@@ -33,11 +33,11 @@ function exampleOf([path, text]: [string, string]): Example {
   const whole = comment.join(" ");
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
-// The page does not show racks.
+// Examples with a rack are omitted, because the page does not show racks.
 export const kExamples: Example[] = Object.entries(examples)
   .filter(([, text]) => !/^form = "rack"/m.test(text))
   .map(exampleOf);
-/** The small picture of a card: the whole gears in section, without letters. */
+/** The view for the small picture of a card: the whole gears in section, without letters. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
   "helical_pair",
@@ -60,7 +60,7 @@ interface Blank {
   words: string;
   value: string;
   unit?: string;
-  optional?: boolean; // may be left empty
+  optional?: boolean; // true if the field may be left empty
 }
 interface Have {
   words: string;
@@ -278,7 +278,7 @@ export class Starts {
     );
   }
 
-  /** Draws the cards one after the other with the engine that is already running. */
+  /** Draws the pictures of the cards one after the other, with the engine that is already running. */
   async paint(): Promise<void> {
     if (this.painted) return;
     this.painted = true;
@@ -296,7 +296,7 @@ export class Starts {
         picture.innerHTML = (await bench.back.call("meshFigure", { text, view })).html;
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
       } catch {
-        // there are no gears to draw yet
+        // The gears of this example must first be computed, so there is no picture.
         picture.textContent = (searching ? "search" : "fit") + " …";
       }
     }

@@ -1,24 +1,24 @@
-// The area on the right: one view at a time, each refreshed only while it is visible.
+// The area on the right, which shows one tab at a time. A tab is refreshed only while it is visible.
 
 import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
 import { markRevision } from "./revision";
 import { bench } from "./workbench";
 
-/** After this time without a change, contact, load and rating are judged, too. */
+/** Contact, load and rating are also judged after this time without a change. */
 const kRestMs = 700;
 
 export interface Tab {
-  readonly id: string; // also its name
+  readonly id: string; // the identifier, which is also the name
   readonly element: HTMLElement;
-  /** The element that is dimmed while it shows another spec than the one on screen. */
+  /** The element that is dimmed if it does not show the spec on screen. */
   readonly picture: HTMLElement;
-  /** The text of the spec of the picture; "" if there is no picture. */
+  /** The text of the spec that the picture shows, or "" if there is no picture. */
   readonly shown: string;
-  /** The contribution of this tab's answer to the verdict, and how to compute it while the tab is hidden. */
+  /** The part of the verdict that this tab contributes, and the function that computes it while the tab is hidden. */
   readonly part?: Part;
   judge?(): Promise<void>;
-  /** Shows the current design. Called if it has changed or the tab is opened. */
+  /** Shows the current design. It is called when the design has changed or the tab is opened. */
   refresh(): Promise<void> | void;
   /** Called when the user leaves the tab. */
   leave?(): void;
@@ -36,7 +36,7 @@ export class Tabs {
   );
   private readonly kept = h("p", { class: "kept", role: "status" });
   current: Tab;
-  /** Called with the tab that is opened. */
+  /** Called with the id of the tab that is opened. */
   opened: (id: string) => void = () => undefined;
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
@@ -67,7 +67,7 @@ export class Tabs {
     this.room.append(this.fault, this.spinner, this.kept);
     bench.on("text", () => this.age());
     bench.on("opened", () => {
-      // Removes all parts of another design, visible or not.
+      // All tabs, visible or not, remove what they show of the previous design.
       for (const tab of this.tabs) void tab.refresh();
     });
     bench.on("solved", () => {
@@ -79,8 +79,8 @@ export class Tabs {
     this.age();
   }
 
-  /** Computes the missing parts of the verdict, one after the other. A newer spec starts from the
-   *  beginning. */
+  /** Computes the missing parts of the verdict one after the other. If the spec changes, the loop ends, and a new one
+   *  starts for the new spec. */
   private async judge(): Promise<void> {
     const { text } = bench;
     for (const part of kParts) {
@@ -89,7 +89,7 @@ export class Tabs {
     }
   }
 
-  /** Dims the picture if it shows another spec than the one on screen. */
+  /** Dims the picture if it does not show the spec on screen. */
   private age(): void {
     const { picture, shown } = this.current;
     const working = !bench.settled || (this.refreshing.get(this.current) ?? 0) > 0;
@@ -110,7 +110,7 @@ export class Tabs {
     this.mark();
     this.opened(id);
     if (bench.settled) void this.refresh();
-    else this.age(); // the pending result updates the picture
+    else this.age(); // the result that is pending updates the picture
   }
 
   private mark(): void {
@@ -140,7 +140,7 @@ export class Tabs {
     } catch (reason) {
       fault = sentenceOf(reason);
     }
-    // Otherwise a newer request shows its own error.
+    // Otherwise a newer request has replaced this one and shows its own error.
     if (turn === this.turn) this.fault.textContent = fault;
     count(-1);
     this.age();

@@ -1,11 +1,11 @@
-// The controls that turn a pair: a slider over one pitch of gear 1, a button that lets the gears
-// run, and the angle in degrees.
+// The controls that turn a pair: a slider over one pitch of gear 1, a button that starts and stops a continuous
+// rotation, and the angle in degrees.
 
 import { button, h, slide, slider } from "./elements";
 import type { Motion } from "./motion";
 
 export class TurnControl {
-  /** Rotation of gear 1 in its pitches, −½ … ½. */
+  /** Rotation of gear 1 in pitches of gear 1, −½ … ½. */
   t = 0;
   private readonly slider = slider("rotation of gear 1", { min: -0.5, max: 0.5, step: 0.002 }, (t) => {
     this.t = t;

@@ -1,12 +1,12 @@
-// The verdict in the head of the page: its level, the worst finding in one sentence, the parts that are still being
-// judged and, when opened, every finding with its remedy. The sentences come from the engine, as in the report.
+// The verdict at the top of the page. It shows the level, the worst finding in one sentence, the parts that are still
+// being judged and, when it is opened, every finding with its remedy. The sentences are those of the engine.
 
 import { fill, foldOut, h } from "./elements";
 import type { Finding, Notice } from "./engine_worker";
 import { judgement } from "./judgement";
 import { bench } from "./workbench";
 
-/** The headline of a spec with unknown values, by the verb that computes them. */
+/** The headline for a spec with unknown values. It depends on the verb that computes them. */
 const kFinders = {
   search: "This spec describes a search. Open the tab “search” to run it.",
   fit: "Some values of this spec are unknown. The tab “search” computes them.",
@@ -94,7 +94,7 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** The messages of an answer: its findings, and the warnings that are not among them. */
+/** The messages of an answer: the findings, and the warnings that are not among the findings. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

@@ -1,26 +1,26 @@
-// The design on screen: its text, its results, and its history.
+// The design on screen with its text, its results and its history.
 //
-// The text is the design. Form, pictures and tables are views of it. A change is sent to the
+// The text defines the design. Form, pictures and tables show it. A change is sent to the
 // engine, which returns the new text (with comments) and its results. Then all views are updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
 
 type Listener = () => void;
-/** Longer texts are not accepted as specs. The longest of ours has 2000 characters. */
+/** The greatest length of a text that is accepted as a spec. The longest example has 2000 characters. */
 export const kMostCharacters = 1_000_000;
-/** Changes of one field within this time are one undo step. */
+/** Changes of one field within this time are undone in one step. */
 const kOneStepMs = 900;
 
 class Workbench {
   text = "";
-  /** The result of the last text. Its error, if any, is shown at the relevant field. */
+  /** The result of the last text. If it has an error, the error is shown at the field that caused it. */
   solved: Solved | null = null;
-  /** The last spec that could be solved. Pictures keep it while an invalid value is being typed. */
+  /** The last spec that could be solved. Pictures show it while an invalid value is being typed. */
   good: Solved | null = null;
-  /** Counts the opened designs. An answer for an earlier one is ignored. */
+  /** The number of designs that have been opened. An answer for an earlier design is ignored. */
   design = 0;
-  /** The time from the last change to its answer and the part used by the engine, ms. */
+  /** The time in ms from the last change until its answer arrived. */
   lastMs = 0;
   front!: EngineLink;
   back!: EngineLink;
@@ -43,7 +43,7 @@ class Workbench {
     for (const listener of this.listeners.get(what) ?? []) listener();
   }
 
-  /** Sets a whole new text: typed, opened, or taken from a list. `what` names its origin. */
+  /** Sets a whole new text that was typed, opened, or taken from a list. `what` names its origin. */
   setText(text: string, what: string): void {
     if (text === this.text) return;
     this.remember(what);
@@ -51,7 +51,7 @@ class Workbench {
     this.edits.clear();
     if (what === "opened") {
       ++this.design;
-      // Another design, so nothing of the last one may be shown with it.
+      // This is another design, so no result of the previous design may be shown with it.
       this.good = this.solved = null;
       this.notify("opened");
     }
@@ -71,7 +71,7 @@ class Workbench {
     this.notify("history");
   }
 
-  /** Sets one key, "gear1.profile_shift"; undefined removes it. Simultaneous changes are combined. */
+  /** Sets one key, "gear1.profile_shift". The value undefined removes the key. Simultaneous changes are combined. */
   setKey(key: string, value: Json | undefined): void {
     this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
     void this.applyEdits();
@@ -86,7 +86,7 @@ class Workbench {
     this.edits.clear();
     try {
       const answer = await this.front.call("edit", { text: from, edits });
-      // The user has typed in the meantime, and the text takes precedence.
+      // The user has changed the text in the meantime. The text takes precedence over this change.
       if (this.text !== from) return;
       if ("refused" in answer) {
         const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
@@ -103,7 +103,7 @@ class Workbench {
     }
   }
 
-  /** Requests an answer about the design on screen. Returns null if a newer request has replaced it or
+  /** Requests an answer about the design on screen. Returns null if a newer request has replaced this one or
    *  another design has been opened. */
   async about<N extends Name>(
     link: EngineLink,
@@ -157,7 +157,7 @@ class Workbench {
     return this.solved?.text === this.text;
   }
 
-  /** The text shown in place of a picture while there is no pair. */
+  /** The text that is shown instead of a picture if there is no pair. */
   get nothing(): string {
     return this.settled ? "There is no pair yet." : "";
   }

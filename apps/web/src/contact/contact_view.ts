@@ -1,5 +1,5 @@
-// The tab "contact". Errors and modifications are sliders, and transmission error, spectrum and
-// flanks follow them. The pattern is computed in the background and appears a moment later.
+// The tab "contact". Errors and modifications have sliders, and transmission error, spectrum and flanks
+// change with them. The pattern is computed in the background and appears a moment later.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
@@ -48,7 +48,7 @@ export class ContactView implements Tab {
   private index = kPositions / 2;
   private width = 0;
   shown = "";
-  private marked = ""; // the text of the marking on the flanks
+  private marked = ""; // the text of the spec whose pattern is shown on the flanks
 
   constructor() {
     new ResizeObserver(() => {
@@ -87,7 +87,7 @@ export class ContactView implements Tab {
     fill(this.sentence, sentence);
     this.empty(true);
   }
-  /** If there is no curve, only the sentence is shown. */
+  /** Shows or hides everything except the sentence. Only the sentence is shown if there is no curve. */
   private empty(yes: boolean): void {
     for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
     this.errorMap.element.hidden = yes;
@@ -118,14 +118,14 @@ export class ContactView implements Tab {
   private async pattern(text: string): Promise<void> {
     const pattern = await bench.back
       .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
-      .catch(() => null); // there is no such figure
+      .catch(() => null); // there is no such pattern
     if (!pattern || this.shown !== text) return;
     this.patterns = pattern;
     this.marked = text;
     await this.drawFigures(false);
   }
 
-  /** Shows the verdict on the contact, which the curves do not contain. */
+  /** Requests the verdict on the contact, which the curves do not contain. */
   async judge(): Promise<void> {
     const { text } = bench;
     const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });

@@ -1,5 +1,5 @@
-// The peak-to-peak transmission error over two errors. It is computed in the background, row by
-// row, with progress and a button to stop it. A click mounts the pair with those errors.
+// The map of the peak-to-peak transmission error over two errors. It is computed in the background, row by
+// row, with progress and a button to stop it. A click sets the two errors of the spec to the values at the pointer.
 
 import type { ErrorMap, Figure } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";
@@ -38,7 +38,7 @@ export class ErrorMapView {
     this.room,
   );
   private map: ErrorMap | null = null;
-  // Axes of the map; its spec; the same spec without the two errors.
+  // The axes of the map, the text of its spec, and the same spec without the two errors.
   private axes = { x: "", y: "", rest: "", text: "" };
 
   constructor() {
@@ -58,7 +58,7 @@ export class ErrorMapView {
     const rest = Object.entries(errors ?? {}).filter(([key]) => key !== x && key !== y);
     return JSON.stringify([spec, rest]);
   }
-  /** Dims the map if the spec has changed. */
+  /** Dims the map if the spec has changed, except for its two errors. */
   private age(): void {
     const { x, y, rest, text } = this.axes;
     const fresh = bench.settled && this.restOf(x, y) === rest;
@@ -124,8 +124,8 @@ export class ErrorMapView {
     }
   }
 
-  /** The nearest point of the map. The pointer shows its value, and a click mounts the pair with its
-   *  errors. */
+  /** Uses the nearest point of the map. If the pointer moves, the value is shown. If it is pressed, the two errors of
+   *  the spec are set to those of the point. */
   private at(x: number, y: number, pressed: boolean): void {
     const { map, axes } = this;
     if (!map) return;

@@ -1,4 +1,4 @@
-// Shows every mounting error and every modification as a slider about 0. The pictures follow the
+// Shows every mounting error and every modification as a slider about 0. The pictures change with the
 // slider. A double click or the key 0 resets it.
 
 import type { InputKey } from "../../engine/engine";
@@ -17,7 +17,7 @@ const kModifications = [
   "root_relief_um",
   "end_relief_um",
 ];
-/** The keys that a modification requires in addition. */
+/** For each modification, the key that must also be given. */
 const kNeeds: Record<string, string> = {
   tip_relief_um: "tip_relief_start_mm",
   root_relief_um: "root_relief_start_mm",
@@ -96,7 +96,7 @@ export class ContactSliders {
     return row;
   }
 
-  /** Shows the values of the spec. */
+  /** Sets the sliders to the values of the spec. */
   show(): void {
     const spec = bench.solved?.spec;
     if (!spec) return;

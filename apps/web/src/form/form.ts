@@ -1,6 +1,6 @@
-// The form: the spec as rows, a column for each gear, made from the catalogue of inputs.
+// The form shows the spec as rows with a column for each gear. It is made from the catalogue of inputs.
 //
-// Rows appear and disappear with the keys of the text. Otherwise only values change, so focus and
+// Rows appear and disappear with the keys of the text. Otherwise only values change, so the focus and the
 // slider are kept.
 
 import { inputKey } from "../catalogue";
@@ -103,13 +103,13 @@ export class Form {
     );
     details.querySelector("summary")!.addEventListener("click", () => {
       if (details.open)
-        this.opened.delete(section.id); // it is about to close
+        this.opened.delete(section.id); // the section is about to close
       else this.opened.add(section.id);
     });
     return details;
   }
 
-  /** Offers a part that the text does not have yet, a second gear. */
+  /** A button that adds a second gear, if the text has only one. */
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
     if (gears !== 1 || bench.finder) return null;

@@ -1,5 +1,5 @@
-// Offers inputs that a result needs and the spec lacks: a few fields with sensible initial values,
-// and a button that writes them into the spec. Nothing is written before the user presses it.
+// Offers inputs that a result needs and the spec lacks. There are a few fields with sensible initial values
+// and a button. The values are written into the spec only when the user presses the button.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -10,11 +10,11 @@ import { at, bench } from "../workbench";
 import { materialGroups, numberIn } from "./field";
 
 export interface Offered {
-  table: string; // of the catalogue
+  table: string; // table of the catalogue
   key: string;
-  places: string[]; // all get the value: "rating.speed_rpm", "gear1.material.name"
-  instead?: string[]; // keys that replace it
-  first(): Json; // "" for a material means the one that applies without a name
+  places: string[]; // places that all get the value: "rating.speed_rpm", "gear1.material.name"
+  instead?: string[]; // keys that make this one unnecessary
+  first(): Json; // "" for a material means the material that applies without a name
 }
 
 export class Offer {
@@ -44,7 +44,7 @@ export class Offer {
     this.element.hidden = true;
     this.shown = "";
   }
-  /** Fields for the values that the spec lacks. */
+  /** Shows fields for the values that the spec lacks. */
   show(): void {
     const spec = bench.good?.spec ?? null;
     const given = (place: string) => at(spec, place) !== undefined;
@@ -95,7 +95,7 @@ export class Offer {
     const values: [string, Json][] = [];
     for (const { of, input } of this.fields) {
       const text = input.value.trim();
-      // the one that applies without a name
+      // An empty choice means the material that applies without a name.
       if (input instanceof HTMLSelectElement && !text) continue;
       const value = input instanceof HTMLSelectElement ? text : numberIn(text);
       if (Number.isNaN(value)) {
@@ -108,7 +108,7 @@ export class Offer {
   }
 }
 
-/** The first of the places that has a number. */
+/** The number at the first of these places that has one. */
 function numberAt(places: string[]): number | null {
   for (const place of places) {
     const value = at(bench.good?.spec ?? null, place);
@@ -118,11 +118,11 @@ function numberAt(places: string[]): number | null {
   return null;
 }
 
-/** N/mm², F_t / (b m_n): a light load for ordinary steel teeth. */
+/** F_t / (b m_n) in N/mm², which is a light load for ordinary steel teeth. */
 const kUnitLoad = 20;
 
-/** The torque given elsewhere in the spec, otherwise one that loads the teeth lightly: 1, 2 or 5 times a
- *  power of ten. */
+/** The torque that is given elsewhere in the spec, or otherwise a torque that loads the teeth lightly. It is 1, 2 or 5
+ *  times a power of ten. */
 export function firstTorque(): number {
   const given = numberAt(["load.torque_Nm", "rating.torque_Nm"]);
   if (given !== null) return given;
@@ -141,7 +141,7 @@ export function firstTorque(): number {
 export function firstSpeed(): number {
   return numberAt(["rating.speed_rpm", "pair.speed_rpm"]) ?? 1500;
 }
-/** The material of the other gear, or else `otherwise`. */
+/** The material of either gear, or `otherwise` if neither has one. */
 export function firstMaterial(otherwise: string): string {
   const names = ["gear1", "gear2"].map((gear) => at(bench.good?.spec ?? null, `${gear}.material.name`));
   return (names.find((name) => typeof name === "string") as string | undefined) ?? otherwise;

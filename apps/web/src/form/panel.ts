@@ -1,5 +1,5 @@
-// A few keys of the spec next to a picture that needs them: the same fields as in the form, with
-// the errors that the engine reports for that picture.
+// A few keys of the spec next to a picture that needs them. The fields are the same as in the form, and they
+// also show the errors that the engine reports for that picture.
 
 import { inputKey } from "../catalogue";
 import { fill, h } from "../elements";
@@ -10,8 +10,8 @@ import { columnHeads, Rows } from "./row";
 
 export interface PanelGroup {
   title: string;
-  table: string; // of the catalogue
-  places: string[]; // places of its keys
+  table: string; // table of the catalogue
+  places: string[]; // places of the table in the spec
   keys: string[];
 }
 
@@ -44,13 +44,13 @@ export class KeyPanel {
     fill(this.body, ...this.groups.map(group));
   }
 
-  /** Shows the values of the spec. An error is shown at its field, and that of a missing table at its
-   *  first field. `answered` is the error of the last spec that could be solved. Returns the sentence
-   *  for the area beside the panel, because the reason is shown in one place only. */
+  /** Shows the values of the spec. `answered` is the error of the last spec that could be solved. An error is shown
+   *  at its field, and the error of a missing table at the first field of the table. Returns the sentence for the area
+   *  beside the panel. The sentence contains the reason only if no field shows it. */
   show(answered: Fault | null = this.answered): string {
     this.build();
     this.answered = answered;
-    // if the spec cannot be solved, the form shows the error too
+    // If the spec cannot be solved, the form shows the error too.
     const typed = bench.solved?.fault ?? null;
     const fault = typed ?? answered;
     const spec = bench.solved?.spec ?? bench.good?.spec ?? null;

@@ -1,21 +1,21 @@
-// The rows of the form, from the engine's catalogue. Each table of the spec has its most important
-// keys and the keys in the text; the others are behind "more".
+// The rows of the form, made from the catalogue of the engine. For each table of the spec, the form shows the most
+// important keys and the keys in the text. The other keys are shown after a click on "more".
 
 import type { InputKey } from "../../engine/engine";
 import { inputs } from "../catalogue";
 import { at } from "../workbench";
 import type { Json } from "../engine_worker";
 
-/** A table of the form: its rows have one field, or one for each gear. */
+/** A table of the form. Each of its rows has one field, or one for each gear. */
 export interface Section {
   id: string; // "gear", "gear.bore", "pair"
   title: string;
   meaning: string;
-  table: string; // name of the catalogue's table
-  places: string[]; // places of its keys: ["gear1.bore", "gear2.bore"], ["pair"]
+  table: string; // name of the table in the catalogue
+  places: string[]; // places of the table: ["gear1.bore", "gear2.bore"], ["pair"]
   rows: InputKey[];
   more: InputKey[]; // shown on request
-  present: boolean; // true if the text has it
+  present: boolean; // true if the text has the table
 }
 
 const kAlways: Record<string, string[]> = {
@@ -65,12 +65,12 @@ const kTitles: Record<string, string> = {
   scatter: "Scatter of tolerances",
 };
 
-/** The title of a table's section: the one listed above, otherwise its name with a capital letter. */
+/** The title of a table's section: the title in the list above, or otherwise the name with a capital letter. */
 function titleOf(name: string): string {
   return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-/** The name of the table at a place. That of a rack depends on its kind. */
+/** The name of the table at a place. For a rack it depends on the kind of the rack. */
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");
@@ -92,7 +92,7 @@ function section(id: string, name: string, table: string, places: string[], spec
   const plain = list.keys.filter(
     (key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)),
   );
-  // A key that is only a table has its own section.
+  // A key that can only be a table has its own section.
   const rows = plain.filter(
     (key) => (key.kind !== "table" || key.words.length > 0) && (always.includes(key.key) || stands(key)),
   );

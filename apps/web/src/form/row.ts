@@ -1,5 +1,5 @@
-// A row of a form: a key of the catalogue with a field at each of its places, and below them the
-// note of the field with the focus.
+// A row of a form. It has a key of the catalogue with a field at each of its places. Below them is the note of the
+// field that has the focus.
 
 import type { InputKey } from "../../engine/engine";
 import { quantity, wordsOf } from "../catalogue";
@@ -15,7 +15,7 @@ interface RowField {
   note: Note;
 }
 
-/** The value that applies if a key is absent: that of the result, otherwise that of the catalogue. */
+/** The value that applies if a key is absent: the value in the result, or otherwise the default of the catalogue. */
 function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
   const result = bench.solved?.result ?? bench.good?.result ?? null;
@@ -40,17 +40,17 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** Number of letters for which a row of numbers has room, in a word and in the label of two fields. */
+/** The number of letters that fit into a row for numbers: in a word, and in the label beside two fields. */
 const kNarrow = 8;
 const kShortLabel = 26;
 
-/** A row whose label has a line of its own, because words and lists are longer than numbers. */
+/** True if the label of a row needs a line of its own, because words and lists are longer than numbers. */
 function isWide(key: InputKey): boolean {
   if (key.kind === "text" || (key.list !== null && !key.list.single && key.list.most > 2)) return true;
   return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);
 }
 
-/** "gear 1" above the column of fields of gear 1. */
+/** The headings above the columns of fields, "gear 1" and "gear 2". */
 export function columnHeads(places: string[]): (HTMLElement | null)[] {
   return places.map((place) =>
     place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,
@@ -67,7 +67,7 @@ export class Rows {
   clear(): void {
     this.fields = [];
   }
-  /** Rows for keys of a table of the catalogue. `places` are its positions in the spec: ["gear1.bore",
+  /** Adds rows for keys of a table of the catalogue. `places` are the places of the table in the spec, ["gear1.bore",
    *  "gear2.bore"] for "bore". */
   add(table: string, keys: InputKey[], places: string[]): HTMLElement {
     return h("div", { class: "rows" }, ...keys.flatMap((key) => this.row(table, key, places)));
@@ -75,7 +75,7 @@ export class Rows {
   show(spec: Json): void {
     for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
   }
-  /** Shows an error at its field. If `within`, the error of a missing table is shown at its first field. */
+  /** Shows an error at its field. If `within` is true, the error of a missing table is shown at its first field. */
   blame(fault: Fault | null, within = false): Field | undefined {
     for (const { field, note } of this.fields) {
       field.fault(null);

@@ -1,6 +1,6 @@
-// The tab "load": teeth under torque. While the spec changes, a draft is shown. The full result
-// replaces it when the changes stop. For a spec without a torque, the tab shows fields for one. The
-// engine computes all numbers, and the page draws them.
+// The tab "load" shows teeth under torque. A draft is shown while the spec changes. When the changes stop, the full
+// result replaces it. If the spec has no torque, the tab shows fields for one. The engine computes all numbers and
+// draws all figures.
 
 import { AnswerView } from "../answer_view";
 import { quantities } from "../catalogue";
@@ -12,7 +12,7 @@ import { judgement } from "../judgement";
 import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
 
-/** After this time without a change, the full result is computed. */
+/** The full result is computed after this time without a change. */
 const kRestMs = 1200;
 const kNeeds = {
   keys: ["load.torque_Nm"],
@@ -62,12 +62,12 @@ export class LoadView extends AnswerView<Answer> {
     this.choose(i),
   );
   private readonly where = h("output", { class: "soft" });
-  private full = false; // false for a draft
+  private full = false; // false if the answer is a draft
   private torque = 0;
   private index = -1;
   private width = 0;
   private rest = 0;
-  private wanted = ""; // accuracy and text of the request in progress
+  private wanted = ""; // accuracy and text of the request that is being computed
 
   constructor() {
     super("load", kNeeds);
@@ -101,7 +101,7 @@ export class LoadView extends AnswerView<Answer> {
   private async finish(text: string): Promise<void> {
     if (bench.good?.text === text) await this.compute(text, "full");
   }
-  /** Computes the full answer although the tab is not open. A draft in progress is followed by one anyway. */
+  /** Computes the full answer even if the tab is not open. If a draft is in progress, the full answer follows it. */
   async judge(): Promise<void> {
     const { text } = bench;
     if (!this.wanted.endsWith(text) && !(this.shown === text && this.full)) await this.finish(text);

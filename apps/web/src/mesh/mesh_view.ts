@@ -1,8 +1,8 @@
-// The tab "mesh": the section at z = 0 that turns with its slider, the path of contact, named
-// circles, and the diameters at the pointer.
+// The tab "mesh" shows the section at z = 0, which turns with a slider, the path of contact, named circles, and the
+// diameters at the pointer.
 //
-// The engine draws the figure. Here its gears are turned to the poses of the engine. After zooming
-// or moving, the view is drawn again, so that it is sharp and its circles have their names.
+// The engine draws the figure. The page only turns its gears to the poses that the engine has computed. After zooming
+// or moving, the view is drawn again, so that it is sharp and its circles are labelled.
 
 import type { Figure, MeshView as View } from "../../engine/engine";
 import { check, Choice, h, onNextFrame, svg } from "../elements";
@@ -54,8 +54,8 @@ export class MeshView implements Tab {
   private figure: Figure | undefined;
   private motion: Motion | null = null;
   private design = -1;
-  private drawn = ""; // the text of the spec of the figure
-  private placed = ""; // the text of the spec of the poses
+  private drawn = ""; // the text of the spec that the figure shows
+  private placed = ""; // the text of the spec that the poses belong to
   shown = "";
 
   constructor() {
@@ -86,19 +86,19 @@ export class MeshView implements Tab {
     if (this.design !== bench.design) this.window = null;
     this.design = bench.design;
     if (!this.picture.clientWidth) return;
-    // Until the positions of the gears arrive, those of the previous spec are used. The picture
-    // stays dimmed.
+    // Until the new poses of the gears arrive, the poses of the previous spec are used, and the picture
+    // remains dimmed.
     const { text } = solved;
     const motion = bench.about(bench.back, "motion", "motion", { text, n: 25 });
     await Promise.all([motion, this.draw()]);
     this.motion = (await motion) ?? this.motion;
     if (await motion) this.placed = text;
-    // A change of the size may have replaced the figure in the queue.
+    // The figure in the queue may have been replaced because the size of the picture changed.
     if (this.drawn !== text && bench.good?.text === text) await this.draw();
     this.settle();
   }
 
-  /** The text for which the picture was last drawn and placed. */
+  /** When the figure and the poses belong to the same text, the picture counts as up to date. */
   private settle(): void {
     if (this.drawn === this.placed) this.shown = this.drawn;
     this.repaint();
@@ -113,7 +113,7 @@ export class MeshView implements Tab {
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
       const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
-      // If the view has moved meanwhile, it is drawn when it stops.
+      // If the view has moved in the meantime, it is drawn again when it stops.
       if (!figure || (view.window && this.viewBox !== before)) return;
       this.show(figure);
       this.drawn = text;
@@ -149,7 +149,7 @@ export class MeshView implements Tab {
     this.redraw();
   }
 
-  /** The visible part of the plane. */
+  /** Stores the visible part of the plane as the window. */
   private takeWindow(): void {
     const { plot } = this.slot;
     const box = plot?.closest("svg")?.viewBox.baseVal;
@@ -159,7 +159,7 @@ export class MeshView implements Tab {
     this.redraw();
   }
   private redraw(): void {
-    this.draw().catch(() => undefined); // the reason is shown in place of the picture
+    this.draw().catch(() => undefined); // the reason is shown instead of the picture
   }
 
   private hover(x: number, y: number): void {
@@ -201,7 +201,7 @@ export class MeshView implements Tab {
         place = `translate(${x.px(pose[12]!)} ${y.px(pose[13]!)})`;
         angle = Math.atan2(pose[1]!, pose[0]!);
         meshing = true;
-      } else angle = turnAt(motion, gear, t); // alone, or beside a gear on a crossed axis
+      } else angle = turnAt(motion, gear, t); // a single gear, or a gear of a crossed pair
       use.setAttribute("transform", `${place} ${scale} rotate(${(-angle * 180) / Math.PI})`);
     }
     const touch = meshing ? touchAt(motion, t) : null;

@@ -1,5 +1,5 @@
-// The tab "rating": strength by ISO 6336. It shows the safeties in the colours of the verdict, and
-// every factor with its clause and the formula branch that was used, as in the report.
+// The tab "rating" shows the strength by ISO 6336. The safeties are in the colours of the verdict. Every factor
+// has its clause and the branch of the formula that was used, as in the report.
 
 import type { Quantity } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
@@ -13,7 +13,7 @@ import { rowsOf, type Row } from "../quantity_table";
 import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
-/** Safeties, and the finding of the verdict for each that is too low. */
+/** Each safety, with the code of the finding that the verdict contains if the safety is too low. */
 const kSafeties: [key: string, code: string][] = [
   ["S_F", "root_safety"],
   ["S_H", "flank_safety"],
@@ -116,8 +116,8 @@ export class RatingView extends AnswerView<Rated> {
   async refresh(): Promise<void> {
     const solved = this.pair();
     if (!solved || solved.text === this.shown) return;
-    // Tooth contact under the rated load takes seconds, so it runs in another worker than the next
-    // change of a key.
+    // Tooth contact under the rated load takes seconds. It is computed in another worker, so that the next change of a
+    // key need not wait for it.
     const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
     const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
     if (!answer || bench.good?.text !== solved.text) return;
@@ -164,7 +164,7 @@ export class RatingView extends AnswerView<Rated> {
   }
 }
 
-/** "ISO 6336-1, 6.5.4, (13): subcritical", as the report has it. */
+/** The source of a factor as in the report, "ISO 6336-1, 6.5.4, (13): subcritical". */
 function placeOf(source: Source | undefined): string {
   if (!source) return "";
   const branch = [source.branch].flat().filter(Boolean).join("; ");

@@ -1,5 +1,5 @@
-// The tab "scatter": the effect of the tolerances. Each tolerance has a slider. While it moves, the
-// distribution is an estimate to first order; when it is released, it is that of complete contacts.
+// The tab "scatter" shows the effect of the tolerances. Each tolerance has a slider. While the slider moves, the
+// distribution is estimated to first order. When it is released, the distribution is computed from complete contacts.
 
 import type { Scattered } from "../../engine/engine";
 import { button, fill, h, scroller, sentenceOf } from "../elements";
@@ -9,9 +9,9 @@ import type { Tab } from "../tabs";
 import { at, bench } from "../workbench";
 import { ToleranceSliders } from "./tolerance_sliders";
 
-/** After this time without a change, the contacts are computed. */
+/** The contacts are computed after this time without a change. */
 const kRestMs = 400;
-/** Tolerances of a housing of average accuracy, which the button adds to a spec without any. */
+/** Tolerances of a housing of average accuracy. The button adds them to a spec that has no tolerances. */
 const kFirst: Record<string, [number, number]> = {
   "scatter.errors.center_distance_mm": [-0.02, 0.02],
   "scatter.errors.crossing_deg": [-0.02, 0.02],
@@ -73,7 +73,7 @@ export class ScatterView implements Tab {
     clearTimeout(this.rest);
     this.rest = window.setTimeout(() => void this.finish(), kRestMs);
   }
-  /** Complete contacts replace the estimate. */
+  /** Computes complete contacts, which replace the estimate. */
   private async finish(): Promise<void> {
     const text = bench.good?.text;
     if (!text || text !== this.shown || text === this.full) return;

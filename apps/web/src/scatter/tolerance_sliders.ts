@@ -1,4 +1,4 @@
-// Shows every tolerance of [scatter] as a slider for half of its width, and the grade of the teeth.
+// Shows every tolerance of [scatter] as a slider for half of its width, and the grade of the teeth as a slider.
 // The middle of a range does not change. A double click or the key 0 sets the width to 0.
 
 import type { InputKey } from "../../engine/engine";
@@ -10,8 +10,8 @@ import { at, bench } from "../workbench";
 
 type Tree = { [key: string]: Json };
 interface Tolerance {
-  place: string; // of the range, or of a radius
-  table: string; // of the key in the catalogue
+  place: string; // place of the range, or of a radius
+  table: string; // table of the key in the catalogue
   key: InputKey;
 }
 interface Slide {
@@ -19,10 +19,10 @@ interface Slide {
   input: HTMLInputElement;
   output: HTMLOutputElement;
 }
-/** Half of a width that is 0 in the spec reaches this far, by unit. */
+/** The end of the slider for half of a width, by unit, if the width in the spec is 0. */
 const kReach: Record<string, number> = { "°": 0.05, µm: 10, mm: 0.05 };
 
-/** Keys whose value is a single number instead of a range, with the least and the greatest one. */
+/** Keys whose value is a single number instead of a range, with the least and the greatest permitted value. */
 const kSingle: Record<string, [number, number?]> = { radius_mm: [0.001], quality: [1, 11] };
 
 /** The tolerances of a spec in the order of the catalogue's tables. */
@@ -60,7 +60,7 @@ export class ToleranceSliders {
   private slides: Slide[] = [];
   private design = -1;
 
-  /** `moved` receives true while a slider is held, and false when it is released. */
+  /** `moved` is called with true while a slider is held, and with false when it is released. */
   constructor(private readonly moved: (moving: boolean) => void) {}
 
   /** Shows the tolerances of the spec. */

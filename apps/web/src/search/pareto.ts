@@ -1,5 +1,5 @@
-// The designs as points over two of their quantities: the engine's figure in the available size. A
-// click on a point chooses its design.
+// The designs as points over two of their quantities. The engine draws the figure in the available size. A
+// click on a point chooses the design.
 
 import type { Quantity } from "../../engine/engine";
 import { h } from "../elements";
@@ -28,7 +28,7 @@ export class ParetoPicture {
   }
 
   show(points: Point[], x: Quantity, y: Quantity, chosen: number): void {
-    // The front is drawn last, above the others.
+    // The points of the Pareto front are drawn last, so that they are above the others.
     const real = points
       .filter((one) => Number.isFinite(one.x) && Number.isFinite(one.y))
       .sort((a, b) => Number(a.front) - Number(b.front));

@@ -5,7 +5,7 @@ import type { Json } from "../engine_worker";
 import { at, bench } from "../workbench";
 import type { Design } from "./search_table";
 
-/** A search near the pair on screen. */
+/** The spec of a search for designs that are similar to the pair on screen. */
 export function around(): string {
   const pair = bench.good?.result?.["pair"];
   const gears = (bench.good?.result?.["gears"] ?? []) as unknown as {
@@ -34,8 +34,8 @@ objective = ["contact_ratio", "sliding"]
 export function measured(spec: Json): boolean {
   return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
 }
-/** The spec of an identified gear: its data that a spec can contain, and the remaining keys of the old
- *  gear 1. */
+/** The spec of an identified gear. It contains the data of the candidate that are keys of a spec, and the remaining
+ *  keys of the old gear 1. */
 export function gearOf(candidate: Design): Json {
   const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
   const gear: Design = { ...old };

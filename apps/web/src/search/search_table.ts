@@ -1,6 +1,6 @@
-// The designs that a search has found, as a table: sorted by a click on a heading, chosen by a
-// click on a row (or Enter). Columns and digits are those of the catalogue. Values common to all
-// designs are in one line above the table.
+// The table of the designs that a search has found. A click on a heading sorts them, and a click on a row (or Enter)
+// chooses a design. Columns and digits are those of the catalogue. Values that all designs share are in one line above
+// the table.
 
 import type { Quantity } from "../../engine/engine";
 import { quantities } from "../catalogue";
@@ -11,27 +11,27 @@ import { shownUnit, textOf } from "../numbers";
 export type Design = { [key: string]: Json };
 export interface Column {
   info: Quantity;
-  // in a list: index of the value, or −1 for the value itself; in a record: its key
+  // In a list, this is the index of the value, or −1 for the value itself. In a record, it is the key.
   place: number | string;
   words: string;
 }
 const kShown = 200;
 /** If there are fewer designs than this, every column is shown. */
 const kLeastForCommon = 3;
-/** The position of the shifts in the region, in the words of the search report. */
+/** The words of the search report for the position of the profile shifts in the region. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
-/** Identifies a column in its list, also in the list of the next search. */
+/** Identifies a column within its list. The identifier is the same in the list of the next search. */
 export function idOf(column: Column): string {
   return `${column.info.key}.${column.place}`;
 }
-/** A value of a design for users. */
+/** A value of a design as text for users. */
 export function cellOf(design: Design, column: Column): string {
   const value = valueIn(design, column);
   const place = column.info.key === "point" && typeof value === "string" ? kPlaces[value] : undefined;
   return place ?? textOf(column.info, value);
 }
-/** True if the designs differ in it. */
+/** True if the designs differ in this column. */
 export function varies(designs: Design[], column: Column): boolean {
   const first = designs[0] && cellOf(designs[0], column);
   return designs.some((design) => cellOf(design, column) !== first);
@@ -50,7 +50,7 @@ export function columnsOf(designs: Design[]): Column[] {
     if (!info.page && !info.listing && info.key !== "objective") continue;
     const values = designs.map((one) => one[info.key]).filter((one) => one !== null && one !== undefined);
     if (!values.length) continue;
-    // Objectives by their names: the values that a search with several objectives has compared.
+    // A search with several objectives has compared their values. Each objective becomes a column with its name.
     if (info.key === "objective" && typeof values[0] === "object") {
       for (const name of Object.keys(values[0] as Design))
         columns.push({
@@ -75,8 +75,8 @@ export function columnsOf(designs: Design[]): Column[] {
   return columns;
 }
 
-/** Columns that have the same values as another one, except for the sign, paired with that other column.
- *  If one of the two is an objective, it is the one that is omitted. */
+/** Finds pairs of columns with the same values except for the sign. The key of the map is the column that is omitted.
+ *  If one of the two columns is an objective, the objective is omitted. */
 function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
   const read = new Map<string, Column>();
   const twins = new Map<Column, Column>();
@@ -171,7 +171,7 @@ export class SearchTable {
       },
       { title: words },
     );
-    // A screen reader does not read a symbol well, so hidden words accompany it.
+    // Screen readers do not read symbols well, so hidden words accompany the symbol.
     if (info.symbol) (name as HTMLElement).setAttribute("aria-hidden", "true");
     fill(
       sortBy,

@@ -1,7 +1,7 @@
-// The tab "search": results for a spec with unknown numbers. A [search] evaluates all candidates,
-// with progress and a button to stop it. For a spec with incomplete gears, fit computes the
-// branches. A click shows a design. The list stays while the text on screen is the searched one, or
-// one of its designs.
+// The tab "search" shows results for a spec with unknown numbers. A [search] evaluates all candidates, with
+// progress and a button to stop it. If the gears of the spec are incomplete, the verb fit computes the branches.
+// A click shows a design. The list remains while the text on screen is the searched text or one of its
+// designs.
 
 import { quantity } from "../catalogue";
 import { button, download, fill, h, sentenceOf } from "../elements";
@@ -17,7 +17,7 @@ import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design
 const kMostTrials = 1e7; // larger searches need the program
 const kAtOnce = 30_000; // smaller searches start without a button
 const kMostDesigns = 2000;
-/** Axes of the picture, the most useful first, followed by the order of the catalogue. */
+/** The axes of the picture, the most useful ones first. The others follow in the order of the catalogue. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
 
 export class SearchView implements Tab {
@@ -64,7 +64,7 @@ export class SearchView implements Tab {
     this.picture,
   );
   private searched = ""; // the text whose designs are listed
-  private readonly of = new Set<string>(); // the text and those of its designs that were chosen
+  private readonly of = new Set<string>(); // the searched text, and the texts of its designs that were chosen
   private designs: Design[] = [];
   private front: number[] = [];
   private taken = -1;
@@ -101,7 +101,7 @@ export class SearchView implements Tab {
         : "A search needs a pair, or a [search] table in the spec.";
   }
 
-  /** If another design is opened, the results for the last one are removed. */
+  /** Removes the results of the last design when another design is opened. */
   private forget(): void {
     this.end();
     this.looked = "";
@@ -110,7 +110,7 @@ export class SearchView implements Tab {
     this.status.textContent = "";
     this.back.hidden = this.save.hidden = true;
   }
-  /** True if the running search belongs to another spec than the one on screen. */
+  /** Ends the running search. Its spec is no longer on screen. */
   private end(): void {
     if (this.running) bench.seek.cancel();
     this.rest();
@@ -120,7 +120,7 @@ export class SearchView implements Tab {
     this.stop.hidden = this.bar.hidden = true;
   }
 
-  /** For a spec with a [search], shows the number of candidates. If it is small, the search starts
+  /** Shows the number of candidates for a spec with a [search]. If the number is small, the search starts
    *  immediately. */
   private async offer(text: string): Promise<void> {
     try {
@@ -180,7 +180,7 @@ export class SearchView implements Tab {
       }
     }
   }
-  /** The designs found for a text, partly or completely. */
+  /** Lists the designs found for a text. The list may be incomplete. */
   private list(designs: Design[], front: number[], text: string): void {
     if (text !== this.searched) {
       this.searched = text;
@@ -191,7 +191,7 @@ export class SearchView implements Tab {
     this.front = front;
     this.taken = -1;
     this.table.show(designs, front);
-    // A number that all designs share is not used for an axis.
+    // A number that all designs share is not useful as an axis.
     const rank = (column: Column) => (kAxes.indexOf(column.info.key) + kAxes.length + 1) % (kAxes.length + 1);
     this.columns = columnsOf(designs)
       .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))
@@ -248,8 +248,8 @@ export class SearchView implements Tab {
     }
   }
 
-  /** For a spec whose gears are incomplete, every branch of the fit. For the readings of an unknown
-   *  gear, every gear that matches them. */
+  /** Shows every branch of a fit if the gears of the spec are incomplete. If the spec has the readings of an unknown
+   *  gear, shows every gear that agrees with them. */
   private async fit(text: string): Promise<void> {
     const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
     const list = verb === "fit" ? "branches" : "candidates";
@@ -277,7 +277,7 @@ export class SearchView implements Tab {
   private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
       const info = quantity(table, key);
-      // The spec itself, or nothing.
+      // Records, such as the spec itself, are not listed.
       const record = typeof value === "object" && !Array.isArray(value);
       if (record || !info || info.type === "record") return [];
       const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(info, one)).join(" / ");
@@ -307,7 +307,7 @@ function real(value: Json | undefined): number {
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
 }
-/** If no design is left, the limit that rejected most. */
+/** If no design is feasible, returns a sentence about the limit that rejected the most candidates. */
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {
   if (feasible > 0) return "";
   const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];

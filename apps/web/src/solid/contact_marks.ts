@@ -1,7 +1,6 @@
-// The moving contact: the point, and the ellipse or line within which the gap of the flanks is
-// below the thickness of the marking compound. Directions are those of docs/spec.md,
-// contact.positions: the major axis is turned about the normal by the angle, from the projection of
-// axis 1.
+// Marks of the moving contact: the point, and the ellipse or line within which the gap of the flanks is less than
+// the thickness of the marking compound. The directions are described in docs/spec.md, contact.positions. The major
+// axis is turned about the normal by the angle, starting from the projection of axis 1.
 
 import * as THREE from "three";
 import type { ContactCurve } from "../../engine/engine";
@@ -31,7 +30,7 @@ export class ContactMarks {
     this.dotMaterial.color.set(colour("action"));
   }
 
-  /** Shows position i of a curve. `size` is that of the pair, mm. */
+  /** Shows position i of a curve. `size` is the size of the pair in mm. */
   show(curve: ContactCurve | null, i: number, size: number): void {
     const points = curve?.columns["point_mm"];
     const normals = curve?.columns["normal"];

@@ -1,6 +1,6 @@
-// The tab "solid": the pair in space, at any shaft angle. The user can turn it, cut it and separate
+// The tab "solid" shows the pair in space, at any shaft angle. The user can turn the pair, cut it and separate
 // the gears. The contact point and its ellipse move over the flanks, and the contact pattern stays
-// on them.
+// on the flanks.
 
 import { loadScene } from "gearwright:parts";
 import { check, h, onThemeChange, slide, slider } from "../elements";
@@ -107,7 +107,7 @@ export class SolidView implements Tab {
     await this.paintPattern();
   }
 
-  /** Chord tolerance that is invisible, a ten-thousandth of the size of the pair. */
+  /** A chord tolerance that is too small to be visible: a ten-thousandth of the size of the pair. */
   private tolerance(): number {
     const pair = bench.good?.result?.["pair"];
     const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { tip_diameter_mm: number }[];

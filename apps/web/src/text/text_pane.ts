@@ -1,7 +1,7 @@
-// The spec as text: numbered lines, light colours, an error below its line.
+// The spec as coloured text with numbered lines. An error is shown below its line.
 //
-// A textarea is used for editing, with the same coloured text behind it. Long texts are not
-// coloured.
+// The user edits a textarea. The same text with colours is behind it. Long texts have no
+// colours.
 
 import { fill, h } from "../elements";
 import { bench } from "../workbench";
@@ -9,7 +9,7 @@ import { bench } from "../workbench";
 const kMostColoured = 60_000;
 const kLine = 20; // px, as in the style sheet
 
-/** Pieces of a line of TOML: table headings, keys, comments. The rest are values. */
+/** The pieces of a line of TOML: headings of tables, keys and comments. The rest of the line is a value. */
 function coloured(line: string): Node[] {
   const comment = commentAt(line);
   const code = line.slice(0, comment);
@@ -24,7 +24,7 @@ function coloured(line: string): Node[] {
     ...tail,
   ];
 }
-/** The position of the comment in a line: the first # outside of quotes. */
+/** The position of the comment in a line, which begins with the first # outside of quotes. */
 function commentAt(line: string): number {
   let quote = "";
   for (let i = 0; i < line.length; ++i) {
@@ -111,7 +111,7 @@ export class TextPane {
   private showFault(): void {
     const { fault } = bench;
     const line = fault?.line;
-    // A syntax error has no key, and its message contains the line.
+    // A syntax error has no key, and its message already contains the line.
     this.sentence.textContent = fault ? (line && fault.key ? `Line ${line}: ` : "") + fault.message : "";
     this.mark.hidden = !line;
     if (line) this.mark.style.top = `${(line - 1) * kLine}px`;
