@@ -1,7 +1,7 @@
 // Shows the values of the nearest curve at the pointer on a figure.
 (function () {
   'use strict';
-  var near = 32;  // px
+  var near = 32, touch = 6;  // px, to a curve above or below, and to an upright line at the side
   var shown = null;
 
   function axisOf(plot, name) {
@@ -22,17 +22,22 @@
     }
     return path.pieces;
   }
-  // The point at which a path crosses the pointer's vertical line, nearest to the pointer.
+  // The point at which a path crosses the pointer's vertical line, nearest to the pointer; or the pointer beside an
+  // upright line.
   function passing(plot, at) {
     var best = null;
     plot.querySelectorAll('path[data-name]').forEach(function (path) {
       piecesOf(path).forEach(function (piece) {
         for (var i = 1; i < piece.length; ++i) {
           var a = piece[i - 1], b = piece[i];
-          if ((a[0] - at.x) * (b[0] - at.x) > 0 || a[0] === b[0]) continue;
-          var y = a[1] + (at.x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
-          var far = Math.abs(y - at.y);
-          if (far < near && (!best || far < best.far)) best = {far: far, y: y, name: path.getAttribute('data-name')};
+          var upright = a[0] === b[0], y = at.y, far = Math.abs(a[0] - at.x);
+          if (upright ? far > touch || (a[1] - at.y) * (b[1] - at.y) > 0 : (a[0] - at.x) * (b[0] - at.x) > 0) continue;
+          if (!upright) {
+            y = a[1] + (at.x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+            far = Math.abs(y - at.y);
+          }
+          if (far < near && (!best || far < best.far))
+            best = {far: far, x: upright ? a[0] : at.x, y: y, name: path.getAttribute('data-name')};
         }
       });
     });
@@ -53,10 +58,10 @@
     var at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
     var found = passing(plot, at);
     if (!found) return;
-    var ends = plot.getAttribute('data-x').split(' ').map(Number), left = at.x < (ends[2] + ends[3]) / 2;
+    var ends = plot.getAttribute('data-x').split(' ').map(Number), left = found.x < (ends[2] + ends[3]) / 2;
     shown = add(svg, 'g', {'class': 'readout'});
-    add(shown, 'circle', {cx: at.x, cy: found.y, r: 3.5});
-    add(shown, 'text', {x: at.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
-        found.name + ': ' + axisOf(plot, 'y')(found.y) + ' at ' + axisOf(plot, 'x')(at.x));
+    add(shown, 'circle', {cx: found.x, cy: found.y, r: 3.5});
+    add(shown, 'text', {x: found.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
+        found.name + ': ' + axisOf(plot, 'y')(found.y) + ' at ' + axisOf(plot, 'x')(found.x));
   });
 })();

@@ -110,12 +110,12 @@ void name_edges(Figure& f, const ShiftChart& chart) {
   }
 }
 
-void add_distances(Figure& f, const ShiftChart& chart, const Bounds& window, bool named) {
-  const auto& band = chart.graph.problem().center_distance;
+void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, bool named) {
+  const auto& band = graph.problem().center_distance;
   if (!band) return;
-  const std::size_t n = exact_distance(chart.graph.problem()) ? 1 : 2;
+  const std::size_t n = exact_distance(graph.problem()) ? 1 : 2;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto sum = sum_at_distance(chart.graph, (*band)[i], window);
+    const auto sum = sum_at_distance(graph, (*band)[i], window);
     std::vector<Vec2> line = sum ? line_of_sum(window, *sum) : std::vector<Vec2>();
     if (line.empty()) continue;
     f.line(std::move(line), "distance-line");
@@ -227,28 +227,33 @@ ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design) {
   return chart;
 }
 
-Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) {
-  const ShiftRegion& region = chart.region;
-  Figure f{
-      "region",
-      "The profile shifts that the limits leave",
-      fmt::format("Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible "
-                  "region has the area {:.4g}, from {}, {} at the least sum to {}, {} at the "
-                  "greatest.",
-                  region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
-                  shown_shift(region.hi.x()), shown_shift(region.hi.y())),
-      "",
-      {"profile shift of gear 1", ""},
-      {"profile shift of gear 2", ""}};
+Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window) {
+  Figure f{"region",
+           "The profile shifts that the limits leave",
+           "Profile shift of gear 1 to the right, of gear 2 up, in modules. No shifts are feasible.",
+           "",
+           {"profile shift of gear 1", ""},
+           {"profile shift of gear 2", ""}};
   f.x.symbol = "x_1";
   f.y.symbol = "x_2";
-  f.x.lo = window.box.lo.x();
-  f.x.hi = window.box.hi.x();
-  f.y.lo = window.box.lo.y();
-  f.y.hi = window.box.hi.y();
-  f.tall = window.box.size().y() / window.box.size().x();
-  f.line(corners_of(limits_box(chart.graph)), "limits-box");
-  add_distances(f, chart, window.box, true);
+  f.x.lo = window.lo.x();
+  f.x.hi = window.hi.x();
+  f.y.lo = window.lo.y();
+  f.y.hi = window.hi.y();
+  f.tall = window.size().y() / window.size().x();
+  f.line(corners_of(limits_box(graph)), "limits-box");
+  add_distances(f, graph, window, true);
+  return f;
+}
+
+Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) {
+  const ShiftRegion& region = chart.region;
+  Figure f = shift_limits_figure(chart.graph, window.box);
+  f.description = fmt::format(
+      "Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible region has the "
+      "area {:.4g}, from {}, {} at the least sum to {}, {} at the greatest.",
+      region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
+      shown_shift(region.hi.x()), shown_shift(region.hi.y()));
   add_region(f, chart);
   name_edges(f, chart);
   add_balanced(f, chart, window.box);
@@ -263,7 +268,7 @@ Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) 
 Figure small_shift_region(const ShiftChart& chart, const Bounds& window) {
   Figure f = plane_figure("region-small", "", "", window);
   f.line(corners_of(limits_box(chart.graph)), "limits-box");
-  add_distances(f, chart, window, false);
+  add_distances(f, chart.graph, window, false);
   add_region(f, chart);
   for (FigureMark& m : f.marks) m.words.clear();
   return f;

@@ -52,6 +52,9 @@ struct ShiftChart {
 /// Domain    the graph has a region (contract)
 ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design);
 
+/// Draws only the rectangle of the limits and the lines of the centre distances, for a graph without a region.
+Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window);
+
 /// Draws all marks with names, and the middles at the least and the greatest Σx. The keys are the
 /// edges. If the window shows only a part, a corner has a small map of the whole.
 Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window);

@@ -35,7 +35,8 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
                                  int teeth);
 
 /// The two racks that cut circular-arc teeth, in one normal section, and the teeth themselves in
-/// the plane across the tooth through the contact point. There are none if the arcs do not touch.
+/// the plane across the tooth through the contact point. There are none if the arcs do not touch, and only the teeth if
+/// they do not touch at the reference centre distance.
 std::vector<Figure> arc_contact_figures(const ArcPair& pair);
 
 }  // namespace gearwright

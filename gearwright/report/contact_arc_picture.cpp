@@ -108,8 +108,8 @@ std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) 
                      symbol_html("b"), fixed(arc.b, 4));
 }
 
+// Domain: the racks touch at the reference distance.
 Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
-  if (!contact.nominal_theta) return {};  // the racks themselves do not touch
   const double theta = contact.nominal_theta->rad();
   const Arcs arcs = arcs_of_contact(pair, contact, theta);
   const double m = pair.gears[0].spec.normal_module;
@@ -269,7 +269,10 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
 std::vector<Figure> arc_contact_figures(const ArcPair& pair) {
   if (pair.contacts.empty()) return {};
   const ArcPairContact& contact = pair.first_contact();
-  return {rack_figure(pair, contact), teeth_figure(pair, contact)};
+  std::vector<Figure> figures;
+  if (contact.nominal_theta) figures.push_back(rack_figure(pair, contact));
+  figures.push_back(teeth_figure(pair, contact));
+  return figures;
 }
 
 }  // namespace gearwright

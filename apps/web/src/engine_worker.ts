@@ -194,9 +194,9 @@ const questions = {
     work(session(q.text).pattern(q.positions, q.rows, q.columns), step),
   /** Computes a map with its figure. The figure is updated during the computation. */
   async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number; width: number }, step: Step) {
-    const figure = (task: E.Work<E.ErrorMap>) => good(task.figures(0, q.width))[0]!;
-    const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, figure);
-    return map && { map, figure: figure(drawn as E.Work<E.ErrorMap>) };
+    const drawnMap = (task: E.Work<E.ErrorMap>) => ({ map: task.result() as E.ErrorMap, figure: good(task.figures(0, q.width))[0]! });
+    const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, drawnMap);
+    return map && drawnMap(drawn as E.Work<E.ErrorMap>);
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
   loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),

@@ -33,13 +33,13 @@ export class FigureSlot {
   private t = NaN;
 
   /** `chosen` is called when a position is clicked or dragged. `at` is called with the values at the pointer when it
-   *  is pressed or moves over the plot. */
-  constructor(chosen?: (t: number) => void, at?: (x: number, y: number, pressed: boolean) => void) {
+   *  moves over the plot or clicks. */
+  constructor(chosen?: (t: number) => void, at?: (x: number, y: number, clicked: boolean) => void) {
     fill(this.element, this.picture, this.save);
     const choose = (event: PointerEvent) => {
       const place = this.valuesAt(event);
       if (!place) return;
-      at?.(...place.at, event.type === "pointerdown");
+      at?.(...place.at, false);
       if (chosen && place.pitch && event.buttons & 1) {
         const pitches = place.at[0] / place.pitch;
         chosen(pitches - Math.round(pitches));
@@ -47,6 +47,10 @@ export class FigureSlot {
     };
     this.picture.addEventListener("pointerdown", choose);
     this.picture.addEventListener("pointermove", choose);
+    this.picture.addEventListener("click", (event) => {
+      const place = this.valuesAt(event);
+      if (place) at?.(...place.at, true);
+    });
   }
 
   show(figure: Figure | undefined): void {
@@ -87,14 +91,15 @@ export class FigureSlot {
     return this.picture.querySelector("g.plot");
   }
 
-  /** The values at a pointer on the plot, or null if the pointer is outside the plot. */
-  valuesAt(event: MouseEvent): { at: [number, number]; pitch: number } | null {
+  /** The values at a pointer on the plot. If the pointer is outside the plot, they are null unless `beyond` is true. */
+  valuesAt(event: MouseEvent, beyond = false): { at: [number, number]; pitch: number } | null {
     const picture = this.picture.querySelector("svg");
     const plot = picture?.querySelector("g.plot");
     if (!picture || !plot) return null;
     const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM()!.inverse());
     const [across, up] = [axisOf(plot, "x"), axisOf(plot, "y")];
-    if ((x - across.ends[0]) * (x - across.ends[1]) > 0 || (y - up.ends[0]) * (y - up.ends[1]) > 0) return null;
+    const outside = ([from, to]: readonly [number, number], px: number) => (px - from) * (px - to) > 0;
+    if (!beyond && (outside(across.ends, x) || outside(up.ends, y))) return null;
     return { at: [across.value(x), up.value(y)], pitch: Number(plot.getAttribute("data-pitch")) };
   }
 

@@ -15,7 +15,7 @@ const kPoints = 33;
 export class ErrorMapView {
   private readonly x = this.chooser("across", "crossing_deg");
   private readonly y = this.chooser("up", "intersecting_deg");
-  private readonly slot = new FigureSlot(undefined, (x, y, pressed) => this.at(x, y, pressed));
+  private readonly slot = new FigureSlot(undefined, (x, y, clicked) => this.at(x, y, clicked));
   private readonly room = h("div", { class: "map-room" }, this.slot.element);
   private readonly go = button("Map", () => void this.make());
   private readonly stop = button("Cancel", () => bench.back.cancel());
@@ -99,8 +99,9 @@ export class ErrorMapView {
     const [x, y] = [this.x.value, this.y.value];
     const { design } = bench;
     const axes = { x, y, rest: this.restOf(x, y), text: bench.good.text };
-    const take = (figure: Figure) => {
+    const take = ({ map, figure }: { map: ErrorMap; figure: Figure }) => {
       this.axes = axes;
+      this.map = map;
       this.slot.show(figure);
       this.age();
     };
@@ -109,12 +110,9 @@ export class ErrorMapView {
     try {
       const answer = await bench.back.latest("map", "errorMap", question, (done, of, sofar) => {
         this.bar.value = of ? done / of : 0;
-        if (sofar) take(sofar as Figure);
+        if (sofar) take(sofar as { map: ErrorMap; figure: Figure });
       });
-      if (answer) {
-        this.map = answer.map;
-        take(answer.figure);
-      }
+      if (answer) take(answer);
       this.status.textContent = "A click mounts the pair with these errors.";
     } catch (reason) {
       if (bench.design === design) this.status.textContent = sentenceOf(reason);
@@ -124,15 +122,15 @@ export class ErrorMapView {
     }
   }
 
-  /** Uses the nearest point of the map. If the pointer moves, the value is shown. If it is pressed, the two errors of
-   *  the spec are set to those of the point. */
-  private at(x: number, y: number, pressed: boolean): void {
+  /** Uses the nearest point of the map. If the pointer moves, the value is shown. After a click, the two errors of the
+   *  spec are set to those of the point. */
+  private at(x: number, y: number, clicked: boolean): void {
     const { map, axes } = this;
     if (!map) return;
     const nearest = (all: Float64Array, value: number) =>
       all.reduce((best, one, i) => (Math.abs(one - value) < Math.abs(all[best]! - value) ? i : best), 0);
     const [i, j] = [nearest(map.x, x), nearest(map.y, y)];
-    if (pressed) {
+    if (clicked) {
       bench.setKey("errors." + axes.x, Number(map.x[i]!.toPrecision(6)));
       bench.setKey("errors." + axes.y, Number(map.y[j]!.toPrecision(6)));
       return;

@@ -73,7 +73,6 @@ export class ShiftsView implements Tab {
     this.slot.show(this.region.figure ?? undefined);
     const caption = this.slot.element.querySelector("figcaption");
     if (caption) fill(this.key, caption);
-    else if (!this.region.figure) fill(this.key);
     this.draw();
   }
 
@@ -102,13 +101,13 @@ export class ShiftsView implements Tab {
     this.draw();
   }
   private grab(event: PointerEvent): void {
-    if (!this.region || (event.target as Element).closest("button")) return;
+    if (!this.region || (event.target as Element).closest("button") || !this.slot.valuesAt(event)) return;
     this.picture.setPointerCapture(event.pointerId);
     this.held = true;
     this.drag(event);
   }
   private drag(event: PointerEvent): void {
-    const place = this.held ? this.slot.valuesAt(event) : null;
+    const place = this.held ? this.slot.valuesAt(event, true) : null;
     if (place) this.move(...place.at);
   }
   private release(): void {
@@ -139,6 +138,8 @@ export class ShiftsView implements Tab {
       );
       for (const edge of plot.querySelectorAll("path.region-edge"))
         edge.classList.toggle("stops", stop !== "" && edge.getAttribute("data-name") === stop);
+      for (const name of this.key.querySelectorAll(".key"))
+        name.classList.toggle("stops", stop !== "" && name.textContent?.trim() === stop);
     }
     const where = `x1 = ${fixed(region.point[0], 4)}, x2 = ${fixed(region.point[1], 4)}`;
     fill(
