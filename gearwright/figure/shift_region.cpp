@@ -77,7 +77,7 @@ void add_region(Figure& f, const ShiftChart& chart) {
       f.line(e.points, fmt::format("region-edge {}", style_of(e.edge)),
              both ? "exact centre distance" : std::string(words_of(e.edge)));
     }
-    // The limits touch in a single point.
+    // If the limits touch in a single point, the region is this point.
     if (loop.empty()) f.dot(chart.region.lo, 3.0, "region-point");
   }
 }

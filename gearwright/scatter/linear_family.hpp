@@ -54,8 +54,7 @@ class LinearFamily {
   ContactSetup setup_;                       // with a field of removed material on both gears
   std::array<bool, 2> left_{};               // the flank of each gear that touches
   std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
-  double correction_ =
-      0.0;  // rad, of the drawing: continuous_peak_to_peak() minus the first-order value
+  double correction_ = 0.0;  // rad, continuous_peak_to_peak() minus the first-order value, as drawn
 };
 
 /// The peak-to-peak TE of the first samples of the first replicate of a task to first order, rad.
