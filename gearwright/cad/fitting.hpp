@@ -1,7 +1,7 @@
 // Functions that the fits of arcs by simpler curves share. Internal to cad/.
 //
-// Distance of a point from a circle given by one of its points and the normal there. It is also
-// valid for lines:
+// Distance of a point from a circle that is given by one of its points and the normal there. The formula
+// is also valid for lines:
 //
 //   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
 //   N    unit normal there, to the left: the centre is N/κ away

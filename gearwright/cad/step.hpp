@@ -3,9 +3,9 @@
 // One named, coloured solid per body. Tip land, root land and bore are true cylinders, everything else
 // is a B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
 // faces share their edges. Flanks with modifications, and the fillets beside them, are B-splines within
-// the same limits (cad/modified_fit.hpp). One body in its own frame is written as a part; several bodies, or one with
-// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: both the surfaces
-// and the text (cad/part21.hpp) are computed here.
+// the same limits (cad/modified_fit.hpp). A single body in its own frame is written as a part. Several
+// bodies, or a body with a pose, are written as an assembly of parts placed by their poses. No CAD kernel
+// is needed: both the surfaces and the text (cad/part21.hpp) are computed here.
 //
 //   Laws  (1) the same bodies and file name give the same bytes, because the header's time is fixed
 //         (2) hand and pose change neither the number of faces nor the volume
