@@ -1,5 +1,5 @@
-// Measures the design search. The comparisons are vector lanes with their own scalar instance, one
-// thread with two, and feasible designs with trials that the sieve rejects.
+// Measures the design search. It compares vector lanes with their own scalar instance, one thread
+// with two, and feasible designs with trials that the sieve rejects.
 //
 // Counters: `ratio` is the median over rounds. In each round both ways are measured one after the
 // other, so that a busy machine slows both. `per_s` is candidates per second. The label of the

@@ -57,7 +57,7 @@ Figure few_teeth_figure() {
     const Vec2 j = arc.end_point;
     f.circle(view, o_r, root->radius, "g2 dash");
     f.circle(view, o_t, tip->radius, "action dash");
-    // The normals at C and J touch the base circle. The centre of each fillet lies on the normal.
+    // The normals at C and J touch the base circle. Each contains the centre of its fillet.
     const Vec2 at_c = polar(r_b, psi_b - xi_c);
     const Vec2 at_j = polar(r_b, psi_b - xi_j);
     f.line(view, {at_c, o_r}, "g2");

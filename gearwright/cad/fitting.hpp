@@ -47,8 +47,8 @@ struct StepLimits {
   double known;     ///< relative to the step; width of the bracket at which the search ends
 };
 
-/// Returns the greatest x in (from, to] with fits(x), from a bracket grown from `guess`, a step
-/// length.
+/// Returns the greatest x in (from, to] for which fits(x) is true. The search starts with a step of
+/// the length `guess`.
 ///
 /// Accuracy  within limits.known of the step, on the side that fits; from + shortest if no step
 ///           fits

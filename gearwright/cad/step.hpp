@@ -41,15 +41,15 @@ struct StepFace {
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
   double
-      max_deviation_mm;  ///< normal distance to the exact surface, or of modified flanks an upper
-                         ///< bound of it, measured between the points of the fit
+      max_deviation_mm;  ///< normal distance to the exact surface, measured between the points of
+                         ///< the fit; for modified flanks an upper bound of the distance
 };
 
 struct StepReport {
   std::vector<StepFace> faces;    ///< root to tip of one half tooth, body by body
   double max_deviation_mm = 0.0;  ///< greatest of all faces
-  double volume_mm3 = 0.0;        ///< of all bodies: section area times face width, exact,
-                                  ///< less what modifications remove, to 1e-6 of the body
+  double volume_mm3 = 0.0;        ///< of all bodies: exact section area times face width, minus
+                                  ///< the volume of modifications, to 1e-6 of the body
   std::size_t face_count = 0;     ///< of all solids, each shape once
   std::size_t edge_count = 0;     ///< each shared edge once
 };

@@ -88,7 +88,7 @@ struct ToothedBody {
             grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
-  /// The groove's radius, or that of the roots if there is no groove: the limit of a bore or a rim, mm.
+  /// The radius that limits a bore or a rim, mm: that of the groove or, without a groove, `root`.
   double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };
 

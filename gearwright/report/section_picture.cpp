@@ -56,8 +56,8 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Adds the part of the ellipse in the plot and names it at the point at which it, followed from the
-// mesh to the `side` (+1 right), leaves the plot.
+// Adds the part of the ellipse within the plot. Its name is at the point where the ellipse leaves the
+// plot, on the way from the mesh to the `side` (+1 right).
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);

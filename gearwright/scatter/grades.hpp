@@ -27,7 +27,8 @@ struct GradedFlank {
 /// None      for circular-arc teeth, which the standard does not cover
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad; the bearing span cancels.
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. As angles, they do not depend on the bearing
+/// span.
 ///
 /// Formula   [T14.23]
 struct GradedAxes {

@@ -1,7 +1,7 @@
 // Computes the first samples of the family under torque: transmission error, pressure and distribution
 // of the load.
 //
-// The tables of the teeth do not depend on errors and modifications, so all members share them. The
+// The tables of the teeth do not depend on errors and modifications, so all members share them.
 // All teeth of a gear are identical here. Pitch deviations therefore have no effect, and a change of
 // thickness only turns gear 2.
 //

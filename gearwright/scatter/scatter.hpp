@@ -133,7 +133,7 @@ struct Scatter {
 /// Domain    tolerances, samples a power of two, 1 ≤ replicates, 0 < confidence < 1 (contract)
 /// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's points;
 ///           nothing_touches() if no sample touches anywhere
-/// Accuracy  of each member as member_at(), and of each statistic its interval
+/// Accuracy  as member_at() for each member; each statistic has a confidence interval
 /// Laws      (1) the same bytes on any number of threads   (2) tolerances of width 0 give the numbers of
 ///           analyse_contact()
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
