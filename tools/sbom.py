@@ -4,9 +4,9 @@
     tools/sbom.py VERSION TARGET BUILD SOURCES INTO
 
 BUILD contains gearwright.map, in which the linker lists the archives whose members are in the program. SOURCES is the
-folder that tools/portable_libraries.sh fetched. The script writes INTO/gearwright.spdx.json and INTO/licences. It fails if
-the program contains an archive that is not in the tables below. Versions are those of Debian's packages. Licences
-are those that the file debian/copyright of a package gives for the linked files.
+folder that tools/portable_libraries.sh fetched. The script writes INTO/gearwright.spdx.json and INTO/licences. It
+fails if the program contains an archive that is not in the tables below. Versions are those of Debian's packages.
+Licences are those that the file debian/copyright of a package gives for the linked files.
 """
 import json
 import pathlib
