@@ -1,23 +1,23 @@
-# The few commands a person needs. Each installs what it lacks first (tools/packages.txt) and is
-# quick when nothing is missing.
+# The main commands. Each command first installs missing packages (tools/packages.txt), which takes
+# no time if none is missing.
 #
-#   make demo       build the program, run a helical pair through it, say where the files are
+#   make demo       build the program, run it on a helical pair, print where the files are
 #   make test       configure, build and test: cmake --workflow --preset check
-#   make npm        the npm package, the program and the engine in WebAssembly: build/web/*.tgz
-#   make test-wasm  the unit tests of the core in WebAssembly, and every example against the program
+#   make npm        the npm package with the program and the engine in WebAssembly, build/web/*.tgz
+#   make test-wasm  the unit tests of the core in WebAssembly; every example, compared with the program
 #   make test-long  the tests whose names start with Long
-#   make test-cluster  searches under a Slurm of two nodes, started for the test; skipped where its
-#                      daemons cannot run
-#   make web        the page in the browser: build/web for a host, and build/web/gearwright.html
-#   make test-web   the page in a browser without a screen, against the native program
+#   make test-cluster  searches under a Slurm of two nodes, which the test starts; skipped if the
+#                      daemons of Slurm cannot run
+#   make web        the page for browsers: build/web for a server, and the single file build/web/gearwright.html
+#   make test-web   the page in a headless browser, compared with the native program
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make docs       the API reference and all pages as HTML, build/docs/html
-#   make figures    draws the figures of the theory pages anew
+#   make figures    draw the figures of the theory pages again
 #   make python     the Python package as a wheel, build/python/*.whl
 #   make package    .deb and .tgz in build/package
 #   make dist       programs for Windows (with an installer) and Linux that need no package: build/dist
-#   make test-dist  these programs against the native one, under Wine and QEMU
+#   make test-dist  these programs under Wine and QEMU, compared with the native one
 #   make clean      remove build/
 
 .PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package dist test-dist clean

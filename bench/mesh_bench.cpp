@@ -1,4 +1,4 @@
-// Measures triangle meshes and drawings. The time per gear grows in proportion to its teeth.
+// Measures triangle meshes and drawings. The time per gear is proportional to the number of teeth.
 #include <benchmark/benchmark.h>
 
 #include "gearwright/cad/dxf.hpp"

@@ -56,7 +56,7 @@ void shifts_from_a_centre_distance(benchmark::State& state) {
 }
 BENCHMARK(shifts_from_a_centre_distance)->Unit(benchmark::kNanosecond);
 
-// The paper's pair of screws, z 9/15 at 90°.
+// The pair of screw gears in the paper by Mägi: 9 and 15 teeth, axes at 90°.
 MeshInput<double> screws() {
   MeshInput<double> in;
   constexpr double kDegree = 0.017453292519943295;
@@ -69,8 +69,8 @@ MeshInput<double> screws() {
   return in;
 }
 
-// All quantities of a crossed pair are computed: mesh, backlash, line, faces, sliding at both ends,
-// efficiency, backlash-free and least distance.
+// Computes all quantities of a crossed pair: the mesh, backlash, line of action, face widths, sliding
+// at both ends, efficiency, and the backlash-free and the minimum centre distance.
 double all_of(const MeshInput<double>& in) {
   const Mesh<double> m = mesh_of(in);
   const FaceWidths<double> f = face_widths(m);

@@ -1,4 +1,4 @@
-"""Measures the cost of Python: one Pair against the same work in C++, many against one call, and arrays alone.
+"""Measures the overhead of Python: one Pair compared with C++, many pairs in one call, and functions of arrays.
 
     python3 bench/python_overhead.py BUILD      `make bench` runs it after the C++ benchmarks
 

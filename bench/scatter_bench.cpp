@@ -1,6 +1,6 @@
-// Measures tolerance scatter. The comparison is with the loop over contact in the same run, both
-// flanks each, as the verb contact computes them. The counter `ratio` is the time of a pair in that
-// loop over the time of a member of the family; more than 1 is faster than the loop.
+// Measures tolerance scatter and compares it with a loop over contact analyses. Both compute both
+// flanks of the same pairs in the same run. The counter `ratio` is the time per pair in the loop divided
+// by the time per member of the family. If it is above 1, the family is faster.
 #include <benchmark/benchmark.h>
 
 #include <ctime>

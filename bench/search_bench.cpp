@@ -1,9 +1,9 @@
-// Measures the design search: lanes against their own scalar instance in one run, one thread
-// against two, feasible designs against trials that the sieve rejects.
+// Measures the design search. It compares vector lanes with their own scalar instance, one thread
+// with two, and feasible designs with trials that the sieve rejects.
 //
-// Counters: `ratio` is the median over rounds in which both ways alternate, so that a noisy machine
-// slows both. `per_s` is candidates per second. The benchmark's label is the instruction set of the
-// lanes.
+// Counters: `ratio` is the median over rounds. In each round both ways are measured one after the
+// other, so that a busy machine slows both. `per_s` is candidates per second. The label of the
+// benchmark is the instruction set of the lanes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ double seconds_of(const F& f) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Reports scalar time over lane time.
+// Reports the time of the scalar code divided by the time of the lanes.
 template <class Scalar, class Fast>
 void paired(benchmark::State& state, double candidates, const Scalar& slow, const Fast& fast) {
   std::vector<double> ratios;
@@ -49,7 +49,7 @@ void paired(benchmark::State& state, double candidates, const Scalar& slow, cons
   state.counters["per_s"] = candidates / best;
 }
 
-// Working angle, contact ratios, sliding, tips, clearance and interference of 16 384 candidates.
+// Computes working angle, contact ratios, sliding, tips, clearance and interference of 16 384 candidates.
 void candidates_lanes_over_scalar(benchmark::State& state) {
   CandidateConstants c;
   c.tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
@@ -90,7 +90,7 @@ SearchProblem gearboxes() {
   return p;
 }
 
-// A whole search of 8 million candidates in memory, on one thread and on two.
+// Runs a whole search of 8 million candidates in memory, on one thread and on two.
 void search_one_thread_over_two(benchmark::State& state) {
   const Search search(gearboxes());
   JobSpec spec;
@@ -107,9 +107,9 @@ void search_one_thread_over_two(benchmark::State& state) {
 }
 BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations(7);
 
-// Spur pairs at free centre distances, most of them feasible. They measure the cost of a design
-// with and without the limits of the drawing. `ratio` is the time of designs over that of trials
-// rejected by the sieve.
+// Searches spur pairs at free centre distances, most of which are feasible. Arg 1: with the limits on
+// interference and clearance that a drawing requires. `ratio` is the time of these designs divided by
+// the time of as many trials that the sieve rejects.
 void feasible_designs_over_sieve(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -147,9 +147,9 @@ BENCHMARK(feasible_designs_over_sieve)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// The cost of a design whose shifts do not lie on the line of Eq. 11, which λ moves off every
-// region. `ratio` is its time over that of a design on the line. Arg 1: free of backlash, tips
-// shortened, on the line.
+// Measures designs whose shifts do not lie on the line of Eq. 11, because λ moves the line off every
+// region. `ratio` is their time divided by the time of designs on the line. Arg 1: designs on the
+// line, but free of backlash and with shortened tips.
 void designs_off_the_line_over_those_on_it(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -188,8 +188,8 @@ BENCHMARK(designs_off_the_line_over_those_on_it)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// The same designs with and without rating by ISO 6336. `us_per_rating` is the additional time per
-// design, `ratio` the time with rating over that without.
+// Searches the same designs with and without rating by ISO 6336. `us_per_rating` is the additional time
+// per design, and `ratio` is the time with rating divided by the time without it.
 void rated_designs_over_unrated(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -251,7 +251,7 @@ BENCHMARK(rated_designs_over_unrated)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// One region: ends, corners, area, the line of Eq. 11.
+// Computes one region: its ends, corners and area, and the line of Eq. 11.
 void region_of_one_trial(benchmark::State& state) {
   const Search search(gearboxes());
   const ShiftGraph graph = search.graph({0, 2.0, 33, 66, {}, 0});

@@ -1,4 +1,4 @@
-# The dependencies of the build. tools/packages.txt lists the Debian package of each.
+# Finds the dependencies of the build. tools/packages.txt lists the Debian package of each.
 include_guard()
 
 if(EMSCRIPTEN)

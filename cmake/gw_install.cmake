@@ -1,4 +1,4 @@
-# Installing and packaging: find_package(gearwright), pkg-config, DEB and TGZ.
+# Rules for installation and packages: find_package(gearwright), pkg-config, DEB and TGZ.
 #
 # Component `runtime` contains the program and shared libraries, `dev` the files for a compiler.
 include_guard()
@@ -88,7 +88,7 @@ if(PROJECT_IS_TOP_LEVEL)
 libhwy-dev, libzstd-dev, libsqlite3-dev")
   if(BUILD_SHARED_LIBS)
     string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", gearwright (= ${PROJECT_VERSION})")
-    # The libraries of this build, for dpkg-shlibdeps.
+    # dpkg-shlibdeps searches this folder for the libraries of this build.
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
   endif()
   include(CPack)

@@ -4,20 +4,22 @@
 #   X_without.cpp   replaces X.cpp in a lean build. It has the same functions without the library,
 #                   or returns an error instead.
 #
-#   base/parallel          one item after the other                    (oneTBB)
-#   base/packing           its own CRC-32, stb_image_write's deflate   (zlib)
-#   math/minimise          none: the verb compensate refuses           (NLopt)
-#   design/candidate_simd  plain doubles, the kernels' oracle          (Highway)
-#   pair/closed_forms_simd plain doubles too                           (Highway)
-#   job/search_campaign    none: a search leaves no folder             (zstd, SQLite: the store)
-#   apps/common/watch      no line of progress                         (threads, signals)
+#   X                      in a lean build                             missing
+#   base/parallel          processes one item after the other          oneTBB
+#   base/packing           own CRC-32, deflate of stb_image_write      zlib
+#   math/minimise          the verb compensate returns an error        NLopt
+#   design/candidate_simd  plain doubles                               Highway
+#   pair/closed_forms_simd plain doubles                               Highway
+#   job/search_campaign    a search writes no folder                   zstd and SQLite
+#   apps/common/watch      no progress line                            threads and signals
 #
 # Functions that only the folder of a search needs are omitted together with the store.
 include_guard()
 
 set(gw_store_sources "/gearwright/store/|/gearwright/job/search_(files|record|tables)\\.cpp$")
 
-# Keeps one of each pair in the list. On Windows, X_windows.cpp replaces X.cpp in the same way.
+# Removes from the list the source of each pair that this build does not use. On Windows,
+# X_windows.cpp replaces X.cpp in the same way.
 function(gw_choose_twins list_name)
   set(kept "")
   foreach(source IN LISTS ${list_name})

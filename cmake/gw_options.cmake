@@ -41,12 +41,12 @@ function(gw_target target)
     # A program loads only the libraries that it calls.
     target_link_options(${target} PRIVATE LINKER:--as-needed)
   endif()
-  # In WebAssembly, position-independent code reads every address from a table.
+  # In WebAssembly, position-independent code is slow, because it reads every address from a table.
   if(EMSCRIPTEN)
     return()
   endif()
-  # This includes programs, for which CMake would use -fPIE, so that one precompiled header serves
-  # all (gw_precompiled.cmake).
+  # Programs are compiled with -fPIC too, not with CMake's -fPIE, so that all targets can use one
+  # precompiled header (gw_precompiled.cmake).
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "EXECUTABLE")
     target_compile_options(${target} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})

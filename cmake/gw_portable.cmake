@@ -27,15 +27,15 @@ file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 if(WIN32)
   add_link_options(LINKER:--wrap=mbrtowc)  # base/system_windows.cpp
   # g++ aligns the stack on Windows to 16 bytes and moves wider vectors as if it were aligned to their
-  # size (GCC bug 54412). The assembler writes these moves in the form for any alignment.
+  # size (GCC bug 54412). The assembler replaces these moves by moves that permit any alignment.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)
 elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-  # One set, NEON, which every 64-bit ARM has. `Lane` (math/lanes.inc) is a struct around a vector, and
-  # a vector of SVE cannot be a member, because its size is unknown at compile time. Most processors
-  # with SVE have vectors of 128 bits, as long as those of NEON.
+  # NEON is the only instruction set used, because every 64-bit ARM processor has it. SVE vectors cannot
+  # be members of the struct `Lane` (math/lanes.inc), because their size is unknown at compile time. On
+  # most processors with SVE they have 128 bits, like NEON vectors.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
-  # Highway's NEON includes AES, which the compiler never uses by itself. If it is enabled, the
-  # constructor of an array of lanes is not a function of that instruction set.
+  # Highway's NEON includes AES, which the compiler never uses by itself. Without these
+  # options, the compiler would generate the constructor of an array of lanes for another instruction set.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS "-march=armv8-a+crypto;-Wno-invalid-pch")
 endif()
 # tools/sbom.py reads the map, which lists the archives whose members the program contains.

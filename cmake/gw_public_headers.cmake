@@ -1,9 +1,9 @@
 # Determines the public headers: those that expose only the standard library, Eigen and our own
 # types.
 #
-# A header that includes anything else is for our own sources only. So are headers whose comment
-# contains "Internal to ..." and those of tests. tests/consumer compiles the public headers and so
-# proves that none of them needs a private one. The install step uses this file, and the documents
+# Private headers are those that include anything else, those whose comment contains "Internal to ..."
+# and those of tests. tests/consumer compiles the public headers, which checks that none of them
+# needs a private header. The install step uses this file, and the documents
 # use it as a script:
 #
 #   cmake -P cmake/gw_public_headers.cmake     prints their paths, one per line

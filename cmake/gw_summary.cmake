@@ -1,4 +1,4 @@
-# Prints at the end of the configure step the enabled and disabled parts and the reasons.
+# Prints the enabled and disabled parts, with reasons, at the end of the configure step.
 include_guard()
 
 function(gw_say name state why)

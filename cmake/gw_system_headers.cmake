@@ -1,6 +1,6 @@
-# Header-only libraries, taken from this system for a build for another one.
+# Finds header-only libraries on this system for a build for another system.
 #
-# The include folder of the system must not be on the path of such a compiler, because its C library
+# The include folder of this system must not be on the path of such a compiler, because its C library
 # is different. Therefore a folder in the build contains links to the folders of the libraries, and
 # targets have the names that Debian uses.
 include_guard()

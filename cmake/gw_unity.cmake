@@ -1,8 +1,8 @@
 # Compiles sources of one folder together, a few at a time, if CMAKE_UNITY_BUILD is set.
 #
-# Most of the compile time of a source is for templates that its neighbours also instantiate. In
-# return, a name in an unnamed namespace may conflict with one in a neighbour. The compiler then
-# reports an error, and the new name must be changed.
+# Most of the compile time of a source is for templates that its neighbours also instantiate. The
+# disadvantage is that a name in an unnamed namespace may conflict with a name in a neighbour. The
+# compiler then reports an error, and the new name must be changed.
 #
 # The presets `edit` and `clang` compile every source alone, which shows that each includes
 # everything that it uses.
@@ -10,8 +10,8 @@ include_guard()
 
 set(gw_together 8)
 
-# Highway compiles `_simd` once for each instruction set by including it again. Pictures use the
-# same names for their dimensions, and tables of quantities for their subjects.
+# These sources are compiled alone. Highway includes a source `_simd` again for each instruction set.
+# The sources `_picture` have the same names of dimensions, and `_quantities` the same names of subjects.
 set(gw_alone "_(simd|picture|quantities)\\.cpp$")
 
 function(gw_unity target)

@@ -1,5 +1,5 @@
-# The build for WebAssembly: emscripten 3.1.6, preset `wasm`. It is included in place of the search
-# for packages, which would find none for a foreign machine. Only headers are needed here.
+# Settings of the build for WebAssembly (emscripten 3.1.6, preset `wasm`). They replace the search for
+# packages, because this system has no packages for WebAssembly. Only header libraries are used.
 include_guard()
 
 if(NOT GEARWRIGHT_LEAN)
@@ -15,22 +15,22 @@ target_include_directories(fmt::fmt SYSTEM INTERFACE ${gw_links})
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 set(gw_libraries "")
 
-# Errors are thrown, and without this option no catch block runs. -msimd128 is not used, because
+# Some errors are exceptions. Without this option, no catch block would run. -msimd128 is not used, because
 # clang 14 vectorises the complex products of contact/sensitivity.cpp wrongly (∂TE/∂f_Hβ1 of a
 # helical pair -0.0011 instead of 0.0119). The time-critical code is scalar anyway.
 add_compile_options(-fwasm-exceptions)
 add_link_options(-fwasm-exceptions)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
-# There is one memory that grows, because meshes of large gears need hundreds of MB. The stack size
-# is for nested specs.
+# The memory can grow, because meshes of large gears need hundreds of MB. The stack is large enough
+# for deeply nested specs.
 set(gw_memory -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB)
 
-# A program under node, with the files of the machine.
+# Options for a program that runs under node and reads and writes files of the machine.
 set(gw_under_node -sNODERAWFS -sENVIRONMENT=node -sEXIT_RUNTIME
     "SHELL:--pre-js ${CMAKE_CURRENT_LIST_DIR}/wasm_node.js")
 
-# The optimiser of emcc needs acorn, which only Debian's node finds.
+# The optimiser of emcc needs the module acorn, which only Debian's own node finds by itself.
 execute_process(COMMAND dpkg -L node-acorn OUTPUT_VARIABLE files ERROR_QUIET)
 if(files MATCHES "([^\n]*)/acorn/package\\.json")
   set(gw_node_path ${CMAKE_MATCH_1})

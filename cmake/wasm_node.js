@@ -1,3 +1,3 @@
-// emscripten 3.1.6 takes a global fetch for that of a browser, which reads no file. Node has had
-// one since version 18.
+// Since version 18, node has a global function fetch. emscripten 3.1.6 would use it as in a browser,
+// but it cannot read files. This declaration hides it.
 var fetch;

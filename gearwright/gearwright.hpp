@@ -1,4 +1,4 @@
-// The front door: everything that a program about gears includes.
+// Includes all headers that a program about gears needs.
 //
 //   #include <gearwright/gearwright.hpp>
 //   using namespace gearwright;
@@ -12,9 +12,9 @@
 //   const Result<Pair> pair = mount(*pinion, *wheel, {.center_distance = 116.6});
 //   if (pair) std::printf("contact ratio %.4f\n", pair->contact_ratio());
 //
-// Lengths are in mm. Angles are Angle or rad, as the comment of each member states. A fact about
-// gears is a value or an error of a Result. Programs to start from: examples/cpp, shown in
-// docs/programming.md.
+// Lengths are in mm. Angles are Angle or rad, as the comment of each member states. Functions
+// that can fail return a Result, which contains a value or an error. docs/programming.md shows the
+// example programs of examples/cpp.
 #pragma once
 
 // Numbers: 20_deg, Angle, Result, µm and arcseconds, the version

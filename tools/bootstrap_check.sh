@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Builds and tests from nothing: a minimal Debian 12 in DIR, a clean clone in it, make demo, make
-# test. The first run is as root, who installs missing packages. The second run is as an ordinary
-# user, for whom nothing may be missing.
+# Checks that the project builds on a new machine. The script makes a minimal Debian 12 in DIR, clones
+# the project there and runs make demo and make test. The first run is as root and installs missing
+# packages. The second run is as an ordinary user, and no package may then be missing.
 #
 #   tools/bootstrap_check.sh [--prepare-only] DIR
 #
-# DIR must be new or made by this script. It contains only /proc of this machine; its devices are
-# the few that debootstrap makes, as in a plain container. The mirror is that of this machine's
-# package sources. The script needs root and debootstrap. With --prepare-only it stops before make.
-# It always removes the mount.
+# DIR must be new or made by this script. Only /proc of this machine is mounted in DIR, and is always
+# unmounted at the end. The devices are the few that debootstrap makes, as in a plain container. The
+# mirror is taken from this machine's package sources. The script needs root and debootstrap. With
+# --prepare-only it stops before make.
 set -euo pipefail
 
 prepare_only=no
@@ -62,7 +62,7 @@ fi
 say "copying this machine's package configuration"
 rm -rf "$root"/etc/apt/sources.list.d "$root"/etc/apt/sources.list
 mkdir -p "$root"/etc/apt/sources.list.d "$root"/etc/apt/apt.conf.d "$root"/etc/apt/keyrings
-# Only Debian's own sources are used, because the check is for a plain machine.
+# Only Debian's own sources are used, because the check is for a machine with nothing else.
 for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
   if [ -f "$file" ] && grep -qF "$mirror" "$file"; then
     cp "$file" "$root/etc/apt/${file#/etc/apt/}"
@@ -71,8 +71,8 @@ done
 for folder in apt.conf.d auth.conf.d; do
   if [ -d /etc/apt/$folder ]; then
     mkdir -p "$root/etc/apt/$folder"
-    # Copies settings for a proxy, an authority or a transport. Hooks of other packages are not
-    # copied.
+    # Copies settings of proxies, access rights and transports, but not the hooks of other
+    # packages.
     for file in /etc/apt/$folder/*; do
       if grep -qsE '^ *Acquire|^ *machine ' "$file"; then cp "$file" "$root$file"; fi
     done
@@ -91,7 +91,7 @@ mounts+=("$root/proc")
 user=newcomer
 home_of() { if [ "$1" = root ]; then echo /root; else echo "/home/$1"; fi; }
 
-inside() { # USER COMMAND: in the user's clone, or the home where there is none yet
+inside() { # USER COMMAND: runs the command in the user's clone
   local home
   home=$(home_of "$1")
   chroot --userspec="$1" "$root" env -i HOME="$home" USER="$1" LC_ALL=C.UTF-8 \

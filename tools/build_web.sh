@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the page: the engine for WebAssembly, then build/web for any host and the single file
-# build/web/gearwright.html.
+# Builds the page. The results are the engine for WebAssembly, the folder build/web for a web server
+# and the single file build/web/gearwright.html.
 #
 #   tools/build_web.sh [JOBS]
 #
@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 
 jobs=${1:-$(nproc)}
 if [ -z "${GEARWRIGHT_ENGINE:-}" ]; then
-  # Emscripten of Debian requires modules of node that are in Debian's folder for them.
+  # Debian's emscripten requires node modules, which are in Debian's folder of node modules.
   modules=$(dpkg -L node-acorn 2>/dev/null | sed -n 's#/acorn/package.json$##p' | head -1)
   export NODE_PATH=${modules:-${NODE_PATH:-}}
   cmake --preset wasm -DGEARWRIGHT_TESTS=OFF >/dev/null

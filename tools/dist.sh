@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Makes programs that need neither a package nor a compiler, in build/dist.
+# Makes programs for users without packages or a compiler. The results are in build/dist.
 #
 #   tools/dist.sh [TARGET ...]     default: windows-x86_64 linux-x86_64 linux-aarch64
 #
-#   gearwright-VERSION-windows-x86_64.zip     gearwright.exe, examples, documents, licences, the list of what is linked
-#                                             in (SPDX) and, if `make web` has built it, the page
-#   gearwright-VERSION-windows-x86_64-setup.exe  the same as an installer: start menu, PATH, uninstall
-#   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux: fully static
+#   gearwright-VERSION-windows-x86_64.zip     gearwright.exe, examples, documents, licences, the list of linked
+#                                             libraries (SPDX) and, if `make web` has built it, the page
+#   gearwright-VERSION-windows-x86_64-setup.exe  the same as an installer, with start menu, PATH and uninstaller
+#   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux, fully static
 #   gearwright-VERSION-linux-aarch64.tar.gz
 #   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
 #   SHA256SUMS
 #
-# The program for linux-x86_64 consists of the objects of the preset `release`; the others are cross built.
+# The program for linux-x86_64 consists of the objects of the preset `release`. The others are cross-compiled.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
@@ -29,8 +29,8 @@ build() {
     cmake --build --preset release --target gearwright_static -j "$jobs"
     return
   fi
-  # Without -Werror, because g++ 12 of MinGW reports uninitialised members of a std::variant where
-  # the native g++ 12 reports none.
+  # -Werror is not used, because MinGW's g++ 12 warns of uninitialised members of a std::variant, and
+  # the native g++ 12 does not.
   cmake -S . -B "$portable/$target" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
     -DGEARWRIGHT_TESTS=OFF -DGEARWRIGHT_BENCH=OFF \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/$target.cmake" \
@@ -50,7 +50,7 @@ pack() {
   rm -rf "$folder/docs/figures" "$folder/docs/doxygen" "$folder/docs/Doxyfile"
   tools/sbom.py "$version" "$target" "$build" "$portable/sources" "$folder"
   [ ! -f build/web/gearwright.html ] || cp build/web/gearwright.html "$folder/"
-  # The same input gives the same bytes: names are sorted, and all files have one date.
+  # Names are sorted, and all files have the same date, so that the same input gives the same bytes.
   find "$build/pack" -exec touch -h -d "@${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}" {} +
   if [ "$program" = gearwright.exe ]; then
     rm -f "$dist/$name.zip"

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Hashes all answers of the program, to compare two builds before and after a change of the code.
+"""Hashes all outputs of the program, to compare two builds before and after a change of the code.
 
     tools/freeze_answers.py build/release/gearwright before.txt [SPECS]
     … change the code, build …
     tools/freeze_answers.py build/release/gearwright after.txt [SPECS]
     diff before.txt after.txt
 
-One line for each output: its sha256, the exit status, its name. The outputs are those of every verb, as text, JSON and
-CSV, on every example and every spec of the fuzz corpus, all files of `run` on the examples, and all help texts. SPECS is
-a list that tests/cli writes when GW_SPECS names it: every spec that a test runs, with its verb.
+Each line contains the sha256 of one output, its exit status and its name. The outputs are those of every verb on
+every example, as text, JSON and CSV, and on every spec of the fuzz corpus, as JSON, all files of `run` on the examples,
+and all help texts. SPECS is a file with every spec that a test runs and its verb. tests/cli writes this file if the
+environment variable GW_SPECS contains its name.
 """
 import argparse
 import concurrent.futures
@@ -27,7 +28,7 @@ SLOW = {("compensate", "loaded_pair")}  # takes minutes
 
 
 def outcome(binary, arguments, folder):
-    """Returns (status, stdout and stderr) of one run, without the folder in which it ran."""
+    """Returns the status and the output of one run, with the name of its folder replaced."""
     p = subprocess.run([binary, *arguments], capture_output=True, cwd=folder, timeout=600)
     # Progress depends on the clock.
     errors = re.sub(rb"gearwright: \w+, \d+ s: .*\n", b"", p.stderr)

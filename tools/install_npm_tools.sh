@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs the npm packages for tests and the page: the package.json and package-lock.json of
-# tests/cad (mesh validators), tests/search (result tables), tests/schema (JSON Schema) and, if
-# requested, apps/web (the page), each into the node_modules next to it.
+# Installs the npm packages for the tests and the page. Every FOLDER has a package.json and a
+# package-lock.json, and its packages are installed into its node_modules. The folders are tests/cad
+# (mesh validators), tests/search (result tables), tests/schema (JSON Schema) and apps/web (the page).
 #
-#   tools/install_npm_tools.sh [FOLDER ...]     default: those of the tests
+#   tools/install_npm_tools.sh [FOLDER ...]     default: the folders of the tests
 #
-# Installs exactly the locked versions without running their install scripts. A second call does
-# nothing.
+# Exactly the locked versions are installed, and their install scripts are not run. A second call
+# does nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -34,7 +34,7 @@ install_folder() { # FOLDER WHAT [npm option ...]
 for folder in "$@"; do
   case $folder in
     tests/cad) install_folder "$folder" "mesh validators" --omit=optional ;;
-    # The libraries for this machine are optional dependencies.
+    # Optional dependencies are installed here, because they contain the libraries for this machine.
     tests/search) install_folder "$folder" "reader of result tables" ;;
     tests/schema) install_folder "$folder" "validator of JSON Schema" ;;
     apps/web) install_folder "$folder" "page's libraries and builder" ;;

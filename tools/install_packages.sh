@@ -2,9 +2,9 @@
 # Installs only the missing packages of the given groups of tools/packages.txt.
 #
 #   tools/install_packages.sh [group ...]     default: core
-#   tools/install_packages.sh --list [group ...]     prints what is missing, installs nothing
+#   tools/install_packages.sh --list [group ...]     prints missing packages, installs nothing
 #
-# The script checks dpkg first, so a second call takes no time and needs neither network nor rights.
+# The script checks dpkg first, so a second call takes no time and needs neither a network nor root.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks the formatting, which must be clean. clang-tidy gives advice on the sources of the release
-# build, as listed by build/lint, because clang-tidy cannot read the precompiled headers of g++.
+# Checks the formatting, which must be clean, and prints advice of clang-tidy. build/lint contains the
+# compile commands without precompiled headers, because clang-tidy cannot read those of g++.
 #
 #   tools/lint.sh [--fix]     --fix formats in place instead of reporting
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the documents as HTML: FOLDER/html/index.html. Anything that doxygen does not understand is
-# an error. The settings are in docs/Doxyfile.
+# Makes the documents as HTML in FOLDER/html/index.html. Every warning of doxygen is an error. The
+# settings are in docs/Doxyfile.
 #
 #   tools/make_docs.sh [FOLDER]     default: build/docs
 #
@@ -16,8 +16,8 @@ version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.t
 mapfile -t headers < <(cmake -P cmake/gw_public_headers.cmake)
 pages=$(python3 -B docs/doxygen/prepare.py "$out/input" README.md CONTRIBUTING.md CHANGELOG.md \
   docs/*.md docs/theory/*.md "${headers[@]}")
-# A message contains the name of the source, which has the same number of lines as the text that
-# doxygen read.
+# Messages are printed with the name of the source. Its line numbers are those of the file that doxygen
+# reads.
 {
   cat docs/Doxyfile
   echo "PROJECT_NUMBER = $version"

@@ -3,8 +3,8 @@
 #
 #   tools/portable_libraries.sh TARGET     TARGET: windows-x86_64, linux-x86_64, linux-aarch64
 #
-# The result is build/portable/libraries/TARGET with include/ and lib/. Sources are fetched once, by
-# apt-get source with lists of their own, so that the lists of the system are unchanged. A second
+# The result is build/portable/libraries/TARGET with include/ and lib/. Sources are fetched once with
+# apt-get source, which uses separate package lists and leaves those of the system unchanged. A second
 # call does nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,7 +22,7 @@ fetch() {
   [ -f "$sources/complete" ] && return
   rm -rf "$sources"
   mkdir -p "$sources/apt/parts" "$sources/apt/lists/partial" "$sources/apt/cache/archives/partial"
-  # Debian 12 has one of two formats of the list of its sources.
+  # Debian 12 stores the list of its package sources in one of two formats.
   local given=/etc/apt/sources.list.d/debian.sources
   [ ! -f $given ] || sed 's/^Types:.*/Types: deb-src/' $given >"$sources/apt/parts/debian.sources"
   [ ! -f /etc/apt/sources.list ] || sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >"$sources/apt/parts/debian.list"
@@ -36,7 +36,7 @@ fetch() {
 # Prints the unpacked folder of a source package.
 folder() { find "$sources" -maxdepth 1 -type d -name "$1-*" | head -n 1; }
 
-# Configures and installs a library that has a CMakeLists.txt: FOLDER, then additional options.
+# Configures and installs a library that has a CMakeLists.txt. Arguments: FOLDER, then options of CMake.
 with_cmake() {
   local from=$1
   shift
@@ -48,7 +48,7 @@ with_cmake() {
   cmake --build "$build" -j "$jobs" --target install >>"$build.log" 2>&1 || { tail -n 30 "$build.log" >&2; exit 1; }
 }
 
-# Builds a library of plain C: NAME, its options, then its sources.
+# Builds a library of plain C. Arguments: NAME, options of the compiler, then sources.
 plain_c() {
   local name=$1 options=$2 compiler work=$root/made/$target/$1
   shift 2
@@ -59,7 +59,7 @@ plain_c() {
   ar rcs "$into/lib/lib$name.a" "$work"/*.o
 }
 
-# SQLite is one file, which its own scripts combine with tclsh.
+# Builds SQLite from one file, which its own scripts make with tclsh.
 sqlite() {
   local together=$root/made/sqlite
   if [ ! -f "$together/complete" ]; then
@@ -69,7 +69,7 @@ sqlite() {
     touch "$together/complete"
   fi
   cp "$together/sqlite3.h" "$into/include/"
-  # Size is more important than speed, because a search writes a row of its journal for each chunk.
+  # -Os is fast enough, because a search writes only one row of its journal for each chunk.
   plain_c sqlite3 "-Os -DSQLITE_THREADSAFE=1 -DSQLITE_OMIT_LOAD_EXTENSION" "$together/sqlite3.c"
 }
 
@@ -80,8 +80,8 @@ zlib() {
   plain_c z "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
 }
 
-# toml++ of Debian is a shared library, which the objects of the preset `release` call. The other
-# programs are compiled with only its headers.
+# The objects of the preset `release` call toml++ as a library, which Debian has only as a shared one.
+# The other programs use only its headers.
 tomlplusplus() {
   local work=$root/made/$target/tomlplusplus
   mkdir -p "$work"
@@ -100,8 +100,8 @@ with_cmake "$(folder nlopt)" -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLA
   -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF
 with_cmake "$(folder highway)" -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
   -DBUILD_TESTING=OFF
-# Only the elementary functions of its contrib are needed, which are headers. Its sorts take minutes
-# to compile.
+# Only the elementary functions of Highway's contrib are needed, which are headers. The sorts in
+# contrib take minutes to compile, so they are not built.
 mkdir -p "$into/include/hwy/contrib"
 cp -r "$(folder highway)/hwy/contrib/math" "$into/include/hwy/contrib/"
 with_cmake "$(folder libzstd)/build/cmake" -DZSTD_BUILD_PROGRAMS=OFF -DZSTD_BUILD_SHARED=OFF -DZSTD_BUILD_STATIC=ON \

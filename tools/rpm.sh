@@ -3,8 +3,8 @@
 #
 #   tools/rpm.sh VERSION MACHINE FOLDER RUN OUTPUT_FOLDER
 #
-# RUN is the command that runs the program on this machine. It writes the manual page and the
-# completions.
+# RUN is the command that runs the program on this machine. The program then prints the manual page
+# and the completions.
 set -euo pipefail
 version=$1 machine=$2 folder=$(realpath "$3") run=$4 output=$(realpath -m "$5")
 work=$(mktemp -d)

@@ -3,10 +3,10 @@
 
     tools/sbom.py VERSION TARGET BUILD SOURCES INTO
 
-BUILD holds gearwright.map, the linker's list of the archives whose members are in the program. SOURCES is the folder that
-tools/portable_libraries.sh fetched. The script writes INTO/gearwright.spdx.json and INTO/licences, and fails if the
-linker took an archive that the tables here lack. Versions are those of Debian's packages. The licences are those of
-the debian/copyright of each, for the files that are linked.
+BUILD contains gearwright.map, in which the linker lists the archives whose members are in the program. SOURCES is the
+folder that tools/portable_libraries.sh fetched. The script writes INTO/gearwright.spdx.json and INTO/licences. It
+fails if the program contains an archive that is not in the tables below. Versions are those of Debian's packages.
+Licences are those that the file debian/copyright of a package gives for the linked files.
 """
 import json
 import pathlib
@@ -27,7 +27,7 @@ LINKED = {
     "libzstd.a": ("libzstd", "Zstandard", "BSD-3-Clause", "https://facebook.github.io/zstd"),
     "libsqlite3.a": ("sqlite3", "SQLite", "blessing", "https://sqlite.org"),
 }
-# Debian package of headers, then as above
+# Debian package of headers: name of the library, licence, home page
 HEADERS = {
     "libeigen3-dev": ("Eigen", "MPL-2.0", "https://eigen.tuxfamily.org"),
     "libboost1.74-dev": ("Boost", "BSL-1.0", "https://www.boost.org"),
@@ -35,8 +35,8 @@ HEADERS = {
     "libtomlplusplus-dev": ("toml++", "MIT", "https://marzer.github.io/tomlplusplus"),
     "libcli11-dev": ("CLI11", "BSD-3-Clause", "https://github.com/CLIUtils/CLI11"),
 }
-# The compiler's own libraries, identified by the beginning of the name of the Debian package that
-# contains them.
+# Beginning of the name of the Debian package of a runtime library of the compiler: name of the library,
+# licence, home page
 RUNTIME = {
     "libstdc++": ("libstdc++", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),
     "libgcc": ("libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org"),

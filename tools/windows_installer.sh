@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the Windows installer from an unpacked folder: start menu, PATH, uninstaller.
+# Makes the Windows installer, with start menu, PATH and uninstaller, from an unpacked folder.
 #
 #   tools/windows_installer.sh VERSION FOLDER OUTPUT
 set -euo pipefail

@@ -1,4 +1,4 @@
-# Linux on 64-bit ARM, by Debian's cross compiler.
+# Linux on 64-bit ARM, with Debian's cross compiler.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

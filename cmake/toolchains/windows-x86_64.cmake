@@ -1,4 +1,4 @@
-# Windows, 64 bits, by Debian's MinGW-w64 with POSIX threads.
+# Windows, 64 bits, with Debian's MinGW-w64 with POSIX threads.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

@@ -1,5 +1,5 @@
-// Page 7: circular arcs. Left, a tooth cut by F in the space cut by P, in the normal section;
-// right, how the normal angle at the contact depends on the centre distance.
+// Page 7: circular arcs. Left: a tooth cut by rack F in the space cut by rack P, in the normal section.
+// Right: the normal angle at the contact as a function of the centre distance.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -24,8 +24,8 @@ RackOfArcs rack_of(ArcRack::Cutter cutter, double radius, double a, double b) {
   return *made;
 }
 
-// Half a tooth of the gear, root to tip, in the plane (y, x): the land that the cutter's tip
-// leaves, then the arcs up to the addendum.
+// Returns half a tooth of the gear from root to tip, in the plane (y, x): the root land cut by the tip
+// of the rack, then the arcs up to the addendum.
 std::vector<Vec2> half_profile(const RackOfArcs& rack) {
   std::vector<Vec2> points{{std::numbers::pi / 2, -rack.dedendum}};
   for (const RackArc& arc : rack.arcs) {
@@ -46,8 +46,8 @@ Figure arcs_figure() {
            "Normal section of a convex tooth in a concave space with the centres of both arcs on "
            "one normal, and "
            "the normal angle at the contact over the change of the centre distance.");
-  // The drive of Litvin and Tsay, 12 : 94 teeth, normal diametral pitch 2, lead angle 75°; in
-  // modules.
+  // The drive of Litvin and Tsay: 12 : 94 teeth, normal diametral pitch 2, lead angle 75°. Lengths are
+  // in modules.
   const double psi = std::numbers::pi / 6;
   const WorkingArc convex{1.4, 1.4 * std::cos(psi) - 0.79,
                           1.4 * std::sin(psi) - 0.79 * std::tan(psi)};
@@ -55,7 +55,7 @@ Figure arcs_figure() {
   const RackOfArcs rack_f = rack_of(ArcRack::Cutter::F, convex.radius, convex.a, convex.b);
   const RackOfArcs rack_p = rack_of(ArcRack::Cutter::P, concave.radius, concave.a, concave.b);
 
-  // Left: one tooth, from the middle of a space to the middle of the next.
+  // Left: one tooth between the middles of the two spaces beside it.
   {
     const double kSide = std::numbers::pi / 2;
     f.svg().begin_clip(0, 0, 440, 480);
@@ -64,7 +64,7 @@ Figure arcs_figure() {
     for (const Vec2& p : half_profile(rack_f)) tooth.push_back(p);
     for (int i = static_cast<int>(tooth.size()) - 1; i >= 0; --i)
       tooth.push_back({-tooth[i].x(), tooth[i].y()});
-    // Gear 2: heights turn over and y counts from half a pitch away.
+    // The profile of gear 2 is upside down, and its y is measured from half a pitch away.
     std::vector<Vec2> space;
     for (const Vec2& p : half_profile(rack_p))
       space.push_back({std::numbers::pi / 2 - p.x(), -p.y()});
@@ -107,7 +107,7 @@ Figure arcs_figure() {
     f.label({426, 44}, "gear 2, cut by P", Anchor::end, Vec2::Zero(), "g2 small halo");
   }
 
-  // Right: θ over ΔC, exactly and to first order, module 12.7 mm.
+  // Right: θ over ΔC, exactly and to first order, for a module of 12.7 mm.
   const double m = 12.7;
   const Angle lead = Angle::degrees(75);
   const auto scaled = [&](const WorkingArc& arc) {

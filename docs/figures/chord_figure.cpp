@@ -1,6 +1,6 @@
-// Page 5: what the calliper measures, and how well it is known by hand. Left the cylinder unrolled,
-// with both flanks and the shortest chord between them; right the errors of the series and of
-// virtual gears.
+// Page 5: the chord that a calliper measures, and the errors of formulas for a calculation by hand.
+// Left: the unrolled cylinder with both flanks and the shortest chord between them. Right: the errors
+// of the series and of virtual gears.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ Figure chord_figure() {
            "its approximations over the half angle of the tooth.");
   const double psi = Angle::degrees(35.2644).rad();  // where the series converge worst [T5.11]
 
-  // Left: radius 1, half angle 0.6. The flanks' helices, θ = ±(θ_t − ζ tan ψ).
+  // Left: the radius is 1, the half angle 0.6. The flanks are the helices θ = ±θ_t − ζ tan ψ.
   const double theta_t = 0.6;
   const double theta = shortest_chord_half_angle(theta_t, std::tan(psi) * std::tan(psi));
   const double zeta = (theta_t - theta) / std::tan(psi);
@@ -27,7 +27,7 @@ Figure chord_figure() {
   const auto px = [&](double angle, double height) {
     return Vec2(200 + scale * angle, 255 - scale * height);
   };
-  // The helices rise to the left: the chord's end on the right flank stands higher.
+  // The helices rise to the left, so the end of the chord on the right flank is the higher one.
   const double reach = 0.56;
   for (const double side : {1.0, -1.0}) {
     std::vector<Vec2> flank;

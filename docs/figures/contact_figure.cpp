@@ -1,6 +1,6 @@
-// Page 8: the transmission error is the greatest of the tooth pairs' branches. A crowned helical
-// pair on crooked shafts, over three pitches of gear 1; below, where on the face the leading pair
-// touches.
+// Page 8: the transmission error is the greatest of the branches of the tooth pairs. The example is a
+// crowned helical pair on crossed shafts, over three pitches of gear 1. Below: the height on the face
+// at which the leading pair touches.
 #include <cmath>
 #include <stdexcept>
 
@@ -37,7 +37,7 @@ Figure contact_figure() {
   place.errors.crossing = Angle::degrees(0.02);
   const ContactPair pair({&one, {&*field, &*field}}, {&two, {}}, place);
 
-  // The branch of one tooth pair; every other is the same, whole pitches later [T8.2].
+  // The branch of one tooth pair. The branches of the others are displaced by whole pitches [T8.2].
   Transmission transmission(pair);
   const double arcsec = Angle::radians(1).deg() * 3600;
   const double pitch = pair.pitch();
@@ -58,7 +58,7 @@ Figure contact_figure() {
   draw_frame(f, low, "rotation {φ1} of gear 1, pitches", "height {z} of the touch on the face, mm",
              6, 4);
 
-  // Which pair leads at a rotation, from the branch itself.
+  // The value of the branch at a rotation determines the leading pair there.
   const auto at = [&](const std::vector<Vec2>& curve, double x) {
     for (std::size_t i = 1; i < curve.size(); ++i) {
       if (curve[i - 1].x() > x || curve[i].x() < x) continue;

@@ -1,5 +1,5 @@
-// Page 4: two gears on one rack. Where the pitch planes coincide, X = 0, the centre distance is
-// least; the teeth stay in contact on one interval of the rack's pressure angle.
+// Page 4: two gears on a common rack. The centre distance is least if the pitch planes coincide
+// (X = 0). The teeth are in contact on one interval of the pressure angle of the rack.
 #include <cmath>
 #include <stdexcept>
 
@@ -14,7 +14,7 @@ Figure crossed_figure() {
            "Centre distance, distance of the pitch planes, shaft angle and contact ratio of a "
            "crossed pair of 9 "
            "and 15 teeth, free of backlash, over the pressure angle of the common rack.");
-  // The example of the paper, Tab. 1: two gears as they are, whatever rack has cut them.
+  // The gears of Tab. 1 of the paper by Mägi. They can be cut by different racks.
   CylindricalSpec spec;
   spec.teeth = 9;
   spec.normal_module = 3;
@@ -35,7 +35,7 @@ Figure crossed_figure() {
   const auto range = contact_ratio_range(mounted->input);
   if (!range) throw std::logic_error("the figure's teeth do not meet");
 
-  // Samples over α_n; each rack has its place, and the pair mounted there its contact ratio.
+  // Samples over α_n. Each common rack gives the position of the pair and its contact ratio.
   std::vector<Vec2> distance, planes, shaft, ratio;
   const double to_deg = Angle::radians(1).deg();
   const double low = range->lo.normal_pressure_angle.deg();

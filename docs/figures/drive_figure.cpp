@@ -1,5 +1,5 @@
-// Page 13: a planetary set whose planets stand at unequal pitch, each where all its teeth mesh; the
-// places of a turn lie on the carrier's circle.
+// Page 13: a planetary set with planets at unequal pitch, each at an angle where it meshes with both
+// gears. All such angles of a turn are marked on the circle of the carrier.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -38,7 +38,7 @@ Figure drive_figure() {
     f.line(view, {polar(a - 0.5, angle), polar(a + 0.5, angle)}, "ink");
   }
   for (std::size_t i = 0; i < assembly.turns.size(); ++i) {
-    // Rolling on the sun: at θ the planet has turned by θ (1 + z_s/z_p).
+    // A planet that rolls on the sun has turned by θ (1 + z_s/z_p) when the carrier is at θ.
     const double theta = 2 * pi * assembly.turns[i].value();
     const double turned = pi + pi / 19 + theta * (1 + 20.0 / 19);
     f.line(view, placed(teeth(gear(1), 0, 18, 0, kTolerance), turned, polar(a, theta)), "green");

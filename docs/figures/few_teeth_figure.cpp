@@ -1,5 +1,5 @@
-// Page 6: the pinion of two teeth of the paper's example. Left, how its circular fillets touch the
-// involute; right, the pinion in the wheel of sixty teeth that it has cut.
+// Page 6: the pinion of two teeth of the example in the paper. Left: its circular fillets, tangent to the
+// involute. Right: the pinion in mesh with the wheel of sixty teeth that it has cut.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -35,7 +35,7 @@ Figure few_teeth_figure() {
   const auto wheel = make_pinion_cut_gear(pinion, cut);
   if (!wheel) throw std::logic_error(wheel.error().message());
 
-  // Left: the tooth upright.
+  // Left: the tooth points up.
   {
     const Viewport view{420, 500, {1.45, 0.25}, 60, true};
     f.shape(view, teeth(pinion, 0, 1, 0, 0.001), "body1 g1");
@@ -57,7 +57,7 @@ Figure few_teeth_figure() {
     const Vec2 j = arc.end_point;
     f.circle(view, o_r, root->radius, "g2 dash");
     f.circle(view, o_t, tip->radius, "action dash");
-    // The normals at C and J touch the base circle; each holds its fillet's centre.
+    // The normals at C and J touch the base circle. Each contains the centre of its fillet.
     const Vec2 at_c = polar(r_b, psi_b - xi_c);
     const Vec2 at_j = polar(r_b, psi_b - xi_j);
     f.line(view, {at_c, o_r}, "g2");

@@ -180,7 +180,7 @@ std::vector<Vec2> half_tooth(const Gear& gear, double tolerance) {
 
 std::vector<Vec2> teeth(const Gear& gear, int first, int last, double angle, double tolerance) {
   const std::vector<Vec2> half = half_tooth(gear, tolerance);
-  std::vector<Vec2> tooth;  // counter-clockwise: up the side y < 0, down the other
+  std::vector<Vec2> tooth;  // counter-clockwise: out along the side y < 0, then in along the other
   for (const Vec2& p : half) tooth.push_back({p.x(), -p.y()});
   for (auto p = half.rbegin(); p != half.rend(); ++p) tooth.push_back(*p);
   std::vector<Vec2> all;

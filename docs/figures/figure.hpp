@@ -1,7 +1,8 @@
-// One figure of the theory pages: an SVG file of its own, drawn by the engine's geometry.
+// One figure of the theory pages, which is an SVG file drawn from the geometry of the engine.
 //
-// The shapes and the colours are those of the report (figure/svg.hpp, figure_style.css): light, and dark
-// for readers who prefer that, on a ground of its own, so that it can be read on any page. Words may hold symbols in braces, "radius {r_b}", which get real indices.
+// Shapes and colours are those of the report (figure/svg.hpp, figure_style.css): light, and dark for
+// readers who prefer that. The figure has its own background, so that it is readable on any page.
+// Words may contain symbols in braces, for example "radius {r_b}", which are set with subscripts.
 //
 //   px    pixels of the picture, y down        mm    the plane of a Viewport, y up
 #pragma once
@@ -28,31 +29,31 @@ struct Viewport {
   }
 };
 
-/// Words with symbols in braces as SVG text content.
+/// Returns words with symbols in braces as the content of an SVG text element.
 std::string markup(std::string_view words);
 
 class Figure {
  public:
-  /// `name` is the file's, without ".svg"; the title is read aloud.
+  /// `name` is the name of the file without ".svg". A screen reader reads the title aloud.
   Figure(std::string_view name, double width, double height, std::string_view title,
          std::string_view description);
 
   Svg& svg() { return svg_; }
   std::string_view name() const { return name_; }
-  /// The file's text.
+  /// Returns the text of the file.
   std::string str() const;
 
-  /// Words at `at` + `offset` px; `style` names classes of the figures' style.
+  /// Draws words at `at` + `offset` px. `style` contains names of classes of figure_style.css.
   void label(const Vec2& at, std::string_view words, Anchor anchor = Anchor::start,
              const Vec2& offset = Vec2::Zero(), std::string_view style = "");
-  /// A line with a head at its end, or at both.
+  /// Draws a line with an arrowhead at its end, or at both ends.
   void arrow(const Vec2& from, const Vec2& to, std::string_view style, bool both = false);
-  /// Part of a circle, polar angles from … to in rad of the Viewport's plane, with a head at its
-  /// end (1) or at both (2).
+  /// Draws an arc between the polar angles `from` and `to`, in rad, of the Viewport's plane. It has
+  /// no arrowhead, one at its end (1) or one at both ends (2).
   void arc(const Viewport& view, const Vec2& center, double radius, double from, double to,
            std::string_view style, int heads = 0);
   void circle(const Viewport& view, const Vec2& center, double radius, std::string_view style);
-  /// Points in mm as a line, and as a filled shape.
+  /// line() draws points in mm as an open line, shape() as a filled shape.
   void line(const Viewport& view, const std::vector<Vec2>& mm, std::string_view style);
   void shape(const Viewport& view, const std::vector<Vec2>& mm, std::string_view style);
   void dot(const Viewport& view, const Vec2& mm, std::string_view style, double radius = 3.5);
@@ -64,36 +65,36 @@ class Figure {
   Svg svg_;
 };
 
-/// Values lo … hi at from … to, px.
+/// An axis of a plot: the values lo … hi are drawn at the pixels from … to.
 struct Axis {
   double lo, hi, from, to;
   double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
 };
 
-/// A plot's frame with ticks on both axes (no columns: none below) and words: under it, and above
-/// its left edge.
+/// Draws the frame of a plot with ticks on both axes (none below if `columns` is 0), the words `foot`
+/// below the frame and the words `head` above its left edge.
 struct Plot {
   Axis x, y;
   Vec2 px(double a, double b) const { return {x(a), y(b)}; }
 };
 void draw_frame(Figure& figure, const Plot& plot, std::string_view foot, std::string_view head,
                 int columns = 6, int rows = 6);
-/// The finite values as one line.
+/// Draws the finite values as one line.
 void draw_curve(Figure& figure, const Plot& plot, const std::vector<Vec2>& values,
                 std::string_view style);
 
-/// The transverse outline of half a tooth, root to tip, within `tolerance` mm.
+/// Returns the transverse outline of half a tooth from root to tip, within `tolerance` mm.
 std::vector<Vec2> half_tooth(const Gear& gear, double tolerance);
 
-/// The section of teeth `first` … `last` (whole: 0 … |z| − 1), turned by `angle` rad about the
-/// axis. A whole gear is a closed polygon.
+/// Returns the section of the teeth `first` … `last`, turned by `angle` rad about the axis. The teeth
+/// 0 … |z| − 1 give the closed polygon of the whole gear.
 std::vector<Vec2> teeth(const Gear& gear, int first, int last, double angle, double tolerance);
 
-/// The points turned about the origin, then moved.
+/// Returns the points, first turned about the origin, then moved.
 std::vector<Vec2> placed(std::vector<Vec2> points, double angle, const Vec2& shift);
 Vec2 polar(double radius, double angle);
 
-/// A gear that exists; a figure's numbers are ours, so anything else is a mistake.
+/// Makes a gear. Throws std::logic_error if it does not exist, because the values are our own.
 Gear gear_of(const CylindricalSpec& spec);
 
 // ---- the figures, in the order of the pages ----

@@ -61,7 +61,7 @@ Figure frames_figure() {
   f.label(view.px(o_2 + polar(two.tip_diameter / 2 - 15, turned)), "tooth 0", Anchor::start,
           {2, -12}, "g2 halo small");
 
-  // How they turn.
+  // Directions of rotation.
   f.arc(view, {0, 0}, 26, 2.6, 1.75, "g1 thick", true);
   f.label(view.px(polar(30, 2.3)), "{φ1}", Anchor::end, {-3, -4}, "g1 halo");
   f.arc(view, o_2, 30, 0.55, 1.35, "g2 thick", true);

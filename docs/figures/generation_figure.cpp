@@ -1,5 +1,5 @@
-// Page 3: a rack rolls over a gear of nine teeth. The envelope of its edge is the tooth: an
-// involute above, a trochoid below, and here an undercut.
+// Page 3: a rack rolls over a gear of nine teeth. The envelope of its edge is the tooth. The flank is
+// an involute and the fillet a trochoid, with undercut in this example.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -11,8 +11,9 @@ namespace gearwright::figures {
 
 namespace {
 
-// The cutter's edge on the side y ≥ 0 from the middle of its tooth to where its flank ends, at most
-// `highest` above the datum line; in its normal section, which is the transverse one here (β = 0).
+// Returns the cutter's edge on the side y ≥ 0, from the middle of a cutter tooth to the end of its
+// flank, but at most to `highest` above the datum line. The section is the normal one, which is also
+// the transverse one here (β = 0).
 std::vector<Vec2> edge_points(const CutterEdge& edge, double module, double highest) {
   std::vector<Vec2> points{{-edge.tip_depth, std::numbers::pi * module / 2},
                            {-edge.tip_depth, edge.tip_land_end}};
@@ -52,8 +53,8 @@ Figure generation_figure() {
   const double pitch = std::numbers::pi * spec.normal_module;
   const Viewport view{860, 600, {45.5, 0}, 16, true};
 
-  // A tooth of the cutter beside the gear's tooth, on either side of it; seen from the gear when
-  // that has turned by `angle`, it has moved by r times that.
+  // The teeth of the cutter on both sides of the gear's tooth. When the gear has turned by `angle`,
+  // the cutter has moved by r · `angle`.
   std::vector<Vec2> cutter;
   for (auto p = side.rbegin(); p != side.rend(); ++p) cutter.push_back(*p);
   for (const Vec2& p : side) cutter.push_back({p.x(), pitch - p.y()});
@@ -83,12 +84,11 @@ Figure generation_figure() {
     }
   }
 
-  // One position: a point of the flank is cut when its normal passes through the pitch point.
+  // One position. A point of the flank is cut when its normal passes through the pitch point P.
   const Arc& flank = *gear.tooth->outline.find(ArcName::flank);
   const CurvePoint cut = flank.at(0.62);
   const double alpha = spec.normal_pressure_angle.rad();
-  // The flank's tangent is that of the rack's edge, turned: angle − α there, with the normal
-  // through P.
+  // The tangent of the flank is the turned tangent of the rack's edge, at the angle `angle` − α.
   const double angle = cut.tangent_angle + alpha;
   const Vec2 pitch_point = polar(r, angle);
   f.line(view, seen(cutter, angle), "action thick");

@@ -1,5 +1,5 @@
-// Page 10: a span over four teeth as a length of the base tangent, and a ball in a space where the
-// parallel involute meets its middle.
+// Page 10: a span over four teeth as a length on the base tangent, and a ball in a space. The centre of
+// the ball is the point where the parallel curves of both involutes intersect.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kScale = 9.2;  // px/mm
 
-// The involute of the flank on the side `hand` of the tooth turned by `turned`, moved outward along
-// its normal by `off`, from roll angle a to b.
+// Returns the involute of the flank on the side `hand` of the tooth turned by `turned`, from roll angle
+// a to b. It is moved outward along its normal by `off`.
 std::vector<Vec2> involute_points(const Gear& gear, int hand, double turned, double off, double a,
                                   double b) {
   const double r_b = gear.base_radius();
@@ -33,7 +33,7 @@ void draw_span(Figure& f, const Gear& gear, const Viewport& view) {
   const Span span = *usual_span(gear);
   const double r_b = gear.base_radius(), half = span.length / 2;
   const double pitch = 2 * std::numbers::pi / gear.spec.teeth;
-  // The middle of the teeth between the anvils points up.
+  // The middle of the group of teeth between the anvils points up.
   f.shape(view, teeth(gear, -2, span.teeth + 1, -(span.teeth - 1) * pitch / 2, 0.002), "body1");
   f.circle(view, {0, 0}, r_b, "green dash");
   f.circle(view, {0, 0}, span.contact_diameter / 2, "ink dashdot");
@@ -64,7 +64,7 @@ void draw_ball(Figure& f, const Gear& gear, const Viewport& view) {
   for (const int hand : {1, -1}) {
     f.line(view, involute_points(gear, hand, -hand * pitch / 2, 0, 0.05, end), "g1 heavy");
     f.line(view, involute_points(gear, hand, -hand * pitch / 2, r, 0.15, end), "action dash");
-    // The contact: back along the normal, the tangent of the base circle.
+    // The point of contact lies on the normal through the ball's centre, tangent to the base circle.
     const double alpha = seat.center_pressure_angle;
     const Vec2 foot = polar(gear.base_radius(), hand * alpha);
     const Vec2 center{r_K, 0};

@@ -1,4 +1,4 @@
-// Page 12: the section of a gear in elements, as its compliance sees it, and a bump of load.
+// Page 12: the section of a gear, divided into finite elements for its compliance, and a load bump.
 #include <cmath>
 #include <stdexcept>
 
@@ -21,7 +21,7 @@ Figure load_figure() {
                                       detail::mesh_options(gear, 0.0, ComplianceAccuracy::draft));
   if (!made) throw std::logic_error(made.error().message());
   const SectionMesh& mesh = *made;
-  // The tooth's centre line points up.
+  // The centre line of the tooth points up.
   const Viewport view{900, 520, {11.2, 0}, 98, true};
   const auto point = [&](int node) {
     return Vec2(mesh.nodes[node].real(), mesh.nodes[node].imag());

@@ -1,4 +1,4 @@
-// Draws the figures of the theory pages, or checks that the files are what it draws.
+// Draws the figures of the theory pages, or checks that the existing files are up to date.
 //
 //   docs_figures DIR             writes DIR/00-notation.svg and so on
 //   docs_figures --check DIR     compares; exits 1 and names every file that differs

@@ -1,5 +1,5 @@
-// Page 2: the mesh triangle. Two base circles, their common tangent, and the path of contact on it,
-// with the teeth in contact at a point between B and C.
+// Page 2: the mesh triangle. The figure shows two base circles, their common tangent and the path of
+// contact on it. The teeth are in contact at a point between B and C.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -31,8 +31,8 @@ Figure mesh_triangle_figure() {
   const Mesh<double>& m = pair.mesh;
   const Viewport view{860, 620, {a / 2 - 6, 8}, 3.7};
 
-  // Gear 1 turned until its leading flank touches at ρ_1: that flank passes C when its half
-  // thickness on the pitch circle has passed the centre line.
+  // Gear 1 is turned until its leading flank touches at ρ_1. The flank passes C when the middle of the
+  // tooth is half the tooth thickness, on the pitch circle, before the centre line.
   const double r_b1 = one.base_radius();
   const double alpha = m.rack.sides[0].transverse_angle;
   const double half =
@@ -79,7 +79,7 @@ Figure mesh_triangle_figure() {
   f.label(view.px(on(rho)), "touch: {ρ_1} from {T_1}, {ρ_2} from {T_2}", Anchor::end, {-16, -12},
           "action halo small");
 
-  // N along the line, a along the centre line, both beside what they measure.
+  // N is drawn parallel to the line of action, a parallel to the centre line, each at some distance.
   const Vec2 across = 5.5 * Vec2(std::cos(alpha), std::sin(alpha));
   f.arrow(view.px(t_1 + across * 3.2), view.px(t_2 + across * 3.2), "soft", true);
   f.line(view, {t_1, t_1 + across * 3.6}, "soft thin");

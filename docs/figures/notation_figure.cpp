@@ -1,5 +1,5 @@
-// Page 0: one tooth with the symbols of a gear: its circles, its thicknesses, its arcs, and the
-// string that draws the involute.
+// Page 0: one tooth with the symbols of a gear. They are its circles, thicknesses and arcs, and the
+// string whose end describes the involute.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -68,7 +68,7 @@ Figure notation_figure() {
   f.label(view.px(polar(r - 1.7, -psi - 0.5 * pitch)), "{p_t}", Anchor::middle, {0, 20}, "halo");
   f.line(view, {Vec2(100, 0), Vec2(150, 0)}, "soft dashdot thin");
 
-  // The string: from the base tangent point to a point Y of the flank on the side y < 0.
+  // The string from the base tangent point to a point Y of the flank on the side y < 0.
   const Vec2 at_tip = gear.tooth->outline.find(ArcName::flank)->end_point;
   const double rho_y = 0.5 * at_tip.norm() + 0.5 * r;
   const double xi = std::sqrt(rho_y * rho_y / (r_b * r_b) - 1);

@@ -1,5 +1,5 @@
-// Page 11: what a strength rating looks at. Left the critical section of a tooth and its load, from
-// the very numbers of the rating; right the life lines of flank and root.
+// Page 11: the geometry of a strength rating. Left: the critical section of a tooth and its load, with
+// the values that the rating uses. Right: the life curves of flank and root.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ void draw_section(Figure& f) {
   const CriticalSection& s = *section;
   const Viewport view{430, 470, {102, 0}, 9.5, true};
   f.shape(view, teeth(gear, 0, 0, 0, 0.01), "body1 g1");
-  // The load meets the tooth's centre line at α_Fen, h_F above the section.
+  // The line of the load intersects the centre line of the tooth at α_Fen, h_F above the section.
   const double r_b = gear.base_radius();
   const double apex = r_b / std::cos(s.alpha_Fen);
   const double chord = apex - s.h_F;

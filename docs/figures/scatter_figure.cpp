@@ -1,4 +1,4 @@
-// Page 14: places of bores in their circles, at random and by a scrambled Sobol sequence.
+// Page 14: positions of a bore in its circle of tolerance, at random and by a scrambled Sobol sequence.
 #include "docs/figures/figure.hpp"
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/scatter/distribution.hpp"

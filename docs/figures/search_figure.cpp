@@ -1,6 +1,6 @@
-// Page 9: the s1–s2 graph of one pair of tooth numbers. Every limit leaves one interval on a line Σ
-// = const; together they leave the region. On the right, the length of the path of contact along
-// one such line.
+// Page 9: the s1–s2 graph of one pair of tooth numbers. On a line Σ = const, every limit leaves one
+// interval. The region contains the shifts that all limits allow. Right: the length of the path of
+// contact along one such line.
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -79,7 +79,7 @@ Figure search_figure() {
       f.svg().polyline(points, at < styles.size() ? styles[at] : "ink thick");
       const Vec2 middle = 0.5 * (edge.points.front() + edge.points.back());
       const Vec2 along = edge.points.back() - edge.points.front();
-      const Vec2 out = Vec2(along.y(), along.x()).normalized();  // px, y down: away from the region
+      const Vec2 out = Vec2(along.y(), along.x()).normalized();  // away from the region; px, y down
       if (along.norm() < 0.05) continue;
       const Anchor anchor = out.x() > 0.3    ? Anchor::start
                             : out.x() < -0.3 ? Anchor::end
@@ -105,7 +105,7 @@ Figure search_figure() {
             "g2 small halo");
   }
 
-  // Right: E along that line, concave in x1, against the least length K.
+  // Right: E along that line is a concave function of x1. K is the least permissible length.
   const SumPlace at_sum = graph.place(sum);
   std::vector<Vec2> path;
   double most = 0;

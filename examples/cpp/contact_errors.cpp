@@ -1,4 +1,4 @@
-// Contact in a crooked housing, with modified flanks: where the teeth touch, and how unevenly they turn.
+// Contact with shaft errors and modified flanks: the points of contact and the transmission error.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -11,7 +11,7 @@ int fail(const Error& error) {
   return 1;
 }
 
-// The gears live in this function only: what contact() gives keeps all it needs.
+// The gears are local variables, because the result of contact() contains all data that it needs.
 Result<Contact> crooked() {
   CylindricalSpec spec{.teeth = 21, .normal_module = 3, .helix_angle = 12_deg, .face_width = 40};
   const Result<Gear> pinion = make_gear(spec);

@@ -1,4 +1,4 @@
-// Crossed axes: two right hands at 90 degrees, and which helices fit a given place.
+// Crossed axes: two right-hand gears at 90 degrees, and helix angles that fit a given centre distance.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -26,7 +26,7 @@ int main() {
   const FaceWidths<double>& widths = pair->crossed()->face_widths;
   std::printf("face widths      %.4f and %.4f mm\n", widths.both_flanks[0], widths.both_flanks[1]);
 
-  // The question turned round: 12 and 24 teeth for shafts 40 mm apart.
+  // The inverse problem: the helix angles of 12 and 24 teeth for a centre distance of 40 mm.
   FitProblem problem;
   problem.teeth = {12, 24};
   problem.normal_module = 1.5;

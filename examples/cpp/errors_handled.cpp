@@ -1,4 +1,4 @@
-// What goes wrong is a value: an error names the field to mend, a warning what the gear became.
+// Errors and warnings are values. An error contains the field to correct, a warning a defect of the gear.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -16,13 +16,13 @@ void tell(const Result<Gear>& gear) {
 }
 
 int main() {
-  // A number that cannot be: the sentence says which, and what is allowed.
+  // An invalid number: the message contains its name and the allowed range.
   tell(make_gear({.teeth = 17, .normal_module = -1, .face_width = 5}));
 
-  // A gear that can be made, but is undercut: data, not an error.
+  // An undercut gear can be made, so undercut is a warning, not an error.
   tell(make_gear({.teeth = 9, .normal_module = 2, .face_width = 5}));
 
-  // Two gears that do not go together.
+  // Two gears that cannot mesh.
   const Result<Gear> one = make_gear({.teeth = 20, .normal_module = 2, .face_width = 10});
   const Result<Gear> other = make_gear({.teeth = 30, .normal_module = 2.5, .face_width = 10});
   if (!one || !other) return 1;
@@ -30,7 +30,7 @@ int main() {
   if (!pair) tell(pair.error());
   if (!pair && pair.error().field == "gear2.normal_module") std::printf("mend: the wheel\n");
 
-  // Two that do, and lose contact where the shafts stand too far apart: `contact_lost`.
+  // Two gears that mesh, but lose contact because the shafts are too far apart.
   const Result<Pair> far = mount(*one, *one, {.center_distance = 42});
   if (!far) return 1;
   const Result<Contact> touching = contact(*far, {.center_distance = 3});

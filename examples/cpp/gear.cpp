@@ -1,4 +1,4 @@
-// One gear: its numbers, its outline, and what a calliper reads over a tooth.
+// One gear: its main dimensions, its outline, and the chord that a calliper measures.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>

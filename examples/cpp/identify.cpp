@@ -1,4 +1,4 @@
-// Which gear is this? The standard gears that the readings of a broken one allow.
+// Identification: the standard gears that fit the measurements of a broken gear.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>

@@ -1,4 +1,4 @@
-// Teeth under torque: how far they yield, and what flanks and roots bear.
+// Teeth under torque: transmission error, flank pressure and root stress.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -25,7 +25,7 @@ int main() {
 
   const ContactErrors errors{.crossing = 0.01_deg};
   const LoadInput load{.torques = {200, 480}, .positions = 16};  // N m on gear 1
-  std::vector<Warning> warnings;  // that the bodies are held at half the root, for example
+  std::vector<Warning> warnings;  // for example: the bodies are held at half the root
   const Result<LoadAnalysis> found = loaded(*pair, errors, load, warnings);
   if (!found) return fail(found.error());
   for (const LoadedTorque& t : found->contact->torques) {

@@ -1,4 +1,4 @@
-// What a workshop measures of a gear: span, dimension over balls and chord, with the usual tools.
+// Measurements in a workshop: span, dimension over balls and chord, with usual and with given tools.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>

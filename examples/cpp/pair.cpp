@@ -1,4 +1,4 @@
-// Two gears in a housing: how much of the teeth works, with what play and what clearance.
+// Two gears in a housing: contact ratio, backlash, tip clearance and sliding.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -29,7 +29,7 @@ int main() {
   const Result<Pair> pair = mount(*gear_1, *gear_2, {.center_distance = 78.6056});
   if (!pair) return fail(pair.error());
 
-  const ParallelPair& teeth = *pair->parallel();  // null of any other kind of pair
+  const ParallelPair& teeth = *pair->parallel();  // null for any other kind of pair
   std::printf("free of backlash at  %.4f mm\n", teeth.backlash_free_center_distance.value());
   std::printf("contact ratio        %.4f\n", pair->contact_ratio());
   std::printf("normal backlash      %.4f mm\n", teeth.mesh.backlash.normal);

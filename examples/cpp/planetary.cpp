@@ -1,4 +1,4 @@
-// A planetary set: its ratio, efficiency, places and phases, and each mesh as a pair of gears.
+// A planetary set: its ratio, efficiency, speeds and play, and each mesh as a pair of gears.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -22,7 +22,7 @@ int main() {
   set.speeds_rpm = {1500.0};
   set.torque_Nm = 40.0;
 
-  const Result<DriveGraph> graph = graph_of(set);  // the ring is held, the sun drives
+  const Result<DriveGraph> graph = graph_of(set);  // the ring is fixed, the sun drives
   if (!graph) return fail(graph.error());
   const Result<Drive> drive = make_drive({*graph});
   if (!drive) return fail(drive.error());

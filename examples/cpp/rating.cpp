@@ -1,4 +1,4 @@
-// What a pair bears by ISO 6336: safeties, and the torque that keeps a wanted safety.
+// A rating by ISO 6336: safety factors, and the torque for required safety factors.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>

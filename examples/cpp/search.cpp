@@ -1,4 +1,4 @@
-// Which gears to make: every pair with a ratio near 2 for 99 to 101 mm, the best first.
+// A search for pairs with a ratio near 2 and a centre distance of 99 to 101 mm, the best first.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -18,7 +18,7 @@ int main() {
 
   const Search search(problem);
   const auto candidates = search.space().size();
-  if (!candidates) return 1;  // more than can be counted
+  if (!candidates) return 1;  // too many to count
   std::vector<DesignRow> rows;
   const SearchCounts counts = search.range(0, *candidates, rows);
   BestDesigns best(problem, 5);

@@ -1,4 +1,4 @@
-// Does it run? The verdict over a pair at a fixed centre distance, at the ends of its tolerances too.
+// The verdict on a pair at a fixed centre distance, also at the ends of its tolerances.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>

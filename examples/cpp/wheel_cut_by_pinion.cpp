@@ -18,7 +18,7 @@ int main() {
   const Result<Gear> cutter = make_gear(spec);
   if (!cutter) return fail(cutter.error());
 
-  // The cutter stands where the ring gets its profile shift.
+  // At this distance from the cutter, the ring has a profile shift of -0.35.
   const Result<double> distance = generating_distance(*cutter, -66, -0.35);
   if (!distance) return fail(distance.error());
   const Result<Gear> ring = make_pinion_cut_gear(

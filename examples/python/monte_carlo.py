@@ -1,4 +1,4 @@
-"""How loud are ten thousand housings? Errors of mounting drawn at random, one transmission error each. Run by the tests."""
+"""Transmission errors of ten thousand housings with random errors of mounting. Run by the tests."""
 
 import sys
 

@@ -1,7 +1,7 @@
 """A pair in FreeCAD: exact STEP bodies, a bore cut into each, placed by pose(), saved as a document.
 
-Run it with FreeCAD's own Python: freecadcmd examples/python/with_freecad.py (Debian: freecad-python3, 650 MB, which is
-why no test asks for it). The tests run it where freecadcmd is installed, and skip it elsewhere; it has run with FreeCAD 0.20.2.
+Run it with FreeCAD's own Python: freecadcmd examples/python/with_freecad.py (Debian: freecad-python3, 650 MB). The
+tests run it only if freecadcmd is installed, because the package is large. It has been run with FreeCAD 0.20.2.
 """
 
 import FreeCAD as App
@@ -11,7 +11,7 @@ import Part
 pair = gw.load("examples/helical_pair.toml")
 document = App.newDocument("pair")
 for which, gear in ((1, pair.gear1), (2, pair.gear2)):
-    gear = gear.replace(bore=None)  # the spec's own, with a keyway
+    gear = gear.replace(bore=None)  # removes the spec's bore and keyway
     solid = Part.read(str(gear.step(f"gear{which}.step")))
     bore = Part.makeCylinder(8, 2 * gear.face_width, App.Vector(0, 0, -gear.face_width))
     body = document.addObject("Part::Feature", f"Gear{which}")

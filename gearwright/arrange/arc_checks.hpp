@@ -13,8 +13,8 @@ bool has_arcs(const GearInput& gear);
 /// True if one of the gears has arcs.
 bool has_arcs(const GivenPair& given);
 
-/// Rejects inputs without meaning for circular-arc teeth: a gear cut by one of them, tips shortened
-/// by profile shifts, crossed axes.
+/// Rejects inputs that have no meaning for circular-arc teeth: a cutter with such teeth, tips shortened
+/// because of profile shifts, crossed axes.
 std::optional<Error> check_arcs(const GivenPair& given);
 
 }  // namespace gearwright

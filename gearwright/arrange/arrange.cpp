@@ -61,7 +61,8 @@ void collect_warnings(Arranged& arranged) {
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 
-// Sets the given profile shifts of the gears. Returns true if a tip must keep a clearance.
+// Sets profile shifts and face widths of the gears from the input. Returns true if the tip of a gear
+// is given by its clearance to the mating root.
 Result<bool> begin_gears(GivenPair& given) {
   bool clear_tips = false;
   for (const int which : {1, 2}) {

@@ -1,8 +1,9 @@
-// Computes gears and a pair from one or two gears as a drawing gives them. Absent values follow
+// Computes one or two gears, and their pair, from the data of a drawing. Absent values are computed
 // from the others, and contradictions are errors.
 //
-// Shifts and centre distance complete each other, a cutter's numbers become those of the gear that it
-// cuts, a backlash sets the thickness of the teeth, absent face widths are 10 m_n with a warning.
+// Profile shifts and centre distance determine each other. The cutter of a gear determines its module
+// and angles. A required backlash determines the tooth thickness. An absent face width is 10 m_n, with
+// a warning.
 #pragma once
 
 #include <memory>
@@ -18,11 +19,11 @@ struct ArrangedEnds;
 
 /// The completed gears and pair. If there is a pair, `gears` are the gears of the pair.
 struct Arranged {
-  GivenPair completed;         ///< the input with the values that follow: shifts, thickness, tips
+  GivenPair completed;         ///< the input with computed values added: shifts, thickness, tips
   std::vector<Gear> gears{};   ///< one or two
   std::optional<Pair> pair{};  ///< of two gears, if a pair was requested
   std::vector<Warning> warnings{};             ///< of gears and pair, with the gear's number
-  std::shared_ptr<const ArrangedEnds> ends{};  ///< both ends of its tolerances; none if it has none
+  std::shared_ptr<const ArrangedEnds> ends{};  ///< at the ends of the tolerances; null without them
   std::shared_ptr<const GivenPair> given{};    ///< the unchanged input
 
   /// Gear 1 or 2.   Domain  this gear exists (contract)
@@ -33,8 +34,8 @@ struct Arranged {
 };
 
 /// Gears and pair at both ends of their tolerances. `lower` has the thinnest teeth and the centre
-/// distance with the most backlash. `upper` has the thickest teeth and the least backlash. The
-/// manufactured gears, and contact, use the mean of the allowances.
+/// distance with the most backlash. `upper` has the thickest teeth and the least backlash. The gears
+/// of the nominal result, and the contact analysis, use the mean of the allowances.
 struct ArrangedEnds {
   Arranged lower, upper;
 };
@@ -46,7 +47,7 @@ enum class Scope {
 };
 
 /// Domain    a first gear (contract)
-/// Errors    the input's member at fault, "gear2.profile_shift", "pair.center_distance"
+/// Errors    name the faulty member of the input: "gear2.profile_shift", "pair.center_distance"
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);
 
 }  // namespace gearwright

@@ -12,10 +12,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNear =
-    1e-12;                      // mm or degrees; the printed result then equals the requested value
-constexpr double kSame = 1e-9;  // a larger difference means that no such thickness exists
-constexpr int kMostSteps = 12;  // number of secant steps; involute teeth need one
+constexpr double kNear = 1e-12;  // mm or degrees; within this, the printed result is the request
+constexpr double kSame = 1e-9;   // a larger difference means that no such thickness exists
+constexpr int kMostSteps = 12;   // number of secant steps; involute teeth need one
 
 struct Wanted {
   const char* field;
@@ -29,8 +28,7 @@ Wanted wanted_of(const PairInput& p) {
   return {"pair.backlash_angle", p.backlash_angle->deg()};
 }
 
-// The sum of the reductions of both tooth thicknesses, in mm of the normal section, is split
-// between the two gears.
+// Splits the total thinning, mm in the normal section, between the two gears.
 void thin(GivenPair& given, double thinning) {
   const double share = given.pair.backlash_split;
   const std::array<double, 2> shares{share, 1.0 - share};

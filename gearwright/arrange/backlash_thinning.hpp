@@ -11,8 +11,8 @@ namespace gearwright {
 
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
 /// `backlash_split` divides the thinning between the gears. Backlash is linear in the allowances of
-/// involute teeth and nearly linear in those of arcs. It is measured on the mounted pair itself, so
-/// it equals the backlash of the result.
+/// involute teeth and nearly linear in those of arcs. The backlash of the mounted pair itself is
+/// computed, so the result has exactly this backlash.
 ///
 /// Accuracy  1e-9 mm, or degrees
 /// Domain    given.pair.wants_backlash(), two gears cut by racks, their shifts complete (contract)

@@ -7,11 +7,11 @@
 
 namespace gearwright {
 
-/// The rim of an internal gear: as given, or one of 2.5 modules around its roots.
+/// The rim of an internal gear: the given one, or by default a rim 2.5 modules thick outside the roots.
 Bore rim(const Gear& ring);
 
 /// A warning if there is no material between bore and roots, or between roots and rim of an
-/// internal gear. A groove of the diameter `groove` mm, of a double-helical gear, is a limit too.
+/// internal gear. The groove of a double-helical gear, of diameter `groove` mm, limits the body too.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 }  // namespace gearwright

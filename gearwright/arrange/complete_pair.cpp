@@ -39,8 +39,8 @@ ShiftProblem shift_problem(const GivenPair& given) {
   return p;
 }
 
-// Shifts and centre distances are completed for gears cut with the same rack angle and module, on
-// parallel axes also with the same |β|.
+// True if both racks have the same module and pressure angle. Only then can profile shifts and centre
+// distance be computed from each other.
 bool share_a_rack(const GivenPair& given) {
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
   const CylindricalSpec& c2 = given.gears[1]->cylindrical;
@@ -49,8 +49,8 @@ bool share_a_rack(const GivenPair& given) {
          near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
 }
 
-// Tips shortened so that the clearance of the racks is kept at this distance: k m_n = σ (a −
-// a_ext). [T2.21]
+// Shortens the tips so that the clearance of the racks is kept at the centre distance a:
+// k m_n = σ (a − a_ext). [T2.21]
 void shorten_tips(GivenPair& given, double a) {
   double extended = 0.0;
   const double side = side_of(given.gears[1]->cylindrical.teeth);
@@ -112,7 +112,7 @@ std::optional<Error> check_hands(const GivenPair& given) {
   const double b2 = c2.helix_angle.deg();
   const bool one_angle = b1 != 0.0 && std::abs(b1 - b2) <= 1e-9 * std::abs(b1);
   if (!one_angle || c1.teeth < 0 || c2.teeth < 0) return std::nullopt;
-  // The sign of the helix angle of a base cylinder is always given.
+  // A gear that is given by its base cylinder always has a signed helix angle.
   if (given.gears[0]->basic || given.gears[1]->basic) return std::nullopt;
   const std::string opposite =
       given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
@@ -138,8 +138,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // If neither profile shifts nor a shaft angle are given, this is the minimum centre distance of
-    // the pair.
+    // If neither profile shifts nor a shaft angle is given, the given centre distance is taken as the
+    // minimum centre distance of the pair.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
@@ -152,8 +152,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     given.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     given.shaft_angle_found = true;
   }
-  // Gears of one rack on parallel axes have a centre distance in closed form, exact to the last
-  // digit.
+  // For gears of one rack on parallel axes, the centre distance has a closed form, which is exact to
+  // the last digit.
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
   std::optional<double> a = given.pair.center_distance;
   if (by_shifts) {

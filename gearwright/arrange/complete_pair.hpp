@@ -1,4 +1,4 @@
-// Profile shifts, centre distance and shaft angle complete each other.
+// Computes the absent ones of profile shifts, centre distance and shaft angle of a pair.
 // Internal to arrange/.
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace gearwright {
 
-/// The place of the pair. Writes the shifts into the gears, a shaft angle that follows from the
-/// centre distance into the pair, and shortened tips. `shift_wanted`: one shift or both are absent
-/// and follow from the centre distance.
+/// The position of the gears of the pair. Computed shifts and shortened tips are written into the
+/// gears of `given`, and a shaft angle that follows from the centre distance into its pair.
+/// `shift_wanted` is true if one or both shifts are absent and follow from the centre distance.
 ///
 /// Domain    two gears (contract)
 /// Errors    `gear2.helix_angle` if a sign seems to be missing; as check_partners, complete_shifts

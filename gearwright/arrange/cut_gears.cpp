@@ -61,8 +61,8 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// A gear with its own cutter that names neither shift nor e meshes with its mating gear at the
-// pair's centre distance without backlash.
+// The profile shift at which a gear with its own cutter meshes with its mating gear at the pair's
+// centre distance without backlash. This is the default if neither the shift nor e is given.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);

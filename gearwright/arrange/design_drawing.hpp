@@ -1,7 +1,7 @@
-// The drawing of a design of a search, and the verdict over it.
+// Converts a design that a search has found to a drawing, and judges this drawing.
 //
 // A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
-// distance, and the pair is judged as any other pair, at all ends of them.
+// distance. The pair is judged like any other pair, at all ends of these tolerances.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
@@ -9,11 +9,11 @@
 
 namespace gearwright {
 
-/// The design as a drawing gives it.
+/// The design as the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row);
 
-/// The verdict over the drawing, with the rating in a rated search. Findings that every design has
-/// are left out: that the rating of plastics does not cover wear.
+/// The verdict over the drawing, with the rating if the search is rated. The finding that a rating of
+/// plastics does not cover wear is left out, because it applies to every design.
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
 }  // namespace gearwright

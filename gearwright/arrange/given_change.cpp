@@ -13,7 +13,8 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// A helix angle also sets the normal module if the transverse module is given.
+// If the transverse module is given, the helix angle also determines the normal module, so this change
+// is not made.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);
@@ -21,7 +22,7 @@ bool set_helix(GearInput& gear, double degrees) {
   return true;
 }
 
-// The halves of a double-helical gear are without the gap.
+// `value` includes the gap of a double-helical gear, and `face_width` is that of one half.
 void set_face(GearInput& gear, double value) {
   gear.cylindrical.face_width =
       gear.double_helical ? (value - gear.double_helical->gap) / 2 : value;

@@ -1,4 +1,4 @@
-// A change that the verdict tries, made in the input as a user would make it. Internal to arrange/.
+// Makes a change that the verdict tries, in the input, as a user would. Internal to arrange/.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// Sets the number. Returns false if the input gives it in another form, or leaves it to another
-/// gear.
+/// Sets the number. Returns false if the input gives this number in another form, or if the number
+/// follows from another gear.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// A gear as a drawing gives it, which arrange() completes. Absent values follow from the others.
+// The data of one gear on a drawing, which arrange() completes. Absent values are computed from the others.
 //
 // Apart from the numbers of the gear itself, a drawing gives the cutting method, measurements,
 // tolerances, material and flank modifications.
@@ -23,14 +23,14 @@ namespace gearwright {
 
 struct GearInput;
 
-/// From, to.
+/// The two ends of a range.
 using Ends = std::array<double, 2>;
 
 /// The pinion cutter, and its cutting depth.
 struct CutByInput {
-  int gear = 0;                              ///< 1 or 2 if this finished gear cuts; 0 for a cutter
+  int gear = 0;                              ///< 1 or 2 if this gear is the cutter, otherwise 0
   std::shared_ptr<const GearInput> cutter;   ///< the separate cutter
-  std::optional<double> profile_shift_pair;  ///< e: shift of the cutter and of the gear together
+  std::optional<double> profile_shift_pair;  ///< e: sum of the shifts of cutter and gear
   std::optional<double> module;              ///< mm; given although the cutter determines it
   std::optional<Angle> pressure_angle;       ///< α_n; given although the cutter determines it
 };
@@ -43,8 +43,8 @@ struct MeasureInput {
   std::optional<double> chord_diameter{};  ///< d_y  mm
 };
 
-/// The grade of the flanks, the thickness allowances in another form, and the deviations of the tip
-/// diameter, whether given or computed.
+/// The accuracy grade of the flanks, thickness allowances that are not given as numbers, and the
+/// deviations of a given or computed tip diameter.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< of ISO 1328-1
@@ -59,18 +59,19 @@ struct ToleranceInput {
   bool says_thickness() const { return series || span || over_balls; }
 };
 
-/// The gear's numbers; `cylindrical.profile_shift` is used once `profile_shift` is known.
+/// The input for one gear. `profile_shift` is the given shift, and arrange() writes the resulting shift
+/// to `cylindrical.profile_shift`.
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< if false, it is 0, or unknown for `fit`
+  bool helix_given = false;             ///< if false, the helix angle is 0, or unknown for `fit`
   bool hand_given = false;              ///< true if the hand is a word, not the sign of the helix
   bool transverse_given = false;  ///< module or pressure angle is that of the transverse section
-  bool face_width_given = false;  ///< if false, 10 m_n, with a warning
-  std::optional<BaseGear<double>> basic;  ///< determines module, helix and shift
+  bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
+  std::optional<BaseGear<double>> basic;  ///< base cylinder, determines module, helix and shift
   std::optional<CutByInput> cut_by;       ///< none if cut by its rack
   std::optional<double> tip_clearance;    ///< of a tip fillet, to the mating root  mm
-  bool tip_clearance_by_rule = false;     ///< 0.2 m_n + 0.05 for a tip fillet without a number
+  bool tip_clearance_by_rule = false;     ///< true if this clearance is 0.2 m_n + 0.05
   std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the gear is made at their mean
   MeasureInput measure;
   ToleranceInput tolerance;
@@ -80,7 +81,7 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// A gear by all its numbers, including its profile shift; reset the shift to have it computed.
+  /// The input for a gear with a complete spec. Reset `profile_shift` to have the shift computed.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;
@@ -90,7 +91,7 @@ struct GearInput {
     return gear;
   }
 
-  /// A face width that is not given is 10 m_n.
+  /// Sets the face width to 10 m_n if it is not given.
   void complete_face_width() {
     if (!face_width_given) cylindrical.face_width = 10 * cylindrical.normal_module;
   }

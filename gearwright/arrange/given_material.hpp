@@ -11,8 +11,7 @@
 
 namespace gearwright {
 
-/// The given data. A name of the shipped table provides the others, and values given with the name
-/// take precedence.
+/// The given data. If `name` is in the shipped table, its row provides the values that are not given.
 struct MaterialInput {
   std::optional<std::string> name;
   std::optional<MaterialKind> kind;

@@ -1,4 +1,4 @@
-// One or two gears as a drawing gives them, which arrange() completes.
+// The data of one or two gears on a drawing, which arrange() completes.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
   Mounting mounting = Mounting::tight;
-  bool choose_profile_shifts = true;  ///< computes absent ones at a given centre distance
+  bool choose_profile_shifts = true;  ///< true if a given centre distance sets absent shifts
   bool shorten_tips = false;          ///< tips are shortened by k m_n if no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
@@ -26,7 +26,7 @@ struct PairInput {
   std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
   std::optional<Angle> backlash_angle;             ///< of gear 1, with gear 2 held
   std::optional<Ends> backlash_ends;               ///< j_n  mm, least and greatest
-  double backlash_split = 0.5;                     ///< gear 1's share of it
+  double backlash_split = 0.5;                     ///< gear 1's share of the thinning
   std::optional<Ends> distance_deviations;         ///< lower, upper  mm, of the centre distance
   std::optional<std::string> distance_tolerance;   ///< of ISO 286, "JS7"
   std::optional<double> bearing_span;              ///< L  mm, for the tolerances of the axes
@@ -36,11 +36,10 @@ struct PairInput {
 };
 
 struct GivenPair {
-  std::array<std::optional<GearInput>, 2> gears;  ///< one gear alone is the first
+  std::array<std::optional<GearInput>, 2> gears;  ///< a single gear is the first
   PairInput pair;
   bool shaft_angle_found = false;  ///< true if not given but computed from the centre distance
-  std::vector<Warning> notes;      ///< on the input itself; they are added to the warnings of the
-                                   ///< result
+  std::vector<Warning> notes;      ///< notes on the input, added to the warnings of the result
 
   /// Gear 1 or 2; null if there is none.
   GearInput* find(int which) {

@@ -49,7 +49,7 @@ std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRati
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
                      const ToleranceCorner& corner, const JudgedWith& with) {
   const auto there = at_corner(arranged, tolerances, corner);
-  if (!there) return {};  // the ends themselves are solved already
+  if (!there) return {};  // only a combination can have no solution; both ends are solved
   JudgedWith of_there;
   const auto rated = with.rating ? rated_again(*there, *with.rating) : std::nullopt;
   if (rated)

@@ -31,7 +31,7 @@ struct LoadInput {
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm
   double deflection_offset =
-      0.0;  ///< µm, constant over the face; of a half of a double-helical gear
+      0.0;  ///< µm, constant over the face; used for a half of a double-helical gear
   std::vector<LoadProbeInput> probes{};
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFullLineLoad = 100;  // N/mm: the standard reduces the stiffness below it
 
-// σ_F0 under a tangential force of 1, of gears 1 and 2.
+// σ_F0 of gears 1 and 2 under a tangential force of 1 N.
 std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
   constexpr RatingEdition kEdition = RatingEdition::iso_2006;
   std::array<double, 2> list{};

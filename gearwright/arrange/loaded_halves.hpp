@@ -1,4 +1,4 @@
-// A double-helical pair under torque: each half under half of it, and the whole gears.
+// Computes a double-helical pair under torque: each half under half of the torque, and the whole gears.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 namespace gearwright {
 
 /// The halves under half of each torque, and the whole gears. `arranged` is the half at z > 0.
-/// Deflections are those over the whole face with the gap. If one half is wider than its mating
-/// half, both middles are taken at that of the narrower one.
+/// Deflections are given over the whole face including the gap. If one half is wider than its mating
+/// half, the middle of the narrower half is used for both.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as loaded()
@@ -21,8 +21,9 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The input of one half, from that of the whole gears: half of the torque, the deflections within
-/// this half, and for `below` the rotations and z of its mirror image. Probes are left out.
+/// The input for one half, derived from that for the whole gears: half of the torque, and the
+/// deflections within this half. For `below`, rotations and z are those of the mirror image. Probes are
+/// left out.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);
 

@@ -16,10 +16,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMostPoisson = 0.49;  // at 0.5, like a liquid, plane strain has no stiffness
-                                       // matrix
-constexpr double kHertzRatio = 0.1;    // half width over radius, above which the error of Hertz
-                                       // reaches a percent
+constexpr double kMostPoisson = 0.49;  // at 0.5, plane strain has no stiffness matrix
+constexpr double kHertzRatio = 0.1;    // half width over radius; above it, the error of Hertz'
+                                       // theory exceeds a percent
 
 Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<Warning>& warnings) {
   const GearInput& input = arranged.completed.gear(which);
@@ -99,8 +98,8 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
-// The rotations of gear 1 at positions of one kind, as many as fit into a sentence; empty if there
-// are none.
+// Lists the rotations of gear 1 at positions for which `is` returns true, at most kMostNamed of them;
+// empty if there are none.
 template <class Is>
 std::string rotations_where(const LoadedTorque& t, Is is) {
   constexpr int kMostNamed = 8;
@@ -116,7 +115,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // Whether teeth touch does not depend on the torque.
+  // Contact or its absence does not depend on the torque.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(

@@ -1,4 +1,4 @@
-// A pair under torque, and probes of its teeth: its bodies, the resolution, and whether the result
+// Computes a pair under torque and probes of its teeth: bodies, resolution, and a check that the result
 // can be used.
 #pragma once
 
@@ -24,46 +24,46 @@ struct LoadAnalysis {
   std::optional<LoadedContact> contact;      ///< none if there are probes only
   std::optional<PairCompliance> compliance;  ///< of its teeth
   std::vector<ProbeAnswer> probes;           ///< of LoadInput::probes
-  /// Of a double-helical pair, whose other results are those of the whole gears: at z > 0 and at
-  /// z < 0; else empty.
+  /// The halves of a double-helical pair at z > 0 and at z < 0, otherwise empty. If there are halves,
+  /// the other results are those of the whole gears.
   std::vector<LoadAnalysis> halves{};
 };
 
-/// A half of a double-helical pair, which is computed as a pair of its own; the half at z < 0 as its
-/// mirror image.
+/// The position of a half of a double-helical pair. Each half is computed as a separate pair, and the
+/// half at z < 0 as its mirror image.
 struct HalfPlace {
   std::array<double, 2> middle{};  ///< mm, as ContactMount
   bool below = false;
-  const PairCompliance* ready = nullptr;  ///< of the other half, which has the same teeth
+  const PairCompliance* ready = nullptr;  ///< that of the other half, which has the same teeth
 };
 
 /// Fraction of the root diameter at which a gear without a bore is held.
 inline constexpr double kShaft = 0.5;
 
-/// The pair under each of the torques, and its probes. Limits of the result are added to
-/// `warnings`.
+/// The pair under each of the torques, and its probes. Warnings about limits of the result are added
+/// to `warnings`.
 ///
-/// Domain    torques or probes, with torques a pair (contract)
+/// Domain    torques or probes; torques need a pair (contract)
 /// Errors    `pair.…` and `gearN.…` if loaded contact does not support such gears;
-///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` too many,
+///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` if there are too many,
 ///           `load.probe[i].…`; as setup_of
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr,
                             const std::optional<HalfPlace>& half = {});
 
-/// The pair under this single torque on gear 1, N m, with the other numbers of `input`.
+/// The pair under the single torque `torque` on gear 1, N m, with the other numbers of `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
                                     std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The part of loaded() with a torque, divided into steps: tables of the teeth, positions, and
-/// finally judge_load.
+/// The computation of loaded() for torques, divided into steps: the compliance of the teeth, the
+/// contact at all positions, and finally judge_load().
 struct LoadTask {
   ContactSetup setup;
   LoadRequest request;  ///< without progress
   bool gear2_drives = false;
-  bool with_errors = false;   ///< or deflections
+  bool with_errors = false;   ///< true with errors of mounting or deflections
   double torque_share = 1.0;  ///< of the torque on gear 1; 0.5 for a half of a double-helical gear
 
   ContactPair pair() const { return setup.pair(gear2_drives); }
@@ -77,7 +77,8 @@ struct LoadTask {
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings);
 
-/// The reason why a result cannot be used. Limits of a usable result are added to `warnings`.
+/// The reason why a result cannot be used. Warnings about limits of a usable result are added to
+/// `warnings`.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
 

@@ -26,7 +26,7 @@ double default_chord_diameter(const Gear& g) {
 
 constexpr int kMostSpans = 31;  // gears with more have hundreds of teeth
 
-// If a given tool cannot measure the gear, this is an error. Otherwise it is a warning.
+// Measures a gear. A given tool that does not fit causes an error, and a default tool a warning.
 class Measuring {
  public:
   Measuring(const Arranged& arranged, const MeasureRequest& request, std::vector<Warning>& warnings)
@@ -97,8 +97,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // The given diameter, or the default one: the standard size, or the ideal size if that does not
-  // fit.
+  // The seat of a ball of the given diameter. Without one, the standard size is used, or the ideal size
+  // if the standard size does not fit.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);
     if (!m.sizes) return std::nullopt;
@@ -187,8 +187,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // The axes of the pair, by the coarser of both gears. A mating gear without a grade has that of
-  // this gear.
+  // Sets the tolerances of the axes of the pair from the gear with the coarser helix tolerance. A
+  // mating gear without a grade is assumed to have the grade of this gear.
   void set_axes(FlankToleranceValues& t) {
     if (!request_.bearing_span) return;
     const int mate = 3 - which_;

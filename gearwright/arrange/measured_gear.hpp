@@ -1,4 +1,4 @@
-// The dimensions of a gear that a workshop measures: span, balls, pins, chords, and flank
+// Computes the dimensions of a gear that a workshop measures: span, balls, pins, chords, and flank
 // tolerances.
 //
 //   const auto measures = measure(*gear, {.span_teeth = 3});
@@ -55,21 +55,21 @@ struct GearMeasures {
   std::optional<ThicknessAt> thickness;
   std::optional<ReferenceGeometry<double>> reference;  ///< of an involute gear
   std::optional<EvaluationRanges> ranges;
-  std::optional<FlankToleranceValues> tolerances;  ///< with a grade
+  std::optional<FlankToleranceValues> tolerances;  ///< none if no grade is given
 };
 
 /// The gear, the tools, and additional data.
 struct MeasureRequest {
   int which = 1;
-  MeasureInput tools{};        ///< absent tools are the usual ones
+  MeasureInput tools{};        ///< default tools replace absent ones
   const Pair* pair = nullptr;  ///< as mounted, for the active flank; null for a single gear
   std::optional<double> bearing_span{};  ///< L  mm, for the tolerances of the axes
   /// Converts an error to words inside a warning; if empty, its message is used.
   std::function<std::string(const Error&)> words{};
 };
 
-/// A measurement that a gear does not have is absent. If its tool was not given, it also causes a
-/// warning: `no_chord`, `no_span`, `no_balls`. A contact off the usable flank is also a warning.
+/// All measurements of a gear. An impossible measurement is absent. If its tool was not given, there is
+/// also a warning: `no_chord`, `no_span`, `no_balls`. A contact off the usable flank is also a warning.
 ///
 /// Errors    `gearN.measure.…` if a given tool does not fit
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,

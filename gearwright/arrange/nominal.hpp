@@ -1,4 +1,4 @@
-// The gears and the pair at the mean of their tolerances, which need not be given.
+// Computes the gears and the pair at the mean of their tolerances, if they have any.
 // Internal to arrange/.
 #pragma once
 

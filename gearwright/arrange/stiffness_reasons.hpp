@@ -1,6 +1,5 @@
-// Finds the reasons for which teeth under load are softer or stiffer than in the standard: the same
-// pair is computed without its errors, without its modifications, with a wider face, and with solid
-// bodies.
+// Finds the reasons why teeth under load are softer or stiffer than in the standard. The same pair is
+// computed without its errors, without its modifications, with a wider face, and with solid bodies.
 #pragma once
 
 #include "gearwright/arrange/loaded_pair.hpp"

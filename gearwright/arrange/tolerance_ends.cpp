@@ -15,8 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// E_sn of a tooth that is thicker by this amount on the base cylinder, in its transverse section.
-// [T10.19]
+// E_sn of a tooth that has this transverse thickness on the base cylinder, mm. [T10.19]
 double allowance_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return gear.spec.thickness_allowance + (base_thickness - g.base_tooth_thickness) *
@@ -62,7 +61,7 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
   return ends;
 }
 
-// The deviations of the centre distance, mm: lower, upper.
+// The lower and the upper deviation of the centre distance, mm.
 Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   const PairInput& pair = nominal.completed.pair;
   if (!nominal.pair || (!pair.distance_deviations && !pair.distance_tolerance))
@@ -85,8 +84,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   return std::optional<Ends>({-*half, *half});
 }
 
-// d_a at one end: 0 is the shorter tooth and 1 the longer one, which has the lesser d_a on an
-// internal gear.
+// The tip diameter at one end. End 0 has the shorter tooth, and end 1 the longer one. On an internal
+// gear, the longer tooth has the smaller tip diameter.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
 }
@@ -103,7 +102,7 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
-// The input at one end. 0 is the thinnest and shortest teeth and the most backlash, and 1 is the
+// The input at one end. End 0 has the thinnest and shortest teeth and the most backlash, and end 1 the
 // thickest and longest teeth and the least backlash.
 GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<Ends>& deviations) {
   GivenPair given = nominal.completed;
@@ -120,7 +119,7 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
   } else if (given.pair.wants_backlash()) {
-    // A given backlash is that of the drawing, so the teeth thinned for it are unchanged.
+    // A given backlash applies to the nominal gears, so the teeth thinned for it do not change.
     given.pair.backlash.reset();
     given.pair.backlash_circumferential.reset();
     given.pair.backlash_angle.reset();
@@ -246,7 +245,7 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // A gear cut by another one has the thickness that its cutter determines.
+    // The thickness of these teeth is determined by the cutter or by the given base cylinder.
     if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);

@@ -1,8 +1,8 @@
-// Tolerances: thickness allowances that are not given as numbers, the gears at both ends, and a
-// nominal state at the combinations of the ends.
+// Converts tolerances to numbers, and computes the gears at both ends of their tolerances and at every
+// combination of the ends.
 //
 // Backlash, contact ratio, clearances, tip thickness and safeties are monotonic in each toleranced
-// number over its small range, so that the worst of each lies at a corner of the box of tolerances.
+// number over its small range. The worst value of each is therefore at a corner of the box of tolerances.
 // Internal to arrange/.
 #pragma once
 
@@ -18,12 +18,13 @@ namespace gearwright {
 
 /// The input with allowances converted to numbers from DIN 3967, a span, or a dimension over balls.
 ///
-/// Errors    `gearN.tolerance.…`: no such series; a reading that no tooth has; no tool to read it
+/// Errors    `gearN.tolerance.…` if the series does not exist, if no tooth has the given reading, or if
+///           the measuring tool is missing
 Result<GivenPair> with_allowances(const GivenPair& given);
 
 /// Computes the deviations of tip diameters that are given by a fit.
 ///
-/// Errors    `gearN.tolerance.tip_fit` of no such name; `gearN.tip_diameter` beyond the table
+/// Errors    `gearN.tolerance.tip_fit` if the fit does not exist; `gearN.tip_diameter` beyond the table
 std::optional<Error> apply_tip_fits(Arranged& nominal);
 
 /// Gears and pair at both ends; none if there are no tolerances.
@@ -48,7 +49,7 @@ using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 /// All combinations of ends.
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances);
 
-/// The nominal state at this corner.   Errors  as arrange()
+/// The gears and the pair at this corner.   Errors  as arrange()
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 

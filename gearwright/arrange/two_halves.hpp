@@ -1,7 +1,7 @@
 // Double-helical gears: two halves of opposite hands on one body, with a gap or without one.
 //
-// A half is a helical gear like any other, and two halves mesh as a helical pair of their own face:
-// the half at z > 0 is arranged and mounted.
+// Each half is an ordinary helical gear, and two halves mesh as a helical pair with the face width of a
+// half. The half at z > 0 is arranged and mounted.
 //
 //   b      whole face with the gap, mm     b_B  face of one half, (b − gap)/2, mm
 //   d_a0   outer diameter of the hob, mm   l_0  half its cutting length, mm     γ_0  its lead angle

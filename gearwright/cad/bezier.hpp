@@ -23,7 +23,7 @@ struct BezierChain {
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract)
-/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² pieces suffice, which the caller must check
+/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² pieces suffice, which the caller must check
 /// Laws      the end points equal those of the arc, bit for bit
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
 

@@ -32,7 +32,7 @@ struct End {
 };
 
 struct Biarc {
-  Vec2 joint;  // equal to the end when there is one arc
+  Vec2 joint;  // equal to the end if there is only one arc
   int arcs;    // 1 or 2
   double bulges[2];
 };
@@ -155,7 +155,7 @@ double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
   return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
 }
 
-// Mirroring changes the sign of a bulge, and so does reversal. Each piece has one of the two.
+// Each piece is either mirrored or reversed, and both change the sign of a bulge.
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm) {
   const auto fits = fit_arcs(outline, contour, tolerance_mm, fit_biarcs);

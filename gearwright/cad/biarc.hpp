@@ -1,6 +1,6 @@
 // An arc of the outline as a chain of true circular arcs with common tangents: biarcs.
 //
-//   P_i   points of the chain, on the exact curve at every second joint or so, mm
+//   P_i   points of the chain, mm; about every second one lies on the exact curve
 //   T     unit tangents of the exact curve at the ends of one biarc
 //   b     bulge of an arc: tan(sweep/4), > 0 counter-clockwise; 0 is a line (the DXF convention)
 //

@@ -294,9 +294,9 @@ Id ShellWriter::loop(const Edges& edges) {
   return edge_loop(uses);
 }
 
-// The first loop is the outer one. All run counter-clockwise, seen from the side to which the
-// surface normal points. A bound runs counter-clockwise about the face normal, and the other way
-// about a hole.
+// The first loop is the outer one. All loops run counter-clockwise, seen from the side to which the
+// surface normal points. In STEP an outer bound runs counter-clockwise about the face normal, and the
+// bound of a hole clockwise.
 void ShellWriter::add_face(const Ids& loops, Id surface, Side side) {
   std::string text = "ADVANCED_FACE('',";
   Ids bounds;

@@ -1,4 +1,4 @@
-// The faces, edges and vertices of a solid round the axis, as they are written. Internal to cad/.
+// Writes the faces, edges and vertices of a solid about the axis. Internal to cad/.
 //
 // Boundary poles of a face are the points of its edges. Circles and cylinders lie about the axis.
 #pragma once
@@ -53,8 +53,8 @@ class ShellWriter {
  public:
   explicit ShellWriter(Part21& out) : out_(out) {}
 
-  /// One face per wall and slice. `side` is `along` if the metal is inside the loop. The walls stand
-  /// on the rim `base`, or on a new one.
+  /// One face per wall and slice. `side` is `along` if the metal is inside the loop. The walls begin
+  /// at the rim `base`, or at a new one if it is null.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band, Side side,
                  const Rim* base = nullptr);
 

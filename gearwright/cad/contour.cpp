@@ -12,7 +12,7 @@
 namespace gearwright {
 namespace {
 
-constexpr double kShortestArc = 1e-6;   // mm, a hundredth of what any machine resolves
+constexpr double kShortestArc = 1e-6;   // mm, a hundredth of the resolution of any machine
 constexpr double kOnItsRay = 1e-6;      // mm
 constexpr double kCircleRadius = 1e-8;  // mm, variation of radius within which a land is a circle
 constexpr int kArcLooks = 32;           // points per arc that are examined
@@ -75,8 +75,8 @@ Result<Contour> closed_contour(const Outline& outline) {
       const Vec2 p = arc.point(static_cast<double>(i) / kArcLooks);
       contour.inner_radius = std::min(contour.inner_radius, p.norm());
       contour.outer_radius = std::max(contour.outer_radius, p.norm());
-      // A single tooth has no neighbour, so the middle of its space is the negative x axis,
-      // detected by y < 0.
+      // A single tooth has no neighbour. The middle of its space is the negative x axis, so y < 0 is
+      // the only condition.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
         return Error{"teeth", std::to_string(outline.teeth),
                      "the outline of the tooth crosses the middle of the tooth or of the space, so "

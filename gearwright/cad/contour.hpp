@@ -44,7 +44,7 @@ struct Contour {
   std::vector<ContourPiece> pieces;
   double inner_radius;  ///< smallest radius of the examined points of the outline, mm
   double outer_radius;  ///< greatest radius of the outline, mm
-  /// Of a rack. Tooth k is tooth 0 of the half outline, shifted by its `middle_of(k, teeth)`.
+  /// Only for a rack, whose tooth k is tooth 0 shifted by `rack->middle_of(k, teeth)` along y.
   std::optional<RackBlock> rack{};
 };
 

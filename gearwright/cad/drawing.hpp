@@ -1,5 +1,5 @@
-// Options, facts, closed outlines of a body and fits of its arcs that all drawings of a transverse
-// section share.
+// Definitions that all drawings of a transverse section share: options, facts about the result, closed
+// outlines of a body, and fits of its arcs.
 //
 // A drawing is the section z = 0 in the gear frame, in millimetres, and `body.pose` does not apply.
 // It is returned as text, together with the numbers that a program prints with it ("320 segments,
@@ -66,7 +66,7 @@ struct ArcFits {
   double deviation_mm = 0.0;             ///< greatest of all
 };
 
-/// `fit(arc, tolerance)` returns a result with `deviation_mm`.
+/// Fits the arcs with `fit(arc, tolerance)`, which returns a result that has `deviation_mm`.
 ///
 /// Errors    `tolerance_mm` if an arc does not meet it
 template <class Fit>

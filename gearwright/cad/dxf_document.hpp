@@ -15,11 +15,11 @@
 
 namespace gearwright {
 
-/// Collects entities; coordinates in mm, in the xy plane, angles in degrees in the file only.
+/// Collects entities. Coordinates are in mm in the xy plane. Only the file has angles in degrees.
 class DxfEntities {
  public:
-  /// Sets the position of the following entities: a rotation about z and a shift in the plane. If
-  /// absent, coordinates are unchanged.
+  /// Sets the position of the following entities: a rotation about z and a shift in the plane. Without
+  /// a position, coordinates are unchanged.
   void place(const Eigen::Isometry3d& pose);
   /// LWPOLYLINE. bulges[i] leads from points[i] to the next point. If there are as many bulges as
   /// points, the polyline is closed and the last bulge leads to the first point. Otherwise there is

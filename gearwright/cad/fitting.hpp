@@ -1,7 +1,7 @@
 // Functions that the fits of arcs by simpler curves share. Internal to cad/.
 //
-// Distance of a point from a circle given by one of its points and the normal there. It is also
-// valid for lines:
+// Distance of a point from a circle that is given by one of its points and the normal there. The formula
+// is also valid for lines:
 //
 //   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
 //   N    unit normal there, to the left: the centre is N/κ away
@@ -47,8 +47,8 @@ struct StepLimits {
   double known;     ///< relative to the step; width of the bracket at which the search ends
 };
 
-/// Returns the greatest x in (from, to] with fits(x), from a bracket grown from `guess`, a step
-/// length.
+/// Returns the greatest x in (from, to] for which fits(x) is true. The search starts with a step of
+/// the length `guess`.
 ///
 /// Accuracy  within limits.known of the step, on the side that fits; from + shortest if no step
 ///           fits

@@ -22,7 +22,7 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore = {});
 
 /// Gives the body of a gear the modifications of its right and its left flank. If its teeth cannot
-/// be made with them, they stay as cut and `unmodified` says why.
+/// be made with them, the teeth stay as cut and `unmodified` gives the reason.
 ///
 /// Errors    `modifications.right.…`, `modifications.left.…` as make_removal_field
 std::optional<Error> modify(ToothedBody& body, const Gear& gear,

@@ -22,7 +22,7 @@ constexpr auto kOutline = SheetLayer::outline;
 // the view and from each other; distances between the views and within the frame; projection of the
 // leader beyond the gear.
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
-// distance below the transverse view of the base line of its caption
+// Distance of the base line of the caption from the transverse view above it, mm.
 constexpr double kCaption = 9;
 constexpr const char* kWhere = "Section in the middle of the face";
 

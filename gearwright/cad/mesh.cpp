@@ -25,7 +25,7 @@ namespace gearwright {
 namespace {
 
 // The level height satisfies ρΔ² = 2ε on the largest radius. On the tip land, where κ = 1/ρ, the
-// three terms of (M1) are then 2ε, 4ε and 2ε of 8ε at a = ρΔ, which gives the fewest triangles.
+// three terms of (M1), times 8, are then 2ε, 4ε and 2ε at a = ρΔ. This gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
 // Least material between the root and the bore or the rim, mm.
@@ -77,9 +77,9 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// A wall of an internal gear along a circle whose columns continue those of the teeth at both of its
-// ends, which lie in the middle of the body: the screw of the teeth, or for two screws the turn
-// between them.
+// The band of a wall of an internal gear that lies along a circle in the middle of the body. The columns
+// of the wall meet those of the teeth at both ends. The wall therefore has the screw of the teeth, or,
+// for a double-helical gear, the turn between the two screws.
 Band around(const ToothedBody& body, double width) {
   if (!body.two_helices) return body.bands().front();
   const double stagger = body.two_helices->stagger;

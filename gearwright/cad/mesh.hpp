@@ -15,8 +15,8 @@
 //
 // Flanks with modifications are grids on the modified surface (cad/modified_mesh.hpp).
 //
-// One half tooth is meshed; mirrored and turned by sincos_turn it makes the others, so that tooth k
-// is the turned tooth 0 bit for bit, and time and size grow in proportion to |z|.
+// Only one half tooth is meshed. The others are its mirror images, turned by sincos_turn, so tooth k
+// is the turned tooth 0 bit for bit. Time and size are proportional to |z|.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -57,7 +57,7 @@ struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< in the gear frame
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to the file's frame
-  std::optional<std::size_t> colour{};                     ///< of part_colour(); none: by its index
+  std::optional<std::size_t> colour{};                     ///< for part_colour(); or its index
   std::optional<std::size_t>
       same_as{};  ///< an earlier part that has the mesh; then `mesh` is empty
 };
@@ -67,7 +67,7 @@ struct MeshPart {
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
 ///           the caps are plane. If bore (or rim) and root are closer than four tolerances, a
 ///           quarter of their distance replaces the tolerance
-/// Errors    bore.diameter_mm (names the largest that fits), bore.keyway_*, teeth if the outline
+/// Errors    bore.diameter_mm (with the largest that fits), bore.keyway_*, teeth if the outline
 ///           bounds no body (severed tooth, root beyond the axis), chord_tolerance_mm if the mesh
 ///           would have more than 2·10⁶ vertices or 20 000 points on half a tooth
 /// Domain    face width and tolerances > 0, teeth ≠ 0, an outline that obeys its laws (contract)

@@ -39,7 +39,7 @@ struct RingPoint {
   Vec3 before, after;  ///< unit normals out of the material
 };
 
-/// A level of a wall that is no screw: the columns of its first copy.
+/// A level of a wall without a screw motion, with the columns of its first copy.
 struct Ring {
   double z;  ///< mm
   std::vector<RingPoint> points;
@@ -48,10 +48,10 @@ struct Ring {
 /// The edges of the quads of a wall: creases between them, and their diagonals.
 struct WallEdges {
   std::vector<char> crease;  ///< of each column
-  std::vector<char> rising;  ///< of the quad after each column: its diagonal leads up to the next
+  std::vector<char> rising;  ///< of each column: true if the next quad's diagonal rises from it
 };
 
-/// Those of a wall in a screw motion.
+/// The edges of a wall with a screw motion.
 WallEdges edges_of(const std::vector<Column>& part, int copies, const Levels& levels);
 
 /// The end rings of a wall: column i of copy k is vertex `bottom` (or `top`) + k·columns + i.
@@ -62,13 +62,13 @@ struct WallEnds {
 
 class MeshBuilder {
  public:
-  /// Adds a closed wall of `copies` equal parts. If `inward`, the material lies outside of it. Copy
-  /// k is copy 0 turned by sincos_turn(k, copies), bit for bit. The wall stands on the top ring of
-  /// the wall `below`, which has the same columns there, or on a ring of its own.
+  /// Adds a closed wall of `copies` equal parts. If `inward`, the material lies outside the wall.
+  /// Copy k is copy 0 turned by sincos_turn(k, copies), bit for bit. The lowest ring is the top ring
+  /// of the wall `below`, which has the same columns there, or a new ring if `below` is null.
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
                     const WallEnds* below = nullptr);
 
-  /// The same of a wall given level by level, from below.
+  /// Adds a wall that is given level by level, from below.
   ///
   /// Domain    two rings or more, each with a point for every column (contract)
   WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,

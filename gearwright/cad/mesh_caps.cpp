@@ -30,7 +30,7 @@ std::optional<std::vector<Triangle>> half_pitch_cap(std::vector<Vec2> corners,
   for (std::size_t j = circle.size() / 2 + 1; j-- > 0;) {
     corners.push_back(mirrored(circle[j].point));
   }
-  // Clockwise around an external tooth's material, counter-clockwise around an internal gear's.
+  // The corners run clockwise around the material of an external tooth, counter-clockwise for an internal gear.
   const std::size_t count = corners.size();
   if (!ring) std::reverse(corners.begin(), corners.end());
   auto triangles = clip_ears(corners);

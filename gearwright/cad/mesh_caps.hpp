@@ -2,9 +2,9 @@
 //
 //   n    segments of the section of half a tooth      q    points of the circle per half pitch
 //
-// A circle divides a cap. Between the teeth and the circle, the triangles of one half pitch make all
-// others. Inside the circle of an external gear lies a ring down to the bore or the groove, or a
-// full disc. The circle of an internal gear is its rim, or its groove.
+// A circle divides a cap. The triangles between the teeth and the circle are made for one half pitch and
+// repeated for all others. The cap of an external gear also has a ring inside the circle down to the bore
+// or the groove, or a full disc. The circle of an internal gear is its rim or its groove.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance);
 
 /// A plane in which walls end.
 struct CapPlace {
-  bool up;  ///< the material lies below
+  bool up;  ///< true if the material lies below
   double z;
   double angle;           ///< rad, by which the section is turned
   std::uint32_t outline;  ///< the teeth's ring, as in WallEnds

@@ -140,7 +140,7 @@ class ModifiedShell : public brep::ShellWriter {
     return w.left ? backward(knots) : knots;
   }
 
-  // Pole b of the upright line at the begin of wall i. Of a land it is the end of the wall before.
+  // Pole b of the upright line at the start of wall i. For a land it is at the end of the previous wall.
   Vec3 upright_pole(std::size_t i, std::size_t layer, std::size_t b) const {
     if (wall(i).arc) return pole(i, layer, 0, b);
     return pole(i - 1, layer, poles_u(i - 1, layer) - 1, b);

@@ -1,13 +1,13 @@
-// Teeth with flank modifications as an advanced B-rep, in the terms of a STEP file. Internal to cad/.
+// Writes teeth with flank modifications as an advanced B-rep of a STEP file. Internal to cad/.
 //
 //   layer   between two levels: planes, and the lines where end reliefs begin
 //   slice   between two planes
 //
 // Flanks and fillets are one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are true
-// cylinders, one face per slice, whose sides consist of one edge per layer. An edge on a land keeps
-// to its cylinder within kHelixTarget_mm.
+// cylinders, one face per slice, whose sides consist of one edge per layer. An edge on a land deviates
+// from its cylinder by at most kHelixTarget_mm.
 //
-//   Law   every edge is used twice, once each way
+//   Law   every edge is used twice, once in each direction
 #pragma once
 
 #include "gearwright/cad/brep.hpp"

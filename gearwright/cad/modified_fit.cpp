@@ -21,7 +21,7 @@ constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarg
 constexpr int kLineChecks = 12, kFaceChecks = 8;  // places between neighbouring knots
 constexpr int kRowsU = 7;  // rows of a layer on which the basis along u is examined
 // Least distance of a plane from the start of an end relief, relative to the height of a slice. The
-// line where a relief begins leaves its plane by c sin β_b, a hundredth of a module.
+// line where a relief begins deviates from its plane by c sin β_b, a hundredth of a module.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 
@@ -87,7 +87,7 @@ struct Layer {
   ToothLevel low, high;
 };
 
-// True if the basis along v keeps the targets on every edge and on lines between them.
+// True if the basis along v meets the targets on every edge and on lines between the edges.
 bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& layer) {
   std::vector<std::pair<double, ModifiedSide::Row>> rows;
   const auto row_at = [&](double v) -> const ModifiedSide::Row& {

@@ -6,7 +6,7 @@
 //
 // All arcs of a layer have one basis along v, and all layers of an arc one basis along u, so that
 // neighbouring faces share the poles of their common edge. The bases are refined until splines along
-// the edges and along lines between them keep the targets; then S is compared with X at 8 × 8 places
+// the edges and along lines between them meet the targets. Then S is compared with X at 8 × 8 places
 // between neighbouring knots. The stated deviation is |S − X|, which is not less than the normal
 // distance.
 #pragma once
@@ -35,13 +35,13 @@ struct ModifiedFit {
   std::array<std::vector<std::vector<ModifiedFace>>, 2> faces;
 };
 
-/// The planes that cut the teeth into slices, and the starts of end reliefs, from below. There are
-/// more slices than those of the teeth as cut if one of their planes would cross such a start.
+/// The planes that cut the teeth into slices, and the starts of end reliefs, from below. If one of the
+/// planes of the teeth as cut would cross such a start, there are more slices.
 std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
 
 /// Fits the teeth between these levels.
 ///
-/// Errors    a face that no spline meets within kSectionMax_mm
+/// Errors    a face for which no spline is within kSectionMax_mm
 Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels);
 
 }  // namespace gearwright

@@ -10,11 +10,11 @@ namespace gearwright {
 
 namespace {
 
-// c, relative to its greatest value, that facets may miss; a crowning then has three steps or more.
+// Permitted error of c in a facet, relative to the greatest c. A crowning then has at least three steps.
 constexpr double kVisibleShare = 0.1;
 // Steps of the differences that give the normals: of u, and of z relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
-// Halvings of a segment and doublings of the levels between two starts.
+// Greatest number of halvings of a segment, and of doublings of the levels between two starts.
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // heights, and places of an arc, at which c is examined
 
@@ -82,7 +82,7 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // What the middle of a segment misses by, at most, apart from the curvature of the arc as cut.
+  // The greatest error in the middle of a segment, apart from the curvature of the arc as cut.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;

@@ -2,10 +2,10 @@
 //
 //   ε    chord tolerance of the mesh, mm        c   removed from the flank, mm
 //
-// The grid is that of the teeth as cut, with a share of ε kept back, and with a line of vertices
-// where a relief begins. Its segments and its steps along the face are halved until c, between the
-// corners of a facet, differs from its mean by less than that share, and by less than a tenth of
-// the greatest c: a crowning of 5 µm is in a mesh of 5 µm.
+// The grid of the teeth as cut uses the share kCutShare of ε, and has a line of vertices where a relief
+// begins. Segments and steps along the face are halved until c in the middle of a facet differs from the
+// mean of its corners by less than the rest of ε, and by less than a tenth of the greatest c. A mesh with
+// ε = 5 µm therefore shows a crowning of 5 µm.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct ModifiedGrid {
   std::vector<double> levels;      ///< mm, growing
 };
 
-/// The grid, from the section as cut and the step along the face that the twist needs.
+/// The grid, made from the section as cut and the step along the face that the twist requires.
 ///
 /// Units     mm
 ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint> half, double width,
@@ -34,7 +34,7 @@ ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint>
 /// The rings of one pitch, counter-clockwise from the middle of a space.
 std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid& grid, int copies);
 
-/// The columns of the divided outline that are creases, because a relief begins there.
+/// Marks those columns of the divided outline as creases at which a relief begins.
 void crease_at_reliefs(const ModifiedTeeth& teeth, const ModifiedGrid& grid, WallEdges& edges);
 
 /// The half section of one side at the height z, turned back by the twist, root to tip.

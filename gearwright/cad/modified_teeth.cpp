@@ -15,10 +15,10 @@ namespace gearwright {
 
 namespace {
 
-// Arcs of a flank that turn by less than this where they meet are one surface, rad.
+// Arcs of a flank are one surface if their tangents differ by less than this where they meet, rad.
 constexpr double kSmooth = 1e-6;
-// Starts of reliefs nearer to each other, or to the end of an arc, make no division, mm. A linear
-// relief of 1 in 5 changes by 2e-7 mm over this length.
+// Starts of reliefs that are nearer than this to each other, or to the end of an arc, do not divide the
+// arc, mm. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
 // Step along the arc for the slope of the curvature at its end, relative to its parameter.
 constexpr double kCurvatureStep = 1e-3;
@@ -48,7 +48,7 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   return std::nullopt;
 }
 
-// The starts of reliefs as radii, growing.
+// The starts of reliefs as radii, in increasing order.
 std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>, 2>& fields) {
   std::vector<double> rho;
   for (const auto& field : fields)
@@ -95,8 +95,8 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
   has_edge_ = roles_[last_ + 1] == Role::land;
 }
 
-// Beyond its end, where the moved flank still has to reach the tip cylinder, the arc goes on with
-// its curvature and the slope of that, which is in error by the fourth power of the distance.
+// Beyond its end the arc is continued with its curvature and the slope of its curvature, because the moved
+// flank must still reach the tip cylinder. The error grows with the fourth power of the distance.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
   const auto place = [&](const Vec2& p, double angle) {
@@ -115,7 +115,7 @@ ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
 
 double ModifiedSide::zeta_at(const ToothLevel& level, const Place& at) const {
   if (level.kink || twist_ == 0.0) return level.z;
-  // ζ = z + c n_z converges by the slope of c, 1 in 5 at most, in every step.
+  // Each step of ζ = z + c n_z reduces the error by the slope of c, which is at most 1 in 5.
   double zeta = level.z;
   for (int i = 0; i < 40; ++i) {
     const double next = level.z + removed(at, zeta) * at.n.z();

@@ -6,15 +6,15 @@
 //   ζ, z      heights of the nominal and of the moved point, mm; z = ζ − c n_z
 //   w         weight of a fade, from 1 at the form diameter to 0 at the root or the tip
 //
-// A side is the half of a tooth with one flank, in the frame of the half outline (y > 0): the lower
-// half, with the right flank, is mirrored, and its twist with it. The flank moves by c along its
+// A side is the half of a tooth with one flank, in the frame of the half outline (y > 0). The lower
+// half, which has the right flank, is mirrored together with its twist. The flank moves by c along its
 // normal. Its edge on the tip land is where it meets the tip cylinder. A root fillet, and a tip
-// fillet or chamfer, follow the end of the flank: they move by w times the movement of that end,
-// with w a smooth step of the radius, and so meet the root and tip land as cut. Lands are cylinders.
+// fillet or chamfer, follow the end of the flank: they move by w times the movement of that end, where w
+// is a smooth step of the radius, and so meet the root and tip land as cut. Lands are cylinders.
 //
 // Rows   A row is a curve across the half tooth, from root to tip, in a layer between two levels. A
-//        level is a plane z = const, or the image of ζ = const where an end relief begins, which is
-//        no plane on a helical flank, because the flank there moves along a normal that is tilted.
+//        level is a plane z = const, or the image of ζ = const where an end relief begins. On a helical
+//        flank this image is not plane, because the flank moves along a normal that is inclined to z.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@
 
 namespace gearwright {
 
-/// A level of the body: the plane at the height z, or the line of the flank that was there (kink).
+/// A level of the body: the plane at the height z, or, with `kink`, the moved line of the flank that was at z.
 struct ToothLevel {
   double z;
   bool kink = false;
@@ -46,13 +46,13 @@ class ModifiedSide {
   struct Row {
     ToothLevel low, high;
     double v;                   ///< 0 at the low level, 1 at the high one
-    double z;                   ///< mm, of the lands
+    double z;                   ///< mm, height of the lands
     double edge;                ///< u of the last flank arc at the tip cylinder; 1 without an edge
     std::array<Vec2, 2> shift;  ///< mm, of the ends of the flank at root and tip, turned back
     std::array<double, 2> end_z;  ///< mm, their heights
   };
 
-  /// Domain    outline and places as ModifiedTeeth makes them
+  /// Domain    an outline that ModifiedTeeth has made
   ModifiedSide(const Outline& outline, double twist, std::shared_ptr<const RemovalField> field);
 
   Row row(const ToothLevel& low, const ToothLevel& high, double v) const;
@@ -96,9 +96,9 @@ class ModifiedSide {
 /// Both sides of the teeth of a body.
 class ModifiedTeeth {
  public:
-  /// The teeth of a body with what is removed from their right and left flanks.
+  /// The teeth of a body, with the removal fields of their right and left flanks.
   ///
-  /// Errors    the rule says why these teeth cannot be made with their modifications: pointed
+  /// Errors    the rule gives the reason why these teeth cannot be made with their modifications: pointed
   ///           teeth, flanks in pieces, no root fillet, flanks that would cross
   static Result<ModifiedTeeth> of(
       const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal);
@@ -106,12 +106,12 @@ class ModifiedTeeth {
   /// The outline as cut, with its flank divided where a relief of either side begins.
   const Outline& outline() const { return right_.outline(); }
   const ModifiedSide& side(bool left) const { return left ? left_ : right_; }
-  /// Heights at which an end relief of either side begins, growing, mm.
+  /// Heights at which an end relief of either side begins, in increasing order, mm.
   std::vector<double> kinks_z() const;
 
   /// Volume removed from all teeth, mm³.
   ///
-  /// Accuracy  1e-6 of the volume of the body; the polygons miss 5e-5 of what is removed
+  /// Accuracy  1e-6 of the volume of the body; the error of the polygons is 5e-5 of the removed volume
   double removed_volume(double face_width) const;
 
  private:

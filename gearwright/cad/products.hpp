@@ -29,10 +29,12 @@ struct StepPart {
   std::string name;
   Eigen::Isometry3d pose;  ///< mm
   Part21Id solid;
-  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its index
-  std::optional<std::size_t> same_as{};  ///< an earlier part of which it is a copy
+  std::optional<std::size_t> colour{};   ///< for part_colour(); by default the index of the part
+  std::optional<std::size_t> same_as{};  ///< index of an earlier part of which this one is a copy
 };
 
+/// Writes the products of the parts, and the assembly if there are several parts or one with a pose.
+///
 /// Domain    at least one part (contract)
 void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,
                   const std::string& assembly);

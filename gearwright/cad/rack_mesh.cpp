@@ -78,7 +78,7 @@ class RackMesher {
   }
 
  private:
-  // x and the section's tangent at s, from the arc of the strip.
+  // The height x of the strip at s.
   double height(const RackStrip& strip, double s) const {
     const Vec2& a = strip.arc->begin_point;
     const Vec2& b = strip.arc->end_point;

@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNarrow_mm = 1e-6;  // a hundredth of what any machine resolves
+constexpr double kNarrow_mm = 1e-6;  // a hundredth of the resolution of any machine
 
 // All strips of the teeth k_0 … k_1 of an infinite rack, numbered as those of the bar.
 std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {

@@ -36,8 +36,8 @@ class RackPlan {
   double slope() const { return slope_; }    ///< q
   double first() const { return corners_[0]; }
   double last() const { return corners_[3]; }
-  /// s of the corner that the low end passes, and s of the corner that the high end passes. Spur:
-  /// first().
+  /// s of the corner that the low end passes, and s of the corner that the high end passes. For a spur
+  /// rack, both are first().
   double low_corner() const { return low_corner_; }
   double high_corner() const { return high_corner_; }
 

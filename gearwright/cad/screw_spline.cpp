@@ -101,7 +101,7 @@ Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Com
   }
 }
 
-// True if the slowest speed over equal steps of the own parameter exceeds kSlowest of the mean.
+// True if the slowest speed over equal steps of the curve's own parameter exceeds kSlowest times the mean.
 bool runs_evenly(const Arc& arc) {
   constexpr int kSteps = 64;
   double slowest = 0.0;

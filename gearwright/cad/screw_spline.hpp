@@ -1,5 +1,5 @@
-// A screw surface as a tensor-product B-spline that is a product: section spline times helix
-// spline.
+// Represents a screw surface by a tensor-product B-spline, which is the product of a section spline and
+// a helix spline.
 //
 //   W(u)   arc of the transverse outline, a complex number x + iy, mm; u in [0, 1]
 //   φ      angle by which the section has turned, rad; over one slice φ runs from −Δ/2 to Δ/2
@@ -66,8 +66,8 @@ std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
 std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
                                   const std::function<double(double)>& error);
 
-/// The basis with every span halved that misses the target, or nothing if all of those spans are
-/// already so short that the curve is torn there and more knots do not help.
+/// The basis in which every span that misses the target is halved. None if all these spans are already
+/// so short that more knots do not help, because the curve has a gap there.
 std::optional<BSplineBasis> refined(const BSplineBasis& basis,
                                     const std::vector<double>& span_deviation, double target);
 

@@ -39,7 +39,7 @@ double bore_area(const Bore& bore);
 /// Domain    an internal gear has a bore, which is its rim (contract)
 double metal_area(const ToothedBody& body);
 
-/// Volume of the body with its teeth as cut: the area of the metal times the face width, and the
+/// Volume of the body with its teeth as cut: the area of the metal times the face width, less the
 /// groove of a double-helical gear.
 ///
 /// Units     mm³

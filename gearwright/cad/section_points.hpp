@@ -21,8 +21,8 @@ struct SectionPoint {
   Vec2 point;        ///< mm
   Vec2 root_normal;  ///< unit, out of the material, on the side of the root
   Vec2 tip_normal;   ///< the same on the side of the tip; differs at a corner of the outline
-  std::size_t arc;   ///< of the outline, on which the point lies
-  double u;          ///< place on that arc, from 0 to 1
+  std::size_t arc;   ///< index of the arc of the outline on which the point lies
+  double u;          ///< position on that arc, from 0 to 1
 };
 
 struct SectionTolerance {

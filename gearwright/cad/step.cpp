@@ -64,7 +64,7 @@ Error too_many(std::size_t faces, int slices) {
                   faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
-// The arcs of half a tooth with modifications, each by the worst of its faces.
+// Adds the arcs of half a tooth with modifications. Each has the greatest values of its faces.
 void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
                        const ModifiedFit& fit, std::size_t body) {
   const auto& arcs = teeth.outline().arcs;

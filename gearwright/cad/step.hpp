@@ -3,9 +3,9 @@
 // One named, coloured solid per body. Tip land, root land and bore are true cylinders, everything else
 // is a B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
 // faces share their edges. Flanks with modifications, and the fillets beside them, are B-splines within
-// the same limits (cad/modified_fit.hpp). One body in its own frame is written as a part; several bodies, or one with
-// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: both the surfaces
-// and the text (cad/part21.hpp) are computed here.
+// the same limits (cad/modified_fit.hpp). A single body in its own frame is written as a part. Several
+// bodies, or a body with a pose, are written as an assembly of parts placed by their poses. No CAD kernel
+// is needed: both the surfaces and the text (cad/part21.hpp) are computed here.
 //
 //   Laws  (1) the same bodies and file name give the same bytes, because the header's time is fixed
 //         (2) hand and pose change neither the number of faces nor the volume
@@ -41,15 +41,15 @@ struct StepFace {
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
   double
-      max_deviation_mm;  ///< normal distance to the exact surface, or of modified flanks an upper
-                         ///< bound of it, measured between the points of the fit
+      max_deviation_mm;  ///< normal distance to the exact surface, measured between the points of
+                         ///< the fit; for modified flanks an upper bound of the distance
 };
 
 struct StepReport {
   std::vector<StepFace> faces;    ///< root to tip of one half tooth, body by body
   double max_deviation_mm = 0.0;  ///< greatest of all faces
-  double volume_mm3 = 0.0;        ///< of all bodies: section area times face width, exact,
-                                  ///< less what modifications remove, to 1e-6 of the body
+  double volume_mm3 = 0.0;        ///< of all bodies: exact section area times face width, minus
+                                  ///< the volume of modifications, to 1e-6 of the body
   std::size_t face_count = 0;     ///< of all solids, each shape once
   std::size_t edge_count = 0;     ///< each shared edge once
 };

@@ -54,7 +54,7 @@ struct Band {
   double twist;   ///< rad/mm
   double width;   ///< mm
   double middle;  ///< mm
-  double turn;    ///< rad, by which the outline is turned in the plane z = 0, or would be
+  double turn;    ///< rad, by which the outline is turned at z = 0, which may be outside the band
 
   double angle(double z) const { return twist * z + turn; }
 };
@@ -68,18 +68,18 @@ struct ToothedBody {
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
-  std::optional<std::size_t> colour{};   ///< of part_colour(); none: by its place among the bodies
-  std::optional<std::size_t> same_as{};  ///< an earlier body of one file with the same shape
-  std::optional<RackBlock> rack{};       ///< a rack: no bore, and the twist does not apply
+  std::optional<std::size_t> colour{};      ///< for part_colour(); default: own index
+  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with this shape
+  std::optional<RackBlock> rack{};          ///< a rack: no bore, and the twist does not apply
   std::optional<TwoHelices> two_helices{};  ///< a double-helical gear
   /// The teeth with flank modifications, made by modify(); null if they are as cut. Drawings show the
   /// outline as cut.
   std::shared_ptr<const ModifiedTeeth> modified{};
-  std::string unmodified{};  ///< why modifications of the gear are left out; empty if none are
+  std::string unmodified{};  ///< reason why modifications are left out; empty if none is left out
 
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
-  /// The screws of the teeth, from below: one, or two of a double-helical gear.
+  /// The screws of the teeth, from below: one, or two for a double-helical gear.
   std::vector<Band> bands() const;
 
   /// The limits of the bore or the rim; `root` mm is the radius of the roots.
@@ -88,7 +88,7 @@ struct ToothedBody {
             grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
-  /// The groove's radius, or that of the roots if there is no groove: the limit of a bore or a rim, mm.
+  /// The radius that limits a bore or a rim, mm: that of the groove or, without a groove, `root`.
   double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };
 

@@ -44,7 +44,7 @@ struct WallKnots {
 };
 
 WallKnots knots_of(const BSplineBasis& basis);
-/// Those of the reversed spline.
+/// The knots of the reversed spline.
 WallKnots backward(WallKnots knots);
 
 struct Wall {
@@ -78,7 +78,7 @@ struct BodyWalls {
   double outer_radius;               ///< greatest radius of the outline, mm
 };
 
-/// The outline without slivers, its ends on the middles of space and tooth to the last bit.
+/// The outline without slivers. Its ends lie exactly on the middle lines of space and tooth.
 ///
 /// Domain    the outline's laws hold within 1e-6 mm (contract)
 Outline tidied(const Outline& outline);
@@ -86,7 +86,7 @@ Outline tidied(const Outline& outline);
 /// True if the arc is a land and a circle about the axis.
 bool round_land(const Arc& arc);
 
-/// The error of a face that no spline meets within kSectionMax_mm.
+/// The error for a face if every spline deviates from it by more than kSectionMax_mm.
 Error no_spline(std::string_view face, double deviation);
 
 /// Cuts a body into walls.
@@ -121,7 +121,7 @@ struct WallSlice {
   bool straight() const { return low.angle == high.angle; }
 };
 
-/// From the bottom to the top of a screw.
+/// The levels of a screw from bottom to top.
 std::vector<WallLevel> levels_of(const Band& band, int slices);
 
 WallSlice slice_between(const WallLevel& low, const WallLevel& high, const HelixSpline& helix);

@@ -1,8 +1,8 @@
 // A ZIP archive in memory, the container of 3MF.
 //
 // Entries are deflated (base/packing.hpp) and dated 1 January 1980, the oldest date that ZIP
-// permits. Thus the same input gives the same bytes (for the same zlib release).     Format: PKWARE
-// APPNOTE 6.3.3, without ZIP64.
+// permits. The same input therefore gives the same bytes (for the same zlib release).
+// Format: PKWARE APPNOTE 6.3.3, without ZIP64.
 #pragma once
 
 #include <cstdint>

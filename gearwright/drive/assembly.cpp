@@ -14,15 +14,15 @@ namespace gearwright {
 
 namespace {
 
-/// Degrees. A drawing gives angles with two decimals, so an angle this close to a place means that
-/// place.
+/// Degrees. Drawings give angles with two decimals, so a given angle may differ from its place by this
+/// amount.
 constexpr double kSamePlace = 0.01;
 /// The greatest change of a number of teeth that is tried for proposals.
 constexpr int kMostTeethChanged = 12;
 
 using Row = std::vector<long long>;  // A | b of a mesh
 
-// Conditions of a mesh: z of each rider on χ, −z of the central gear on u.
+// One row per mesh: z of each rider is the coefficient of χ, and −z of a central gear that of u.
 std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<Row> rows;
   for (const std::size_t m : group.meshes) {
@@ -41,8 +41,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Euclid's steps between rows are unimodular. When the columns of A are in echelon form, the rows
-// whose entries of A are all 0 are Y·[A | b].
+// Returns N*. The steps of Euclid's algorithm on the rows are unimodular. When the columns of A are in
+// echelon form, the rows in which A is 0 are those of Y·[A | b].
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
@@ -119,7 +119,7 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
   std::vector<Rational> turns;
   for (const double given : degrees) {
     const double u = (given - degrees.front()) / 360.0;
-    // If any place is possible, angles are exact to a millionth of a degree.
+    // If every place is possible, angles are rounded to a millionth of a degree.
     const long long grid = places > 0 ? places : 360'000'000;
     const double n = std::round(u * static_cast<double>(grid));
     const double off = std::abs(u - n / static_cast<double>(grid)) * 360.0;
@@ -144,7 +144,8 @@ bool equal_pitch(const std::vector<Rational>& turns) {
   return true;
 }
 
-// The two meshes of a stepped planet with central gears: one on each of two gears of one rider.
+// The clocking of each copy of a stepped planet, on which two gears mesh with one central gear each.
+// None for any other planet.
 std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const PlanetGroup& group,
                                               const std::vector<Rational>& turns) {
   if (group.riders.size() != 1 || group.meshes.size() != 2) return std::nullopt;

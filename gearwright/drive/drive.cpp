@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// A ring or rack is put second, as in pairs. The law of a mesh does not depend on the order.
+// Puts the ring or rack of each mesh second, as in pairs. The law of a mesh does not depend on the order.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
     if (graph.gear(mesh, 0).factor() < 0) {
@@ -130,7 +130,7 @@ Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmoni
   return set;
 }
 
-// Σ_m |λ_m/T| 2π j_m/p_bt,m of one end. [T13.20]
+// The backlash at the end `body`, rad: Σ_m |λ_m/T| 2π j_m/p_bt,m. [T13.20]
 std::optional<double> play_at(const Drive& drive, std::size_t body) {
   const auto loads = lossless_loads(drive.graph, drive.motion, body);
   double sum = 0.0;

@@ -1,5 +1,5 @@
-// A whole drive: its speeds, torques and losses, the places of its planets and the sequence of
-// their meshes, its teeth and its backlash.
+// Computes a whole drive: speeds, torques and losses, the places of the planets and the sequence of
+// their meshes, teeth and backlash.
 //
 //   const auto drive = make_drive(graph_of(PlanetarySpec{…}));
 //   if (drive) use(*drive->motion.ratio, drive->flow->efficiency);
@@ -25,7 +25,7 @@ struct PlanetSet {
   PlanetGroup group;
   Assembly assembly;
   std::optional<Neighbours> neighbours;           ///< none for one planet or without geometry
-  std::optional<int> sun_teeth, ring_teeth;       ///< of the first central gears of either kind
+  std::optional<int> sun_teeth, ring_teeth;       ///< of the first sun and the first ring
   std::vector<Rational> sun_phases, ring_phases;  ///< γ_i; empty if there is no such gear
   std::optional<double>
       sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with both, or without geometry
@@ -44,7 +44,7 @@ struct DriveError {
   std::vector<Line> lines;  ///< by frequency
 };
 
-/// The rotation of one end while all others are held, rad.
+/// The rotation of the input or output while the other one is held, rad.
 struct DriveBacklash {
   double input, output;
 };
@@ -72,22 +72,23 @@ struct Drive {
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< of a train, each as a separate drive
 
-  /// Speeds of all bodies in 1/min, of a rack's body in pitches per minute; none if those of the
+  /// Speed of a body, 1/min; for the body of a rack, pitches per minute. None if the speeds of the
   /// inputs are not given.
   std::optional<double> speed_rpm(std::size_t body) const;
-  /// ω relative to that of the first input; none if it depends on the speeds of all inputs, and
-  /// they are not given.
+  /// ω of a body divided by ω of the first input. None if there are several inputs and their speeds are
+  /// not given.
   std::optional<double> speed_ratio(std::size_t body) const;
-  /// p_t of the rack on a body, mm, which its pinion determines; none if no rack is on the body, or
-  /// without a module.
+  /// p_t of the rack on a body, mm, which its pinion determines. None if there is no rack on the body or
+  /// no module.
   std::optional<double> rack_pitch(std::size_t body) const;
-  /// v = n p_t of a rack's body, m/s; none as above.
+  /// Speed v = n p_t of the body of a rack, m/s. None without a speed or without a pitch.
   std::optional<double> linear_speed(std::size_t body) const;
-  /// The external force on a rack's body, N: F = 2π T/p_t. None without a flow, and as above.
+  /// External force on the body of a rack, F = 2π T/p_t, N. None without a torque, a flow or a pitch.
   std::optional<double> force(std::size_t body) const;
-  /// ω of a body relative to the frame of its first mesh, likewise; none if no gear is on it.
+  /// ω of a body relative to the frame of its first mesh, divided by ω of the first input. None if
+  /// speed_ratio() is none.
   std::optional<double> relative_speed_ratio(std::size_t body) const;
-  /// |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
+  /// Mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
   std::optional<std::size_t> frame_of_body(std::size_t body) const;
 };

@@ -16,25 +16,25 @@ namespace {
 
 using Wave = std::complex<double>;
 constexpr int kMostHarmonics = kErrorPositions / 2 - 1;
-/// rad; a curve that varies by less contains only rounding errors, as in contact_curve()
+/// rad; a curve with less variation contains only rounding errors, as in contact_curve()
 constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// The curve of a mesh as waves, with its position in time.
+// The transmission error of a mesh as waves, with its position in time.
 struct MeshCurve {
   bool first_drives = true;
   double weight = 0.0;  // rad of the output per mm of the curve
   double event = 0.0;   // position of the pitch point in the curve, in periods
   double time = 0.0;  // delay of that event after the first mesh of the same frequency, in periods
-  std::vector<Wave> waves;   // of harmonics 0, 1, …, kErrorPositions/2, as amplitudes
+  std::vector<Wave> waves;   // amplitudes of the harmonics 0, 1, …, kErrorPositions/2
   std::vector<Wave> shares;  // of each harmonic: mean over the planets of e^{−2πikγ}
 };
 
 using Flanks = std::array<FlankModifications, 2>;
 
-// Seen from the other face, a gear turns in the opposite direction, and its right flank becomes the
-// left one.
+// The flanks of a gear seen from its other face. The gear then turns in the opposite direction, and its
+// right flank becomes the left one. None for a flank with a measured topography.
 std::optional<Flanks> turned_over(const Flanks& flanks) {
   Flanks turned{flanks[1], flanks[0]};
   for (FlankModifications& flank : turned) {
@@ -54,7 +54,7 @@ class DriveCurves {
  public:
   DriveCurves(const Drive& drive, const MeshErrors& errors) : drive_(drive), errors_(errors) {}
 
-  // Returns false if a number is missing.
+  // Computes the curves of all meshes. Returns false if a number is missing.
   bool make() {
     const DriveGraph& graph = drive_.graph;
     const auto to_output = lossless_loads(graph, drive_.motion, graph.output);
@@ -116,8 +116,8 @@ class DriveCurves {
     return -a.factor() * load * turning(a.body, m) > 0.0;
   }
 
-  // Of a double-helical pair, the curve of the whole gears. If they are turned over, the half with the
-  // hand of the drawing is at z < 0.
+  // The transmission error of a mesh over one pitch. For a double-helical pair it is that of the whole
+  // gears. If these are turned over, the half with the hand of the drawing is at z < 0.
   static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
     if (!setup.gear(1).gap)
       return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
@@ -155,12 +155,13 @@ class DriveCurves {
     const auto te = curve_of(*setup, gear2_drives, turned);
     if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return false;
     if (peak_to_peak(te) < kRounding) return true;
-    // The lead of gear 2 over gear 1. If gear 2 drives, the lead of gear 1 has the opposite sign.
+    // The error is > 0 if gear 2 is ahead of gear 1. If gear 2 drives, gear 1 is the driven gear, and
+    // the sign changes.
     const double r_b = pair.gear(2).base_radius() * (gear2_drives ? -1 : 1);
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
-        // The curve starts half a pitch earlier. Integers make vanishing waves exactly 0.
+        // The curve starts half a pitch before its middle. With integers, vanishing waves are exactly 0.
         const int turn = k * (j + kErrorPositions / 2) % kErrorPositions;
         wave += (te[static_cast<std::size_t>(j)] - te[0]) *
                 phasor(-static_cast<double>(turn) / kErrorPositions);
@@ -177,8 +178,8 @@ class DriveCurves {
     return nullptr;
   }
 
-  // Copies of a planet mesh γ later; copies of meshed planets follow their central gear of the same
-  // frequency.
+  // The copies of a planet mesh later by γ. If planets mesh with each other, γ is that of the central
+  // gear whose mesh has the same frequency.
   void find_shares(std::size_t m) {
     const DriveGraph& graph = drive_.graph;
     curves_[m].shares.assign(kErrorPositions / 2 + 1, 1.0);
@@ -202,7 +203,7 @@ class DriveCurves {
     }
   }
 
-  // The direction from the axis of one gear of a mesh to the mesh, turns.
+  // The direction from the axis of a gear to its mesh m, turns.
   std::optional<double> direction(std::size_t m, std::size_t gear) const {
     const DriveMesh& mesh = drive_.graph.meshes[m];
     const DriveGear& a = drive_.graph.gear(mesh, 0);
@@ -240,7 +241,7 @@ class DriveCurves {
     return sense * std::abs(gear.teeth) * *theta + (drives ? -half : half);
   }
 
-  // Follows the meshes that share a gear, one after the other.
+  // Computes the delays of all meshes. Meshes that share a gear are followed one after the other.
   bool find_times() {
     const DriveGraph& graph = drive_.graph;
     chain_.assign(curves_.size(), curves_.size());

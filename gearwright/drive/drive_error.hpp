@@ -1,13 +1,13 @@
-// Transmission error of a drive from the curves of its meshes, each in its phase.
+// Computes the transmission error of a drive from the curves of its meshes, each with its phase.
 //
 //   e_m    transmission error of a mesh along the transverse line of action, mm; > 0 if the driven
 //          gear is ahead
-//   t      time in periods of the mesh, 0 where the loaded flanks of planet 0 touch at the pitch
+//   t      time in periods of the mesh, 0 when the loaded flanks of planet 0 touch at the pitch
 //          point
 //   δφ_o = Σ_m |λ_m/T_o| (2π/p_bt,m) ē_m(t), ē_m = Σ_i e_m(t − γ_i)/N          [T13.21], [T13.22]
 //                                              theory: docs/theory/13-drives.md
 //
-// Equal planets with a floating member share the load equally: the mean of their curves is used.
+// Equal planets with a floating member share the load equally, so the mean of their curves is used.
 #pragma once
 
 #include <functional>
@@ -18,18 +18,19 @@
 
 namespace gearwright {
 
-/// Positions of each mesh over one period, as the contact of a pair has them.
+/// Number of positions of each mesh over one period, as in the contact analysis of a pair.
 inline constexpr int kErrorPositions = 64;
 
 /// Errors of mounting of a mesh, by its number; empty if there are none.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
-/// The harmonics 1 … `harmonics` of each mesh frequency, at most kErrorPositions/2 − 1.
+/// The transmission error with the harmonics 1 … `harmonics` of each mesh frequency, at most
+/// kErrorPositions/2 − 1.
 ///
-/// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency and the angle between
+/// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency, and the angle between
 ///           them on the gear gives their phase, [T13.17]. Flanks without modifications and errors
 ///           of mounting are conjugate, and their curve is 0
-/// Domain    drive as made, with its flow if there is one; harmonics ≥ 1 (contract)
+/// Domain    a drive made by make_drive(), with its flow if there is one; harmonics ≥ 1 (contract)
 /// None      with several inputs, a redundant mesh, a rack, no geometry, lost contact, or a
 ///           measured gear that is loaded on the flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,

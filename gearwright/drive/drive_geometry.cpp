@@ -38,7 +38,8 @@ ShiftProblem shift_problem(const DriveGraph& graph, const DriveMesh& mesh,
   return problem;
 }
 
-// Meshes of one distance: those of a planet with central gears, else a mesh by itself.
+// Groups the meshes with one centre distance: a planet's meshes with central gears. Any other mesh is a
+// group by itself.
 std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph) {
   std::vector<std::vector<std::size_t>> classes;
   std::vector<std::optional<std::size_t>> planet;
@@ -115,7 +116,7 @@ class Completion {
   DriveGeometry& made_;
 };
 
-// Of a double-helical gear, one half.
+// Makes a gear of a drive. If the gear is double-helical, the result is one half.
 std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
                                     std::optional<double> tip_diameter,
                                     std::vector<Fault>& faults) {
@@ -191,8 +192,8 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// With the addendum of its rack, a ring often reaches below the flanks of its mating gears. If no
-// tip diameter is given, the teeth end where contact is still on those flanks.
+// A ring with the addendum of its rack often reaches below the flanks of its mating gears. If no tip
+// diameter is given, the teeth of the ring are shortened until they touch only those flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
@@ -255,8 +256,7 @@ double tip_gap(const Rider& a, const Rider& b, double turned) {
   return between - (a.tip_diameter + b.tip_diameter) / 2;
 }
 
-// The least gap over all copies. If a copy is not at equal pitch, only riders that do not mesh
-// count.
+// The least gap between the tips of riders of different copies.
 double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
   double least = kInfinity;
   for (std::size_t i = 0; i < turned.size(); ++i)
@@ -329,7 +329,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   for (int n = 2; n <= kMost; ++n) {
     turned.clear();
     for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch, copy 0 has every distance that occurs.
+    // At equal pitch, every distance that occurs is also a distance from copy 0.
     double gap = kInfinity;
     for (int i = 1; i < n; ++i)
       for (const Rider& a : *riders)

@@ -1,4 +1,4 @@
-// The teeth of a drive: distances and shifts of all its meshes, and each mesh as a pair of gears.
+// Computes the teeth of a drive: distances and shifts of all its meshes, and each mesh as a pair of gears.
 //
 //   a      centre distance; all meshes of a planet with central gears share one [T13.15]
 //   c      least distance of the tips of neighbouring planets, mm [T13.15b]
@@ -32,11 +32,13 @@ struct DriveGeometry {
   std::vector<GeometryFault> faults;
 };
 
-/// Formula   Sums of shifts from distances and the other way, as complete_shifts; [T13.15]: a given
-///           distance holds for all central meshes of its planet; without one the first of them is
-///           free of backlash with the shifts given, absent ones 0. A ring without a tip diameter
-///           ends where contact is on the flanks of its mating gears, 0.02 m_n clear of their ends;
-///           another tip with less than 0.1 m_n of clearance is lower by k m_n
+/// Computes absent shifts from distances and absent distances from shifts, as complete_shifts. A given
+/// distance applies to all meshes of a planet with central gears. If no distance is given, the first of
+/// these meshes has no backlash with the given shifts, and absent shifts are 0. A ring without a tip
+/// diameter ends 0.02 m_n before the ends of the flanks of its mating gears. Any other tip with less
+/// than 0.1 m_n of clearance is shortened by k m_n.
+///
+/// Formula   [T13.15]
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
 
@@ -46,8 +48,8 @@ struct RiderPlace {
   double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
 };
 
-/// The planets of a group in order, from the distances of their meshes. None if a distance is
-/// missing, or if an idler has no possible position (`fault` gives the reason).
+/// Positions of the planets of a group in their order, from the centre distances of their meshes. None
+/// if a distance is missing, or if an idler has no possible position (`fault` gives the reason).
 std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault);
@@ -57,16 +59,16 @@ struct Neighbours {
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
-/// None if a distance or a gear is missing, or if an idler has no place (`fault` then has the
-/// reason).
+/// The clearance between planets, and their greatest number. None if a distance or a gear is missing,
+/// or if an idler has no possible position (`fault` gives the reason).
 ///
-/// Formula   c = min 2 a sin(Δ/2) − d_a over neighbours, of riders at several distances tip to tip
-///           from their polar coordinates; N_max = floor(π/asin(d_a/2a)); [T13.15b]
+/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours; if riders have different distances a, c is
+///           the gap between their tips in polar coordinates; N_max = floor(π/asin(d_a/2a)); [T13.15b]
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault);
 
-/// Tooth thickness over pitch of gear 1 or 2 of a pair on its working circle.
+/// Ratio of tooth thickness to pitch on the working pitch circle of gear 1 or 2 of a pair.
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
 double thickness_share(const InvolutePair& pair, int which);

@@ -119,7 +119,7 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
 }
 
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
-  // Riders are joined where they mesh. Each gets the least index of those joined with it.
+  // Riders that mesh are joined. Each gets the least index of the riders joined with it.
   std::vector<std::size_t> group(graph.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) group[i] = i;
   for (const DriveMesh& mesh : graph.meshes) {

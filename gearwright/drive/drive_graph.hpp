@@ -1,9 +1,9 @@
-// A drive as a graph: bodies that turn or move, gears on them, bodies that ride on others, and
+// A drive as a graph: bodies that turn or move, the gears on them, bodies that ride on other bodies, and
 // meshes.
 //
-//   body     turns about an axis, or moves (a rack's); may ride on a carrier, in N copies: a planet
+//   body     turns about an axis, or moves if it has a rack; a planet rides on a carrier, in N copies
 //   gear     z > 0 external, z < 0 ring, or a rack; sits on one body
-//   mesh     two gears; its frame c is the carrier that one of its bodies rides on, else the housing
+//   mesh     two gears; its frame c is the carrier of one of its bodies, otherwise the housing
 //                                              theory: docs/theory/13-drives.md
 //
 // A planetary set and a train of stages are short forms of such a graph (drive/short_forms.hpp).
@@ -25,8 +25,8 @@ namespace gearwright {
 
 /// Arrangement of the copies of a planet around the carrier.
 enum class Spacing {
-  nearest,        ///< at equal pitch if it assembles, else at the nearest places that do
-  equal,          ///< at equal pitch; otherwise an error
+  nearest,        ///< at equal pitch if this can be assembled, otherwise at the nearest places
+  equal,          ///< at equal pitch; an error if this cannot be assembled
   equal_clocked,  ///< at equal pitch, with each stepped planet clocked for its place
   opposite,       ///< every planet has another one opposite
 };
@@ -35,7 +35,7 @@ struct DriveBody {
   std::string name;
   std::optional<std::size_t> carrier;  ///< the body on which it rides
   int count = 1;                       ///< N, copies of a body that rides
-  std::vector<double> positions_deg;   ///< of the copies, from copy 0; by `spacing` if empty
+  std::vector<double> positions_deg;   ///< of the copies, from copy 0; if empty, `spacing` is used
   std::optional<Spacing> spacing{};    ///< by default that of the graph
 };
 
@@ -45,11 +45,11 @@ struct DriveGear {
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
   bool rack = false;                    ///< its body moves, and v/p_t replaces its speed
-  std::optional<CylindricalSpec> spec;  ///< all but the shift; its teeth are `teeth`
+  std::optional<CylindricalSpec> spec;  ///< all other data, except the shift
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
   std::optional<Bore> bore{};                         ///< of the body (internal: rim)
-  std::optional<DoubleHelical> double_helical{};      ///< the face width of `spec` is the whole one
+  std::optional<DoubleHelical> double_helical{};      ///< `spec` then has the width of both halves
 
   /// The factor in [T13.1]: z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
@@ -79,7 +79,7 @@ struct DriveGraph {
   std::optional<double> torque_Nm;  ///< on the first input
   double friction = 0.05;           ///< μ of meshes without an efficiency
   Spacing spacing = Spacing::nearest;
-  bool idler_left = true;  ///< which of two mirrored places an idler has, seen from the planet
+  bool idler_left = true;  ///< true if an idler is counter-clockwise from its planet
 
   const DriveGear& gear(const DriveMesh& mesh, int which) const {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];
@@ -93,15 +93,15 @@ struct DriveGraph {
   bool moves(std::size_t body) const;
 };
 
-/// Checks that the graph can be computed: names, indices, teeth, frames.
+/// Checks that the graph describes a possible drive.
 ///
-/// Errors    `drive.mesh` between riders of two carriers, of racks that do not mesh with an
-///           external gear of the housing; `drive.gear` without teeth; `drive.body` that rides on
+/// Errors    `drive.mesh` between riders of two carriers, or of a rack that does not mesh with an
+///           external gear in the housing; `drive.gear` without teeth; `drive.body` that rides on
 ///           itself
 std::optional<Error> check_graph(const DriveGraph& graph);
 
-/// Planets that move as one: the bodies of one carrier that mesh with each other, and all their
-/// meshes. All have the same number of copies.
+/// A planet, or several planets of one carrier that mesh with each other, with all their meshes. All
+/// bodies of a group have the same number of copies.
 struct PlanetGroup {
   std::size_t carrier;
   std::vector<std::size_t> riders;  ///< bodies

@@ -88,7 +88,7 @@ class Layout {
   }
 
   std::optional<Error> find_angles() {
-    // Copy 0 and everything on fixed axes: each gear is turned by the first mesh that reaches it.
+    // Gears on fixed axes, and copy 0 of each planet, are turned by the first mesh that reaches them.
     for (std::size_t root = 0; root < graph_.gears.size(); ++root) {
       if (known_[first_[root]]) continue;
       known_[first_[root]] = 1;
@@ -132,7 +132,7 @@ class Layout {
   bool turn_rider(const PlanetSet& set, int copy, std::size_t k) {
     if (k == set.group.riders.size()) return true;
     const std::size_t body = set.group.riders[k];
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // and the rider's side
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // with rider's side
     for (const std::size_t m : set.group.meshes) {
       const auto two = placed(graph_.meshes[m], copy);
       for (const std::size_t side : {0, 1}) {
@@ -169,7 +169,7 @@ class Layout {
       if (graph_.gears[g].body == body) phi_[first_[g] + static_cast<std::size_t>(copy)] += angle;
   }
 
-  // Slots in order, each as wide as the widest gear in that slot only.
+  // Places the slots one after the other. Each is as wide as the widest gear that is in this slot only.
   void find_heights() {
     const auto& slots = made_.places.slots;
     std::vector<double> from, to;
@@ -217,7 +217,7 @@ class Layout {
   std::vector<char> known_;
 };
 
-// Least T with all a T whole: lcm of the denominators over gcd of the numerators.
+// The least T for which a T is whole for all speeds a: lcm of the denominators over gcd of the numerators.
 std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
   long long p = 0;
   Rational q = 1;
@@ -276,7 +276,7 @@ std::optional<Rational> turns_until_alike(const Drive& drive) {
     if (!drive.graph.bodies[gear.body].carrier)
       whole.push_back(speed(gear.body) * Rational(gear.teeth));
   for (const PlanetSet& set : drive.sets) {
-    // Planets with a single gear and equal spacing are all alike.
+    // Equally spaced planets with a single gear are identical.
     std::size_t gears = 0;
     for (const DriveGear& gear : drive.graph.gears)
       if (drive.graph.bodies[gear.body].carrier == set.group.carrier) ++gears;

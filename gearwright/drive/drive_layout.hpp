@@ -1,5 +1,5 @@
-// An assembled drive: position and angle of every copy of every gear, such that all teeth mesh, and
-// its motion.
+// Computes an assembled drive: position and angle of every copy of every gear, such that all teeth mesh,
+// and its motion.
 //
 //   θ_a, θ_b   direction of the contact as seen from the axes of gears a and b
 //   φ          angle of a gear's x axis, the centre line of its tooth 0
@@ -18,7 +18,7 @@
 namespace gearwright {
 
 struct PlacedGear {
-  std::size_t gear;  ///< of the graph
+  std::size_t gear;  ///< index in the graph
   int copy;          ///< of its body, from 0
   Vec2 axis;         ///< mm
   double angle;      ///< φ in the middle of its face  rad

@@ -32,7 +32,7 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// "a_b, c_d": the meshes each of which locks the drive. Without that mesh the drive is free.
+// Names the meshes that lock the drive, "a_b, c_d". Without any one of them, the drive is not locked.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {
@@ -56,7 +56,7 @@ Error too_large() {
 }
 
 Error locked(const DriveGraph& graph) {
-  // A loop locks by itself if the drive has too few degrees of freedom even with nothing held.
+  // Counts the degrees of freedom of the drive without held bodies.
   RationalMatrix rows = mesh_rows(graph);
   const auto rank = rank_of(rows);
   if (!rank) return too_large();

@@ -1,11 +1,11 @@
-// Speeds of every body of a drive, exactly: one system of whole numbers.
+// Computes the speeds of all bodies of a drive exactly, from a linear system with integer coefficients.
 //
 //   W      meshes × bodies: z_a on body a, z_b on body b, −(z_a + z_b) on the frame, W ω = 0 [T13.1]
 //   f      degrees of freedom = bodies − rank of W with a row for each fixed body [T13.2]
 //   i      = n_in/n_out, signed [T13.3]
 //                                              theory: docs/theory/13-drives.md
 //
-// In the frame of a mesh the pitch circles roll, for any shifts and centre distance.
+// In the frame of a mesh, the working pitch circles roll on each other for any shifts and centre distance.
 #pragma once
 
 #include <optional>
@@ -35,8 +35,9 @@ std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
 /// Formula   W ω = 0, ω = 0 of fixed bodies, inputs one by one at speed 1; [T13.1]…[T13.5]
 /// Domain    a checked graph with at least one input (contract)
-/// Errors    `drive.fixed`: locked (the loops that contradict are named) or undetermined;
-///           `drive.input`, `drive.output`: held, standing still, contradicting
+/// Errors    `drive.fixed` if the drive is locked (the meshes that lock it are named) or its speeds are
+///           undetermined; `drive.input`, `drive.output` if the body is held or does not rotate, or if
+///           inputs contradict each other
 Result<DriveMotion> drive_motion(const DriveGraph& graph);
 
 }  // namespace gearwright

@@ -104,8 +104,8 @@ class Placing {
           placed[link.to] = 1;
         }
       }
-      // A single shaft continues straight on. Several are at equal angles, and none goes back in
-      // the direction of arrival.
+      // A single next shaft continues the line. Several shafts are placed at equal angles, and none of
+      // them lies towards the shaft from which this one was reached.
       const auto ways = static_cast<double>(fresh.size() + (from == first ? 0 : 1));
       for (std::size_t k = 0; k < fresh.size(); ++k) {
         const auto [mesh, to] = fresh[k];

@@ -1,6 +1,6 @@
-// The positions of the axes of a drive, and the order of its gears along them.
+// Computes the positions of the axes of a drive, and the order of its gears along them.
 //
-//   slot   a stretch of the axes in which some of the meshes run; gears that would overlap in one
+//   slot   a section of the axes that contains some of the meshes; gears that would overlap in one
 //          plane have different slots
 //                                              theory: docs/theory/13-drives.md
 //
@@ -23,15 +23,15 @@ struct SlotRange {
 };
 
 struct DrivePlaces {
-  std::vector<Vec2> axes;        ///< of each body, of a rider copy 0's  mm
+  std::vector<Vec2> axes;        ///< of each body; for a rider, of its copy 0  mm
   std::vector<double> turned;    ///< direction of a rider's copy 0 from its carrier's axis  rad
   std::vector<double> radii;     ///< r_a of each gear, r_f of a ring  mm
   std::vector<int> mesh_slot;    ///< of each mesh
   std::vector<SlotRange> slots;  ///< of each gear
   int slot_count = 0;
-  bool true_scale = false;  ///< computed from the teeth; if false, from their numbers with m = 1
+  bool true_scale = false;  ///< true if computed from teeth, false if from tooth numbers with m = 1
 
-  /// The axis of copy `copy` of a body at the start.
+  /// The axis of copy `copy` of a body in the initial position.
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 

@@ -1,4 +1,4 @@
-// Strength of the meshes of a drive by ISO 6336: each a pair in the frame of its carrier.
+// Rates the strength of the meshes of a drive by ISO 6336. Each mesh is a pair in the frame of its carrier.
 //
 //   T_1    z_1 λ T_in/N: the torque on gear 1 of one of N copies
 //   n_1    speed of gear 1 minus that of the carrier
@@ -43,7 +43,8 @@ FlankUse flank_use(const Drive& drive, std::size_t mesh, int side);
 
 /// The ratings of all meshes; none for a mesh that carries no load or has no pair.
 ///
-/// Errors    `drive.mesh` without a flow, or that locks itself; as rate(), with the mesh in the rule
+/// Errors    `drive.mesh` if there is no flow or if the drive locks itself; as rate(), with the name of
+///           the mesh
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-/// A sum of N unit vectors is 0 or N within rounding; less than this is 0.
+/// A share that differs from 0 or 1 by less than this differs only by rounding.
 constexpr double kNothing = 1e-12;
 
 // Angles are reduced exactly before they become floating-point numbers, so that vanishing sums are

@@ -1,6 +1,6 @@
-// The sequence of the meshes of a group of planets, and the harmonics that it cancels.
+// Computes the sequence of the meshes of a group of planets, and the harmonics that it cancels.
 //
-//   γ_i    periods by which a tooth event of copy i comes after that of copy 0, the sun turning
+//   γ_i    periods by which the engagement of copy i follows that of copy 0 while the sun turns
 //          counter-clockwise as seen from the carrier [T13.16]
 //   R_k, F_k^±   remaining share of harmonic k of torque and axial force, and of a transverse
 //          force that turns with and against the sun [T13.18]
@@ -30,7 +30,7 @@ struct Phasing {
   std::vector<Resultant> resultants;  ///< of harmonics 1, 2, …
 };
 
-/// γ_i of a central gear of z teeth, z < 0 of a ring.
+/// γ_i of a central gear of z teeth, z < 0 for a ring.
 ///
 /// Formula   γ_i = frac(z u_i); [T13.16]
 std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
@@ -40,11 +40,11 @@ std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns)
 Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,
                 int harmonics);
 
-/// Periods by which the contact of a planet gear with a ring comes after that with a sun, both at
-/// their pitch points on loaded flanks; `share_1`, `share_2`: its thickness over the pitch on the two
-/// working circles.
+/// Periods by which the contact of a planet gear with a ring follows that with a sun, both at
+/// their pitch points on loaded flanks. `share_1` and `share_2` are the ratios of its tooth thickness to
+/// the pitch on the two working circles.
 ///
-/// Formula   frac(z_p/2 ∓ (s_1/p_1 + s_2/p_2)/2), − where the sun drives; [T13.17]
+/// Formula   frac(z_p/2 ∓ (s_1/p_1 + s_2/p_2)/2), with − if the sun drives; [T13.17]
 double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun_drives);
 
 }  // namespace gearwright

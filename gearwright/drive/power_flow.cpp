@@ -12,12 +12,12 @@ namespace gearwright {
 
 namespace {
 
-/// Relative to the power or torque of the input: less is rounding error.
+/// A power below this fraction of the input power is a rounding error.
 constexpr double kIdle = 1e-11;
 /// Up to this number of loaded meshes, all patterns of their signs are tried.
 constexpr std::size_t kMostSigns = 16;
 
-// The bodies with an unknown external torque: held ones, and all ends except the given one.
+// The bodies with an unknown external torque: held bodies, inputs and the output, except `given`.
 std::vector<std::size_t> reacting(const DriveGraph& graph, std::size_t given) {
   std::vector<std::size_t> list = graph.fixed;
   for (const std::size_t in : graph.inputs)
@@ -35,7 +35,7 @@ class Statics {
         efficiencies_(efficiencies),
         reacting_(reacting(graph, graph.inputs.front())) {}
 
-  // The flow for one pattern of drivers. A mesh with −1 has no friction.
+  // The flow for one pattern of drivers. A mesh with driver −1 has no friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();
@@ -122,8 +122,8 @@ bool consistent(const std::vector<int>& assumed, const std::vector<int>& found) 
   return true;
 }
 
-// Meshes with one frame pass power from body to body. If one of these branches carries more than
-// flows in from outside, power circulates.
+// A group of planets, or a mesh in the housing, passes power from body to body. If one of these branches
+// carries more power than flows in from outside, power circulates.
 bool circulates(const DriveGraph& graph, const Statics& statics, const std::vector<double>& speeds,
                 const PowerFlow& flow) {
   const std::vector<PlanetGroup> groups = planet_groups(graph);

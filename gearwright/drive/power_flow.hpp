@@ -1,4 +1,4 @@
-// Torques, powers and losses of a drive: the direction of power is computed, not assumed.
+// Computes torques, powers and losses of a drive. The direction of power is computed, not assumed.
 //
 //   λ_m    tooth load of a mesh in the unit "torque per tooth", all copies together
 //   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)    σ = ±1: a or b drives [T13.6], [T13.7]
@@ -21,7 +21,7 @@ struct MeshEfficiency {
   double first_drives, second_drives;
 };
 
-/// Power that flows from a mesh to a body (> 0) or from the body (< 0), in the frame of the
+/// Power that flows from a mesh to a body (> 0) or from the body to the mesh (< 0), in the frame of the
 /// housing. The powers of one mesh add up to its loss, < 0.
 struct PowerPath {
   std::size_t mesh, body;
@@ -32,28 +32,27 @@ struct PowerFlow {
   std::vector<double> load;  ///< λ of each mesh
   std::vector<int> driver;   ///< 0 if gear a drives, 1 if gear b does, −1 if the mesh is idle
   std::vector<double> mesh_power;  ///< P_m in the frame, of the driving gear
-  std::vector<double> torque;      ///< T_ext of each body, 0 of free ones
+  std::vector<double> torque;      ///< T_ext of each body, 0 if the body is free
   std::vector<PowerPath> paths;    ///< by mesh; none for bodies at rest
-  double power_in = 0.0;           ///< Σ of P = T ω that flow in
+  double power_in = 0.0;           ///< sum of the powers T ω that flow in
   double efficiency = 0.0;         ///< η [T13.9]; 0 if self-locking (other members are empty)
-  bool circulating = false;        ///< a branch carries more than flows in
+  bool circulating = false;        ///< true if a branch carries more power than flows in
 
   bool self_locking() const { return efficiency <= 0.0; }
 };
 
 /// The flow at given speeds of all bodies, torque 1 on the first input.
 ///
-/// Formula   signs of the flow without friction, then those of each solution until they repeat;
-///           otherwise all patterns of signs are tried, and the one with η > 0 is used. Closed
-///           forms: [T13.10], [T13.11]
+/// Formula   The signs σ of the flow without friction are used first, then those of each solution until
+///           they repeat. If this gives no solution, all patterns of signs are tried, and the one with
+///           η > 0 is used. Closed forms: [T13.10], [T13.11]
 /// Domain    independent meshes, f inputs and one output (contract)
 /// Errors    more than 16 loaded meshes whose signs do not converge
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
-/// λ of each mesh without friction per unit torque on `body`, exact: the fraction of a motion of a
-/// mesh that arrives there [T13.20]. Inputs and output except `body` are held if that leaves one
-/// solution.
+/// λ of each mesh without friction per unit torque on `body`, exact. λ is also the factor with which a
+/// motion of the mesh is transmitted to `body` [T13.20]. Inputs and output except `body` are held.
 ///
 /// Domain    one degree of freedom, independent meshes; body turns (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,

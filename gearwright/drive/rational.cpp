@@ -152,7 +152,7 @@ std::optional<std::size_t> rank_of(RationalMatrix rows) {
 
 RationalMatrix left_kernel(const RationalMatrix& rows) {
   if (rows.empty()) return {};
-  // [A | I]: if the A part of a row vanishes, its I part is a y.
+  // Reduces [A | I]. If the A part of a row vanishes, its I part is a y with y·A = 0.
   const std::size_t columns = rows.front().size();
   RationalMatrix both = rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

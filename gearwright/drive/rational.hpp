@@ -18,8 +18,8 @@ class Rational {
 
   Rational() = default;  ///< 0
   Rational(long long whole)
-      : p_(whole) {}  // NOLINT(google-explicit-constructor): every one is a
-                      // fraction
+      : p_(whole) {}  // NOLINT(google-explicit-constructor): a whole number is
+                      // a fraction
   /// p/q.   Domain  q ≠ 0 (contract)
   static Rational of(long long p, long long q);
   static Rational too_large();  ///< a fraction in the state of overflow
@@ -33,9 +33,9 @@ class Rational {
   /// p and q; none if one of them has more than 63 bits.
   std::optional<long long> numerator() const;
   std::optional<long long> denominator() const;
-  /// v − floor(v), of [0, 1).
+  /// v − floor(v), in [0, 1).
   Rational frac() const;
-  /// The greatest whole number that does not exceed it.
+  /// The greatest whole number that does not exceed this fraction.
   Rational floor() const;
 
   friend Rational operator+(const Rational& a, const Rational& b);
@@ -68,7 +68,7 @@ std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 /// Rank of the matrix; none after overflow.
 std::optional<std::size_t> rank_of(RationalMatrix rows);
 
-/// Basis of the y with y·A = 0, one row each; empty if the rows are independent or after overflow.
+/// Basis of all y with y·A = 0, one in each row; empty if the rows are independent or after overflow.
 RationalMatrix left_kernel(const RationalMatrix& rows);
 
 }  // namespace gearwright

@@ -48,7 +48,7 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// True if central gears of one kind are adjacent along this planet.
+// True if a planet with one gear meshes with two central gears of one kind, which are side by side.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;
@@ -143,7 +143,7 @@ std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   return std::nullopt;
 }
 
-// A graph that is one pair of gears on fixed axes.
+// The graph of one pair of gears on fixed axes.
 DriveGraph pair_graph(const PairStage& stage) {
   DriveGraph graph;
   for (const std::size_t i : {0, 1}) {
@@ -158,7 +158,7 @@ DriveGraph pair_graph(const PairStage& stage) {
   return graph;
 }
 
-// Appends a stage: its input is the body `joined` of the train so far.
+// Appends a stage to the train. If there is a body `joined` of the train, it is the input of the stage.
 void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefix,
             std::optional<std::size_t> joined) {
   std::vector<std::size_t> body(stage.bodies.size());

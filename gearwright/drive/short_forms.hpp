@@ -1,7 +1,7 @@
-// Planetary sets and trains of stages: short forms of a drive's graph.
+// Expands planetary sets and trains of stages, the short forms of a drive, to the graph of the drive.
 //
-// A set has a sun, planets and a ring, or others of the members below; a stage of a train is a pair
-// of gears or a set. Both expand to bodies, gears and meshes, and everything is computed from these.
+// A set has a sun, planets and a ring, or other members of the list below. A stage of a train is a pair
+// of gears or a set. The graph has bodies, gears and meshes, and everything is computed from it.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ const char* to_string(SetMember member);
 /// The names of all members, in their order.
 std::vector<std::string> set_member_names();
 
-/// One number for all gears of a set, or one for each named gear.
+/// One number for all gears of a set, and numbers for single gears, which take precedence.
 struct PerMember {
   std::optional<double> all;
   std::array<std::optional<double>, kSetMembers> each{};
@@ -32,7 +32,7 @@ struct PerMember {
   }
 };
 
-/// One number for all meshes, or one for each by its name.
+/// One number for all meshes, and numbers for single meshes by name, which take precedence.
 struct PerMesh {
   std::optional<double> all;
   std::vector<std::pair<std::string, double>> each{};
@@ -41,14 +41,14 @@ struct PerMesh {
 };
 
 struct PlanetarySpec {
-  /// Absent if there is no such gear. A ring's number may have either sign.
+  /// z of each gear, absent if there is no such gear. The number of a ring may have either sign.
   std::array<std::optional<int>, kSetMembers> teeth{};
   int planets = 1;
   std::optional<double> normal_module;  ///< m_n  mm; no geometry if absent
   Angle normal_pressure_angle = Angle::degrees(20);
   PerMember module;         ///< of single gears  mm
   PerMember profile_shift;  ///< x
-  PerMember helix_deg;      ///< β of the sun; of others if they are named
+  PerMember helix_deg;      ///< β; by default all follow from that of the sun
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
@@ -70,7 +70,7 @@ struct PlanetarySpec {
   }
 };
 
-/// Two gears on fixed axes, the wheel's number < 0 for a ring.
+/// Two gears on fixed axes. The number of teeth of the second gear is < 0 for a ring.
 struct PairStage {
   std::array<int, 2> teeth{};
   std::array<std::optional<CylindricalSpec>, 2> specs;
@@ -85,23 +85,24 @@ struct StageSpec {
   std::optional<PlanetarySpec> planetary;  ///< absent for a pair
   PairStage pair;
   std::vector<double> speeds_rpm{};   ///< of the pair's input
-  std::optional<double> torque_Nm{};  ///< on it
+  std::optional<double> torque_Nm{};  ///< on the pair's input
   double friction = 0.05;             ///< μ of the pair
 };
 
 /// The index of a body by its name.
 ///
-/// Errors    `field` with the nearest name and all that there are
+/// Errors    `field`, with the names of all bodies
 Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
                               const std::string& field);
 
-/// Bodies sun, planet, ring, carrier and so on; meshes sun_planet, planet_ring and so on.
+/// The graph of a planetary set. Its bodies are named sun, planet, ring, carrier and so on, and its
+/// meshes sun_planet, planet_ring and so on.
 ///
 /// Errors    a missing member, a set without a mesh; unknown bodies in `fixed`, `input`, `output`
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
-/// The whole train, and its stages as separate drives. Bodies are s1_sun, s2_gear1 and so on. The
-/// body that joins two stages has the name that it has in the first of them.
+/// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so on. The
+/// body that joins two stages has its name in the first of them.
 ///
 /// Errors    as graph_of; `drive.input` of a later stage with several inputs; `drive.speed` and
 ///           `drive.torque` of a later stage

@@ -37,7 +37,7 @@ bool waves_are_rounding(const std::vector<Angle>& waves);
 /// harmonic.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
-/// The nodes of a raster for contours. Its gaps are in mm.
+/// The nodes of a raster for contours, with its gaps in mm.
 ContourField field_of(const FlankRaster& raster);
 /// The regions in which a field of a raster is below a level, in heights along the face and
 /// diameters, mm.

@@ -33,7 +33,7 @@ struct ContactScene {
   double marking = 0.0;   ///< δ  mm
   int positions = 0;      ///< per pitch
   ContactResult driving;  ///< `positions` positions of one pitch, starting at −half a pitch
-  std::string part{};     ///< ends the ids of figures; "-2" for the second half of a pair
+  std::string part{};     ///< suffix of the ids of figures; "-2" for the second half of a pair
 };
 
 /// Makes the scene of a pair that was turned through one pitch.

@@ -27,7 +27,7 @@ class Framed {
   double level() const { return level_; }
   bool below(std::size_t row, std::size_t column) const { return value(row, column) < level_; }
 
-  // Edges are numbered: first those along the rows, then those along the columns.
+  // Each node has the number of the edge along its row and that of the edge along its column.
   std::size_t edge(std::size_t row, std::size_t column, bool along_row) const {
     return 2 * (row * columns() + column) + (along_row ? 0 : 1);
   }
@@ -61,8 +61,8 @@ class Framed {
   double level_;
 };
 
-// The pieces of the border in one cell. Each leads from the edge at which the border leaves the
-// region counter-clockwise round the cell to the edge at which it enters the region again.
+// Adds the pieces of the border in one cell. Counter-clockwise round the cell, each piece leads from the
+// edge at which the region ends to the edge at which it begins again.
 void add_cell(const Framed& grid, std::size_t row, std::size_t column,
               std::map<std::size_t, std::size_t>& next) {
   const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),

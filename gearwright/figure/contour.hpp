@@ -1,8 +1,8 @@
 // Regions of a raster in which its values stay below a level, by marching squares.
 //
 // The nodes of a raster are (column, row). Between two nodes the value is linear. An infinite node
-// is above every level, and the border runs halfway to it, because the end of the values between
-// the nodes is unknown. The edge of the raster closes every region. Values are shown as ten shades
+// is above every level, and the border runs halfway to it, because it is unknown where between the
+// nodes the values end. The edge of the raster closes every region. Values are shown as ten shades
 // from dark (low) to bright, with the levels at which they change.
 #pragma once
 

@@ -13,9 +13,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kFree = 0.06;  // fraction of an axis that is free at both ends
-// Greatest over least value, above which a linear axis would crowd one end.
+// Ratio of the greatest to the least value above which a linear axis would crowd one end.
 constexpr double kWideSpan = 15.0;
-// Relative; values within this difference count as one value, with some margin around it.
+// Relative difference within which values count as one value, and the margin drawn around this value.
 constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 

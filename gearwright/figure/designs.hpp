@@ -14,7 +14,7 @@ struct DesignDot {
   std::string words = {};  ///< the design, shown at the pointer with its two values
 };
 
-/// The dots in their order, over axes with some margin around them, and below them the border of
+/// Draws the dots in their order on axes with some margin, and under them the border of
 /// the front. An axis of positive values is logarithmic if the greatest value exceeds fifteen times
 /// the least.
 ///

@@ -15,7 +15,7 @@ namespace gearwright {
 std::string body_style(std::size_t body);
 
 /// The scheme of the drive in a half section: gears as bars, shafts, carriers with one planet of
-/// each kind, fixed bodies, with speeds and torques at the ends. Coaxial shafts are drawn beside
+/// each kind, fixed bodies, with speeds and torques at the ends of shafts. Coaxial shafts are drawn beside
 /// each other. Radii are to scale, lengths are not.
 Figure scheme_figure(const Drive& drive, const DrivePlaces& places);
 

@@ -22,7 +22,7 @@ constexpr double kApart = 0.05;   // between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
 constexpr double kFurther = 2.5;  // additional length of each shaft inside the outer one
 
-// A vertical line from the shaft of a body, either a gear, a carrier or the bell of a ring.
+// A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring.
 struct Rise {
   double x, to;
 };
@@ -147,7 +147,7 @@ class Scheme {
     });
   }
 
-  // The side beyond the slots of everything inside the bell, where the body ends or continues.
+  // The position of the bell of a ring, beyond its slots, on the side on which the body ends or continues.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }
@@ -217,7 +217,7 @@ class Scheme {
     for (auto& [place, shafts] : axes) draw_axis(shafts);
   }
 
-  // Shafts that overlap get different levels. The one that reaches farther inwards is inside.
+  // Shafts that overlap get different levels. A longer shaft is inside a shorter one.
   void draw_axis(std::vector<Shaft>& shafts) {
     for (Shaft& s : shafts) {
       if (s.left) s.from = left_;

@@ -30,7 +30,7 @@ struct AxisName {
 struct FigureAxis {
   std::string words;                 ///< "rotation of gear 1"; plain text
   std::string unit;                  ///< "°"; empty: a pure number
-  double lo = 0.0, hi = 1.0;         ///< hi < lo: the axis is reversed
+  double lo = 0.0, hi = 1.0;         ///< the axis is reversed if hi < lo
   bool whole = false;                ///< only whole numbers are possible
   std::string symbol = {};           ///< "ε_α", after the words
   bool log = false;                  ///< logarithmic axis; 0 < lo < hi
@@ -62,8 +62,8 @@ struct FigureMark {
   /// dot is first tried at `offset` and −`offset`.
   std::string label = {};
   std::string label_style = {};
-  /// For a line: it is the border of an area, with its name on its right side or within the area.
-  /// For a bar: labels do not overlap it.
+  /// True for a line that is the border of an area; its label is on its right side or within the area.
+  /// True for a bar that labels must not overlap.
   bool border = false;
   double turned = 0.0;     ///< of a shape: degrees, counter-clockwise
   double per_pitch = 0.0;  ///< of a shape: degrees clockwise while gear 1 turns by one pitch
@@ -135,7 +135,7 @@ struct Figure {
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
   std::optional<FigureSlide> slide = {};
-  std::vector<FigureLeader> leaders = {};  ///< of a plane, whose marks are then clipped to the plot
+  std::vector<FigureLeader> leaders = {};  ///< of a plane; its marks are then clipped to the plot
   std::vector<FigureGroup> groups = {};
   std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
 

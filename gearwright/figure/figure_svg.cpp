@@ -35,7 +35,7 @@ double letters(std::string_view markup) {
   }));
 }
 
-// An axis on the screen: the values from lo to hi in px.
+// An axis on the screen, from the value lo at `from` px to the value hi at `to` px.
 struct Scale {
   double lo, hi, from, to;
   bool log = false;

@@ -37,7 +37,7 @@ class FreeLabels {
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
   void keep_off(const std::vector<Vec2>& polyline);
 
-  /// The objects that a label may overlap: none, one line, or all.
+  /// The objects that a label may overlap: none, one line, two lines, or all.
   enum class If { free, over_a_line, over_two_lines, always };
   /// Draws the label at the best permitted position of `places`. `plain` is the text of the markup,
   /// from which the width is computed. Returns true if the label is drawn.

@@ -183,9 +183,9 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
   // The chord that closes the fill of a tooth lies inside the root circle, which the disc fills. If
-  // the chord would cross a bore, the circle itself closes the fill. Colours are inherited where
-  // the shape is used. The effect must be set here, because style sheets do not apply inside the
-  // shape.
+  // the chord would cross a bore, the circle itself closes the fill. Colours are inherited where the
+  // shape is used. The attribute vector-effect must be set here, because style sheets do not apply
+  // inside the shape.
   std::string text;
   if (!gear.internal()) {
     if (chord_crosses_bore(gear)) {

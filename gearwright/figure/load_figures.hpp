@@ -31,8 +31,8 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 Figure pressure_figure(const LoadScene& scene, std::size_t which);
 Figure pressure_along_figure(const LoadScene& scene);
 
-/// Point contact: the ellipses of a tooth on its way through the mesh on the flank of gear `which`,
-/// and the pressure in them.
+/// The contact ellipses of a tooth with point contact on its way through the mesh, on the flank of gear
+/// `which`. A second figure shows the pressure in them.
 ///
 /// Domain    teeth that touch at points, at least one position in contact (contract)
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);

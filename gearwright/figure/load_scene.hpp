@@ -24,9 +24,9 @@ struct LoadScene {
   std::vector<LoadStandard> standard;      ///< at each torque; may be empty
   std::optional<std::size_t> chosen = {};  ///< index of the torque whose fields are drawn; if none,
                                            ///< the greatest torque
-  std::string part{};  ///< ends the ids of figures; "-2" for the second half of a pair
-  /// Of a double-helical pair, whose other members are those of the whole gears: at z > 0 and at
-  /// z < 0, or one if they are mirror images.
+  std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
+  /// The halves of a double-helical pair at z > 0 and at z < 0, or one of them if they are mirror
+  /// images. The other members are then those of the whole gears.
   std::vector<LoadScene> halves{};
 };
 
@@ -38,7 +38,7 @@ const LoadedTorque& shown_torque(const LoadScene& scene);
 /// "250 N m"
 std::string torque_words(const LoadedTorque& torque);
 
-/// Colours of the curves, for the number of shown torques.
+/// The style of curve i of the shown torques, and the keys of all these curves.
 std::string curve_style(std::size_t i);
 std::vector<FigureKey> torque_keys(const LoadScene& scene);
 
@@ -47,8 +47,8 @@ std::vector<FigureKey> torque_keys(const LoadScene& scene);
 double pitch_of(const LoadScene& scene);
 double own_pitches(const LoadScene& scene, const LoadedPosition& at, const LoadedPair& pair);
 
-/// The positions of the frames of a figure, as indices in the contact, starting where gear 1 is
-/// unrotated. If there are many positions, only as many are used as can be distinguished.
+/// The positions of the frames of a figure, as indices in the contact, starting at rotation 0 of
+/// gear 1. If there are many positions, only as many are used as can be distinguished.
 std::vector<std::size_t> frame_positions(const LoadScene& scene);
 
 /// Positions of the slices along the face of gear `which` (0, 1), mm.

@@ -77,7 +77,7 @@ void add_region(Figure& f, const ShiftChart& chart) {
       f.line(e.points, fmt::format("region-edge {}", style_of(e.edge)),
              both ? "exact centre distance" : std::string(words_of(e.edge)));
     }
-    // The limits touch in a single point.
+    // If the limits touch in a single point, the region is this point.
     if (loop.empty()) f.dot(chart.region.lo, 3.0, "region-point");
   }
 }
@@ -228,12 +228,13 @@ ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design) {
 }
 
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window) {
-  Figure f{"region",
-           "The profile shifts that the limits leave",
-           "Profile shift of gear 1 to the right, of gear 2 up, in modules. No shifts are feasible.",
-           "",
-           {"profile shift of gear 1", ""},
-           {"profile shift of gear 2", ""}};
+  Figure f{
+      "region",
+      "The profile shifts that the limits leave",
+      "Profile shift of gear 1 to the right, of gear 2 up, in modules. No shifts are feasible.",
+      "",
+      {"profile shift of gear 1", ""},
+      {"profile shift of gear 2", ""}};
   f.x.symbol = "x_1";
   f.y.symbol = "x_2";
   f.x.lo = window.lo.x();

@@ -25,8 +25,9 @@ std::string_view style_of(ShiftEdge edge);
 /// The rectangle of the shift limits of both gears.
 Bounds limits_box(const ShiftGraph& graph);
 
-/// Window of the picture, and whether it shows only a part. It is the whole rectangle if the region
-/// is at least `fair_part` as long. It has the given ratio of width to height and is never empty.
+/// The window of the picture. It covers all limits if the longer side of the region is at least
+/// `fair_part` times the longer side of the limits, and otherwise only the region (`zoomed`). It has
+/// the given ratio of width to height and is never empty.
 struct RegionWindow {
   Bounds box;
   bool zoomed;

@@ -20,8 +20,8 @@ namespace {
 constexpr double kAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, the width of a picture
 
-// A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth.
-// A point is (height towards the mating gear, across). With `mate`, the rack is turned over and
+// The outline of a rack in the frame of the convex gear's tooth, over two pitches on each side of the
+// middle. A point is (height towards the mating gear, across). With `mate`, the rack is turned over and
 // moved by half a pitch.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
@@ -46,7 +46,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// A figure of the plane (up, right) about its point (x, 0), x mm up.
+// A figure of the plane whose middle is `up` mm above the origin.
 Figure plane_of(const std::string& id, const std::string& title, const std::string& description,
                 double m, double up) {
   const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kAspect / 2);
@@ -246,8 +246,8 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
     for (const Vec2& p : tooth) {
       const double radius = p.norm();
       const double polar = turned + std::atan2(p.y(), p.x());
-      // The screw through the point meets the plane where (r − p)·t = 0. Newton's method starts
-      // from its section.
+      // The helix through the point meets the plane where (r − p)·t = 0. Newton's method starts in the
+      // transverse section of the contact point.
       double z = plane.origin.z();
       Vec3 r;
       for (int step = 0; step < 50; ++step) {

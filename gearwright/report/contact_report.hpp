@@ -31,17 +31,16 @@ struct ContactReport : ContactScene {
   std::vector<PatternUnder> under;         ///< may be empty
   std::optional<ContactMap> map;
   const ArcPair* arc_pair = nullptr;  ///< the pair, if its gears have circular-arc teeth
-  /// Of a double-helical pair, whose other members are those of the whole gears: at z > 0 and at
-  /// z < 0, or one if they are mirror images. They have patterns and the gap only.
+  /// The halves of a double-helical pair at z > 0 and at z < 0, or one of them if they are mirror images.
+  /// They have patterns and the gap only, and the other members are those of the whole gears.
   std::vector<ContactReport> halves;
 };
 
 inline constexpr double kConjugate = 1e-6;  ///< arcsec; a smaller peak-to-peak value is a rounding
                                             ///< error
 
-/// The result of tooth contact in one or two sentences of plain text, for all interfaces. They
-/// state the transmission error, and whether flanks touch along lines, flanks touch in points, or
-/// edges touch.
+/// The result of tooth contact in one or two sentences of plain text, for all interfaces. The sentences
+/// state the transmission error, and whether the flanks touch along lines, in points or at edges.
 std::string contact_words(const ContactResult& contact);
 
 }  // namespace gearwright

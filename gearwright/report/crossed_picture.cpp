@@ -123,8 +123,8 @@ void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const double r = side.pitch_radius;
   const double half = pair.input.face_width[i] / 2;
   const PlanFrame f = frame_of(pair, i);
-  // Over the top of the cylinder at the angle φ from the view, a right-hand tooth goes to the
-  // right as it rises.
+  // φ is the angle of a point of the cylinder from the direction of view. In this view, a right-hand
+  // tooth rises to the right.
   const double turn = side.tan_helix / r;  // rad/mm
   const double reach = std::abs(turn) * half + std::numbers::pi / 2;
   const double pitch = 2 * std::numbers::pi / z;

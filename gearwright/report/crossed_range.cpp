@@ -28,7 +28,8 @@ constexpr double kMinAngle = 2e-3;  // rad; no rack has α_wn = 0
 
 double deg(double rad) { return kDegPerRad * rad; }
 
-// Transverse angle of the limiting gear, because α_n itself is no parameter at the limit.
+// Transverse pressure angle of the limiting gear. It is the parameter, because α_n cannot be one at the
+// limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
   const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));

@@ -27,7 +27,7 @@ struct CrossedSample {
 /// Domain    crossed axes (contract)
 std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
-/// Samples with increasing α_wn over the relevant range. It contains all angles with ε ≥ 1, the
+/// Samples with increasing α_wn over the relevant range. The range contains all angles with ε ≥ 1, the
 /// position of the pair and the least centre distance, with some margin, as far as racks exist.
 ///
 /// Domain    crossed axes (contract)

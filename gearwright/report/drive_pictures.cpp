@@ -21,7 +21,7 @@ constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px
 constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // px; height over width
 constexpr double kPhaseModules = 6.5;    // size of the region in a picture of a phase
 constexpr double kTeethPerSecond = 1.2;  // frequency of the fastest mesh while the picture turns
-constexpr int kSliderSteps = 240;        // of the slider
+constexpr int kSliderSteps = 240;        // number of positions of the slider
 
 // Degrees, clockwise as in SVG, by which a body with `ratio` to the input turns while t runs from 0
 // to 1.
@@ -38,7 +38,7 @@ class Pictures {
       const Vec2 r = Vec2::Constant(drawn_radius(*drive.geometry.gears[p.gear]));
       all.cover(p.axis - r);
       all.cover(p.axis + r);
-      // Planets move: the whole circle of their carrier is shown.
+      // Planets move, so the whole circle over which they move is shown.
       if (const auto carrier = graph_.bodies[graph_.gears[p.gear].body].carrier) {
         const Vec2 about = layout.places.axes[*carrier];
         const Vec2 reach = r + Vec2::Constant((p.axis - about).norm());
@@ -61,7 +61,8 @@ class Pictures {
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
 
-  // The gear about a point of the figure, which turns with `relative` to the input, within its group.
+  // Adds a gear about a point of the figure. It turns with the ratio `relative` to the input, within its
+  // group.
   void add_gear(Figure& f, std::size_t placed, double height, const Vec2& at, double turned,
                 double relative, int group = -1) {
     const PlacedGear& p = layout_.gears[placed];
@@ -115,7 +116,7 @@ class Pictures {
     return figure_html(f, kSectionWidth, "", k == 0 ? control() : "");
   }
 
-  // The planets in a group that turns with the carrier, and lines from its axis to theirs.
+  // Adds the planets in a group that turns with the carrier, and lines from the carrier's axis to theirs.
   void add_carrier(Figure& f, const DriveSection& section, std::size_t carrier) {
     const int group = static_cast<int>(f.groups.size());
     const Vec2 center = layout_.places.axes[carrier];

@@ -17,7 +17,7 @@ struct DriveReportInput {
   std::string title;  ///< if empty, a title is made from the tooth numbers
   const Drive* drive = nullptr;
   const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed (no scheme)
-  const DriveLayout* layout = nullptr;  ///< null if it cannot be assembled
+  const DriveLayout* layout = nullptr;  ///< null if the drive cannot be assembled
   std::string why_no_layout;            ///< the reason, a sentence
   Verdict verdict;
   std::vector<ReportFile> files;

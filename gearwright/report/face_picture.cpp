@@ -33,8 +33,8 @@ double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samp
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-// The part of the face used by a line: the reach of the tips, and within it the part that flanks
-// and faces leave.
+// Adds the part of the face that a line of action uses: a thin line from tip to tip, and a thick one for
+// the part within the usable flanks and faces.
 void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, double y) {
   const Mesh<double>& m = pair.mesh;
   const double sign = leading ? 1.0 : -1.0;

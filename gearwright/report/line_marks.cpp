@@ -34,8 +34,8 @@ std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   return marks;
 }
 
-// The side of its line for a letter at p, which is away from the other line. If the lines are within
-// `touching`, letters of the leading line are above and those of the trailing line below.
+// The side of a line on which a letter at p is drawn. It is away from the other line. If the lines are
+// within `touching`, letters of the leading line are above and those of the trailing line below.
 Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const Vec2& other_along,
                  double touching, bool leading) {
   const Vec2 across(-along.y(), along.x());

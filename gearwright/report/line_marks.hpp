@@ -21,7 +21,7 @@ struct PathMark {
   const char* style = "";  ///< style of its dot
 };
 
-/// The points A to E, in this order, of which those from A to `last` are used. If ε_α > 2, the end
+/// The points A to E in this order, as far as they lie between A and `last`. If ε_α > 2, the end
 /// of a period lies beyond the path, and B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
@@ -33,8 +33,8 @@ struct LetterAt {
   std::string line_style = "leader", style = "letter halo";
 };
 
-/// Adds the letters to a figure whose axes contain the curves. It extends the axes by the room that
-/// they need, above and at both ends of the x axis.
+/// Adds the letters to a figure whose axes contain the curves. The axes are extended by the room that
+/// the letters need, above the plot and at both ends of the x axis.
 void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
 
 /// ρ_1 of the points that a picture should contain: A, E, and C and the base tangent points unless
@@ -43,8 +43,8 @@ std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
 
-/// Adds the lines to a plane, to which `on` maps the housing. Each letter is on the side away from the
-/// other line, or at a free position.
+/// Adds the lines to a figure of a plane. `on` maps points of the housing to the plane. Each letter is on
+/// the side away from the other line, or at a free position.
 void add_lines_of_action(Figure& figure, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);

@@ -40,7 +40,7 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
       "dash-dot, base circles dashed; T: base tangent points.{}",
       caption_of_gears(), caption_key("action", "path of contact A–E"),
       caption_key("trailing", "line of action of the trailing flanks"), about_ring(pair.gears[1]));
-  // The height is not greater than the pair requires.
+  // The picture is no higher than the pair requires.
   const Vec2 size = mesh_window(scene, MeshFrame::whole, kMostAspect).size();
   const double tall = mesh_window(scene, MeshFrame::whole, kLeastAspect).size().x();
   const double aspect = std::clamp(tall / size.y(), kLeastAspect, kMostAspect);

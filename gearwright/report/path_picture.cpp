@@ -20,7 +20,8 @@ constexpr double kDeepest = -8.0;  // specific sliding at which a shown curve en
 // The same for a curve that falls without limit, towards a base tangent point.
 constexpr double kEndless = -4.0;
 
-// The numbers of tooth pairs along the path, and the part of it on usable flanks if that is shorter.
+// Adds lanes with the number of tooth pairs along the path, and, if it is shorter, the part of the path
+// on usable flanks.
 void add_lanes(Figure& f, const Mesh<double>& mesh) {
   const auto from_C = [&](double rho1) { return rho1 - mesh.rho1_C; };
   const std::vector<ContactZone> zones = contact_zones(mesh.rho1_A, mesh.rho1_E, mesh.step);
@@ -53,7 +54,7 @@ std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
   return gear == 1 ? s.zeta_1 : s.zeta_2;
 }
 
-// The range begins at a multiple of one half slightly below the lower of the ends.
+// The lower end of the shown range, a multiple of 0.5 slightly below the least sliding at A and E.
 double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
@@ -74,8 +75,8 @@ void add_sliding(Figure& f, const InvolutePair& pair, int gear) {
   f.line(std::move(points), gear == 1 ? "curve g1" : "curve g2 dash", fmt::format("gear {}", gear));
 }
 
-// Both values at one end of the path. Values below the plot have their labels at the lower edge, one
-// above the other.
+// Labels both values at one end of the path. Values below the plot have their labels at the lower edge,
+// one above the other.
 void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
@@ -168,7 +169,7 @@ Figure ratio_figure(const InvolutePair& pair) {
     if (bar.from_alpha > 0.0) f.bar({0.0, low}, {bar.from_alpha, high}, "bar alpha");
     if (bar.from_beta > 0.0) f.bar({bar.from_alpha, low}, {bar.sum(), high}, "bar beta");
     if (bar.formula - bar.sum() > 1e-9) f.bar({0.0, low}, {bar.formula, high}, "bar formula");
-    // A value that the line at 1 would cross is behind the line.
+    // A value that the line at 1 would cross is written to the right of this line.
     const double end = std::max(bar.sum(), bar.formula);
     const bool crossed = end < 1.0 && end + bar.room() * f.x.hi > 1.0;
     f.text({crossed ? 1.0 : end, middle}, bar.value(), Anchor::start, "halo", {7.0, 5.0});

@@ -26,8 +26,8 @@ std::string finding_list(const Verdict& verdict, std::string_view whole);
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes);
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes);
 
-/// What both halves of a double-helical pair share, `alike` in addition if there are pictures of one
-/// half only, and the pictures of each half under its heading.
+/// The text `shared` about the results of both halves of a double-helical pair, and the pictures of each
+/// half under its heading. If there are pictures of one half only, the sentence `alike` is added.
 std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures);
 

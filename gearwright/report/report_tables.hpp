@@ -15,7 +15,7 @@ namespace gearwright {
 /// "Gear 1", "Gear 2"
 std::vector<std::string> gear_headings(std::size_t gears);
 
-/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut. Of
+/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut. For
 /// double-helical gears, `gears` are halves.
 std::string gear_table(const std::vector<const Gear*>& gears,
                        const std::array<std::optional<Halves>, 2>& halves);

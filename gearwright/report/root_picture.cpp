@@ -37,7 +37,7 @@ Vec2 root_center(const Gear& gear) {
   return center_of(*gear.tooth->root_fillet, kPi / gear.spec.teeth);
 }
 
-// Beyond the middle of the space, F lies in the neighbouring tooth.
+// True if F lies on this tooth. Beyond the middle of the space, F would lie in the neighbouring tooth.
 bool shows_limit(const Gear& gear) {
   return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
          kPi / gear.spec.teeth;

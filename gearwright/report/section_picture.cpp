@@ -54,12 +54,13 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Adds the part of the ellipse in the plot and names it at the point at which it, followed from the
-// mesh to the `side` (+1 right), leaves the plot.
+// Adds the part of the ellipse within the plot. Its name is at the point where the ellipse leaves the
+// plot, on the way from the mesh to the `side` (+1 right).
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);
-  // Gear 1 is below the mesh, so its top is there. In an internal gear, it is the bottom of both.
+  // Gear 1 is below the mesh, so the mesh is at its top. If gear 2 is internal, the mesh is at the bottom
+  // of both gears.
   const double up = i == 0 ? pair.side() : -1.0;
   const auto at = [&](int k, double to) {
     const double angle = up * kHalfPi * (1.0 - to * k / kSteps);

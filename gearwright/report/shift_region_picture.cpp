@@ -14,7 +14,7 @@ constexpr double kWidth = 640.0;
 constexpr double kAspect = 554.0 / 450.0;
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 200.0 / 170.0;
-// Fraction of the rectangle; a region at least this long is shown in the rectangle.
+// Fraction of the rectangle; if a region is at least this long, the whole rectangle is shown.
 constexpr double kFairPart = 0.62;
 // The same for the small pictures, where a common scale is preferred.
 constexpr double kSmallFairPart = 0.12;

@@ -137,7 +137,7 @@ Figure tooth_of(const ShiftedTooth& t, const Bounds& window, const std::string& 
   if (rounded || cut) f.area(slice_of(rounded ? *t.rounded : t.rack_cut), "slice");
   f.circle(Vec2::Zero(), t.rack_cut.base_radius(), "thin dash", -1, "", "base circle");
   f.line({{0.0, window.lo.y()}, {0.0, window.hi.y()}}, "thin dashdot");
-  // Their common part covers the dashes.
+  // The rounded tooth is drawn last, so that it covers the dashes of the common part.
   if (cut) add_upright_arcs(f, t.rack_cut, [](ArcName) { return "before"; });
   if (rounded)
     add_upright_arcs(f, *t.rounded, [](ArcName name) {

@@ -64,7 +64,7 @@ double Distribution::at(double u) const {
       break;
     case Kind::normal: {
       const double v = from_ + u * (to_ - from_);
-      // If the range is far out on one side, Φ = 1 within rounding.
+      // If the upper end is many standard deviations above the mean, Φ = 1 within rounding.
       if (v >= 1.0) return h;
       x = mean_ + sigma_ * normal_quantile(v);
       break;

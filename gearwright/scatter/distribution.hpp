@@ -21,14 +21,14 @@ struct DistributionSpec {
   };
   std::array<double, 2> range{};  ///< l, h
   Kind kind = Kind::uniform;
-  double cpk = 1.0;                       ///< C_pk, of a normal one
-  double offset = 0.0;                    ///< of its mean from m
-  std::array<double, 2> shape{1.0, 1.0};  ///< p, q of a beta one
+  double cpk = 1.0;                       ///< C_pk, for Kind::normal
+  double offset = 0.0;                    ///< distance of the mean from m, for Kind::normal
+  std::array<double, 2> shape{1.0, 1.0};  ///< p, q, for Kind::beta
 };
 
 class Distribution {
  public:
-  /// Errors    `range` that does not grow or is not finite (l = h is a number that does not vary),
+  /// Errors    `range` if l > h or if an end is not finite (l = h is a number that does not vary),
   ///           `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
   static Result<Distribution> of(const DistributionSpec& spec);
 
@@ -49,7 +49,7 @@ class Distribution {
   double from_ = 0.0, to_ = 0.0;     // Φ at the ends of its range
 };
 
-/// A point of a disc: its two coordinates from two numbers in (0, 1).   Formula [T14.2]
+/// The two coordinates of a point in a disc, from two numbers in (0, 1).   Formula [T14.2]
 std::array<double, 2> in_disc(double radius, double u, double v);
 
 }  // namespace gearwright

@@ -20,12 +20,15 @@ struct GradedFlank {
   double helix_total;                ///< F_β
 };
 
+/// The deviations that a grade allows on the flanks of a gear.
+///
 /// Formula   [T14.23], with the values of flank_tolerances()
 /// Domain    a grade of the edition (contract)
-/// None      circular-arc teeth, which the standard does not have
+/// None      for circular-arc teeth, which the standard does not cover
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad; the bearing span cancels.
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. As angles, they do not depend on the bearing
+/// span.
 ///
 /// Formula   [T14.23]
 struct GradedAxes {

@@ -16,7 +16,7 @@ namespace {
 constexpr int kHeights = 33;                                         // over the common face
 constexpr double kBeyond = std::numeric_limits<double>::infinity();  // any value
 
-// Heights over the face of gear 1, or on parallel axes over that of both.
+// Heights over the face of gear 1, or over the common face if the axes are parallel.
 std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   double lo = -kBeyond;
   double hi = kBeyond;
@@ -37,7 +37,8 @@ std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   return heights;
 }
 
-// The greatest of equidistant values; inside that of the parabola through three of them.
+// The greatest of equidistant values. If it is not at an end, it is that of the parabola through three
+// of the values.
 double greatest_of(const std::vector<double>& v) {
   const auto at = static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   if (at == 0 || at + 1 == v.size()) return v[at];
@@ -54,8 +55,8 @@ Branches::const_iterator leader(const Branches& all) {
                           [](const auto& x, const auto& y) { return x.second < y.second; });
 }
 
-// The least TE between two positions, with straight branches: at a position, or where the leader of
-// the first meets that of the second.
+// The least TE between two positions, if every branch is linear between them. It is at one of the
+// positions, or where the leading branch of the first crosses that of the second.
 double least_between(const Branches& a, const Branches& b) {
   const auto first = leader(a), second = leader(b);
   const double least = std::min(first->second, second->second);
@@ -66,7 +67,7 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// A new topography counts as a change.
+// True if a member's field differs from that of the drawing. A new topography counts as a change.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
   if (member.has_topography() || drawn.has_topography()) return &member != &drawn;
   return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),

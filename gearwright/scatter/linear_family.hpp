@@ -1,12 +1,12 @@
-// The peak to peak TE of the family to first order, for a picture that follows a slider.
+// Computes the peak-to-peak TE of the family to first order, for a picture that a slider controls.
 //
-//   T_i    gap angle of place i: the greatest over the profile, for a tooth pair and a height
-//   e      errors of a member minus those drawn      ΔC   its material removed in addition, at i
+//   T_i    gap angle at place i, a tooth pair at a height: the greatest over the profile
+//   e      errors of a member minus those drawn      ΔC   additional removal of the member at i
 //   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC          theory: docs/theory/14-scatter.md, [T14.26]
 //
-// T at a fixed place is nearly linear in the errors (14.5), and TE is still
-// the greatest over all places. The contact therefore moves along the face, edges begin to touch,
-// and tooth pairs replace each other, as they do exactly.
+// T at a fixed place is nearly linear in the errors (14.5), and TE is still the greatest over all
+// places. The contact can therefore move along the face, edges can begin to touch, and tooth pairs can
+// replace each other, as in the exact computation.
 #pragma once
 
 #include <array>
@@ -25,9 +25,10 @@ class LinearFamily {
   /// Domain    request.positions ≥ 2 (contract)
   static std::optional<LinearFamily> of(const ContactSetup& setup, const MemberRequest& request);
 
-  /// rad. Thickness, pitch deviations and the lead angle of a cutter do not change it.
+  /// Peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle of a cutter have
+  /// no effect.
   ///
-  /// Accuracy  first order of each place in the deviation
+  /// Accuracy  first order in the deviation at each place
   /// Laws      (1) without a deviation it is continuous_peak_to_peak()   (2) for small deviations the
   ///           change is that of continuous_peak_to_peak()
   double peak_to_peak(const Deviation& deviation) const;
@@ -53,10 +54,10 @@ class LinearFamily {
   ContactSetup setup_;                       // with a field of removed material on both gears
   std::array<bool, 2> left_{};               // the flank of each gear that touches
   std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
-  double correction_ = 0.0;  // rad, continuous_peak_to_peak() minus that of the places
+  double correction_ = 0.0;  // rad, continuous_peak_to_peak() minus the first-order value, as drawn
 };
 
-/// The same for the first samples of the first replicate of a task, rad.
+/// The peak-to-peak TE of the first samples of the first replicate of a task to first order, rad.
 ///
 /// Errors    as scatter_of(); nothing_touches() if contact is lost in the pair as drawn
 Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,

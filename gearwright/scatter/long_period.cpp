@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
-// T of one tooth pair at its own rotations, m steps from that of the first touch; kNone without
-// contact.
+// T of one tooth pair as a function of its own rotation, which is m steps from the first touch. T is
+// kNone without contact.
 class PairCurve {
  public:
   PairCurve(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -27,7 +27,7 @@ class PairCurve {
     const double first = touches[0].phi;
     for (const PairTouch& t : touches)
       offer_and_walk(static_cast<int>(std::lround((t.phi - first) / step_)), t);
-    // A branch that never leads may lead with other pitches: search a pitch further on each side.
+    // A branch that never leads here may lead with other pitches, so a pitch more is searched on each side.
     const int from = std::max(-most_, least() - n_);
     const int to = std::min(most_, greatest() + n_);
     const int stride = std::max(1, n_ / 4);

@@ -24,7 +24,7 @@ class Loosener {
 
   double percent() const { return percent_; }
 
-  // None: the teeth do not exist with a tolerance this wide.
+  // The percentile with one tolerance multiplied by a factor. None if the teeth do not exist with it.
   std::optional<double> percentile(std::size_t tolerance, double factor) const {
     ScatterTask changed = task_;
     changed.tolerances[tolerance].unit *= factor;
@@ -65,7 +65,7 @@ class Loosener {
 
 Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task) {
   const Loosener loosener(setup, task);
-  constexpr std::int64_t kUsual = 10;  // percentiles of a tolerance
+  constexpr std::int64_t kUsual = 10;  // usual number of percentiles computed for a tolerance
   begin_stage(task.progress, "tolerances loosened",
               kUsual * static_cast<std::int64_t>(task.tolerances.size()) * task.samples);
   Loosening found{loosener.percent(), loosener.percentile(0, 1.0).value(), {}, {}};

@@ -1,4 +1,4 @@
-// How far each tolerance can be loosened, and which one should be tightened first.
+// Computes by how much each tolerance can be loosened, and which tolerance to tighten first.
 //
 //   P(s)   percentile of the peak to peak TE, if one tolerance is s times as wide
 //                                    theory: docs/theory/14-scatter.md, [T14.19]
@@ -9,10 +9,12 @@
 
 namespace gearwright {
 
-/// Each tolerance individually: the factor multiplies its x in the samples of the first replicate.
+/// The effect of each tolerance by itself. The factor multiplies x of this tolerance in the samples of
+/// the first replicate.
 ///
-/// Accuracy  the factor is 1 % below the first s of a grid, refined by halving, with P(s) over the limit;
-///           that of more samples differs by the error of the percentile
+/// Accuracy  the factor is at most 1 % below the smallest s for which P(s) exceeds the limit; this s is
+///           searched on a grid and refined by halving; other samples change it by the error of the
+///           percentile
 Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task);
 
 }  // namespace gearwright

@@ -15,7 +15,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTouching = 1e-12;                // rad: teeth without backlash do not jam
+constexpr double kTouching = 1e-12;                // rad; a play of −1e-12 is a rounding error
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
                                                    // of 0
 

@@ -1,7 +1,7 @@
-// One member of the family: its contact over a pitch in a few numbers.
+// Computes the numbers that describe the contact of one member of the family over a pitch.
 //
 //   ΔE_sn   change of the tooth thickness
-//   s       its reduction of the backlash, as an angle of gear 2
+//   s       reduction of the backlash by ΔE_sn, as an angle of gear 2
 //                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
 // The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
@@ -26,10 +26,10 @@ enum class ScatterQuantity {
   harmonic3,      ///< rad
   mean,           ///< rad, of TE over the positions
   along_face,     ///< mean place of the contact along the face, −1 to 1
-  along_profile,  ///< the same along the profile; circular-arc teeth
-  edge_share,     ///< of the positions, at which an edge touches
+  along_profile,  ///< the same along the profile, for circular-arc teeth
+  edge_share,     ///< share of the positions at which an edge touches
   least_play,     ///< rad, of gear 2; < 0 if the gears jam
-  long_period,    ///< rad, peak to peak over all tooth pairs; if pitches differ
+  long_period,    ///< rad, peak to peak over all tooth pairs, if pitches differ
 };
 constexpr std::size_t kScatterQuantities = 10;
 
@@ -67,20 +67,23 @@ class MemberSetup {
 /// Domain    involute teeth, or no change (contract)
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness);
 
+/// The numbers of the member with this deviation.
+///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts (contract)
 /// Accuracy  as analyse_contact() and continuous_extremes()
-/// Laws      (1) without deviations its numbers are those of analyse_contact()
+/// Laws      (1) without deviations the numbers are those of analyse_contact()
 ///           (2) spur gears have the closed forms of [T14.14]
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve alone, rad, and its slope by each influence, rad per mm or rad.
+/// Peak to peak of the continuous curve, rad, and its slope with each influence, rad per mm or rad.
 struct MemberSpan {
-  double value;  ///< NaN where contact is lost
+  double value;  ///< NaN if contact is lost
   std::vector<double> slope;
 };
 
-/// Domain    as member_at(); removed material on a gear whose modification is an influence (contract)
+/// Domain    as member_at(); a field of removed material on each gear with a modification as an
+///           influence (contract)
 /// Accuracy  as continuous_extremes() and span_slope()
 MemberSpan continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
                                    const MemberRequest& request,

@@ -1,4 +1,4 @@
-// Corrections for which a percentile of the peak to peak TE over the family is least, of rigid
+// Finds the corrections that minimise a percentile of the peak-to-peak TE over the family, for rigid
 // teeth or under load.
 //
 //   v     corrections                       f_k   peak to peak TE of sample k, under v
@@ -18,17 +18,17 @@ namespace gearwright {
 
 struct RobustTask {
   std::vector<WorkshopCorrection> corrections;
-  std::vector<Correction> bounds;  ///< of each, lo ≤ 0 ≤ hi, in its unit
+  std::vector<Correction> bounds;  ///< of each correction in its unit, lo ≤ 0 ≤ hi
   double percent = 95.0;           ///< 100 p
   /// If given, f_k is the loaded peak to peak under the worst of its torques.
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections, by the samples of the other seed.
+/// The family without or with corrections, computed with samples of another seed.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< of the samples, in the users' units of the tolerances
   Spread peak_to_peak;                 ///< f; its only percentile is the one that is minimised
-  Probability edge;                    ///< an edge touches; under load, an edge carries
+  Probability edge;                    ///< of an edge that touches or, under load, carries
   Probability lost;                    ///< samples without f
   std::vector<LoadedSpread> loaded{};  ///< by torque, under load
 
@@ -46,8 +46,8 @@ struct RobustCorrections {
 /// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
-/// Laws      (1) the percentile after is at most that before, with the other seed, and no more
-///           samples are without a value; otherwise every value is 0   (2) the same bytes on any
+/// Laws      (1) with the other seed, neither the percentile nor the number of samples without a value
+///           is greater than before the corrections; otherwise every correction is 0   (2) the same bytes on any
 ///           number of threads   (3) with tolerances of width 0, the percentile after is that of
 ///           the nominal optimum
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,

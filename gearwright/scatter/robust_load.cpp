@@ -19,19 +19,19 @@ namespace {
 
 constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
 constexpr int kPositions = 16;       // per pitch during the search, as in `compensate`
-constexpr int kMostCenters = 6;      // of a search
-constexpr double kNextReach = 0.25;  // relative to the bounds, around all centers but the first
+constexpr int kMostCenters = 6;      // greatest number of centers in a search
+constexpr double kNextReach = 0.25;  // relative to the bounds, around every center but the first
 constexpr double kLastReach = 1e-3;
-constexpr double kGain = kSameError.rad();  // least gain worth another step
+constexpr double kGain = kSameError.rad();  // smallest gain worth another step
 
 bool all_influences(const RobustTask& robust) {
   return std::all_of(robust.corrections.begin(), robust.corrections.end(),
                      [](const WorkshopCorrection& c) { return influence_of(c).has_value(); });
 }
 
-// The family around corrections at which its places are searched. If every correction has an
-// influence, a trial repeats only the forces, with moved gaps; otherwise it repeats the whole
-// contact.
+// The family with corrections near a center. For line contact, if every correction has an influence, the
+// contact is computed at the center only, and a trial computes the forces again with changed gaps.
+// Otherwise a trial repeats the whole contact.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
@@ -111,7 +111,7 @@ class LoadedTrials final : public CorrectedFamily {
   std::vector<std::unique_ptr<NearbyLoad>> near_;
 };
 
-// The bounds within a reach around a center.
+// The part of the bounds within a reach around a center.
 std::vector<Correction> around(const std::vector<Correction>& bounds, double reach,
                                const std::vector<double>& center) {
   std::vector<Correction> box = bounds;
@@ -130,8 +130,8 @@ class LoadSearch {
     load_.request.positions = std::min(load_.request.positions, kPositions);
   }
 
-  // The best corrections for these samples. Each center is searched with its own places, and is
-  // left if the exact percentile is lower elsewhere.
+  // The best corrections for these samples. The trials near a center use the contact computed there. The
+  // search moves to another center if the exact percentile is lower there.
   std::vector<double> lowest(const std::vector<std::vector<double>>& places,
                              std::vector<double> center) const {
     auto fine = trials(places, center);

@@ -1,4 +1,4 @@
-// Corrections for a percentile of the loaded peak to peak: the search, and the family that is
+// Finds corrections for a percentile of the loaded peak-to-peak TE, and computes the family that is
 // compared.
 //                                    theory: docs/theory/14-scatter.md, [T14.25]
 // Internal to scatter/.

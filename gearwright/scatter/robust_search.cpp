@@ -39,8 +39,8 @@ MinimiserTask task_of(const RobustSearch& s, int evaluations, double step,
   return search;
 }
 
-// Descent of the CVaR: minimum of the linearised problem within a radius, which grows or shrinks
-// with success.   [T14.18]
+// Descends the CVaR. Each step goes to the minimum of the linearised problem within a radius, which grows
+// after a success and shrinks after a failure.   [T14.18]
 std::vector<double> descend(const RobustSearch& s, std::vector<double> v) {
   double radius = kFirstRadius;
   CorrectedFamily::Values here = s.fine.at(v, true);

@@ -1,5 +1,5 @@
-// The corrections with the lowest percentile of a quantity over a family: a search of the box,
-// descents of the mean of the worst samples, and a polish of the percentile itself.
+// Finds the corrections with the lowest percentile of a quantity over a family. The steps are a search
+// of the box, descents of the mean of the worst samples, and a polish of the percentile itself.
 //
 //   v     corrections                       f_k   the quantity of sample k, under v
 //   p     share of the percentile           CVaR  mean of the worst 1 − p of all f_k
@@ -18,7 +18,7 @@ namespace gearwright {
 class CorrectedFamily {
  public:
   struct Values {
-    std::vector<double> f;                   ///< rad; kLostSpan of a sample without a value
+    std::vector<double> f;                   ///< rad; kLostSpan for a sample without a value
     std::vector<std::vector<double>> slope;  ///< by sample and correction; empty unless requested
   };
   virtual ~CorrectedFamily() = default;
@@ -26,7 +26,7 @@ class CorrectedFamily {
   double percentile(const std::vector<double>& v, double p) const;
 };
 
-/// Sets the slopes by correction i from a difference, for corrections without exact slopes.
+/// Sets the slopes with correction i to differences, for corrections without exact slopes.
 void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
                     const std::vector<double>& v, std::size_t i, const Correction& bounds);
 
@@ -35,8 +35,8 @@ struct RobustSearch {
   const CorrectedFamily& fine;    ///< for the descents and the comparison
   std::vector<Correction> box;
   double p;
-  double gain;     ///< rad, least gain worth another step
-  bool whole_box;  ///< false: only around the start
+  double gain;     ///< rad, smallest gain worth another step
+  bool whole_box;  ///< false for a search around the start only
 };
 
 /// The best v from `start`, which is itself a candidate; not rounded.

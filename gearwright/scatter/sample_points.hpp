@@ -1,5 +1,5 @@
-// The points x of the samples of a family: Sobol's points or random ones, with the distributions of
-// its tolerances, and the peak to peak at these points.
+// Computes the points x of the samples of a family, and the peak-to-peak TE at these points. They are
+// Sobol's points or random points with the distributions of the tolerances.
 //                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6]
 // Internal to scatter/.
 #pragma once
@@ -12,15 +12,15 @@
 
 namespace gearwright {
 
-/// The reason why the family has no samples.
+/// Checks that samples of the family can be computed.
 ///
-/// Errors    as check_ends(); `tolerances`, more than the table of Sobol's points has dimensions
+/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's points
 std::optional<Error> check_family(const ContactSetup& setup,
                                   const std::vector<ScatterTolerance>& tolerances);
 
 class SamplePoints {
  public:
-  /// The task must outlive it.
+  /// The task must outlive the object.
   explicit SamplePoints(const ScatterTask& task);
 
   /// x of sample n of a replicate, in the users' units.
@@ -45,7 +45,7 @@ std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& t
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});
 
-/// f of each member; kLostSpan if contact is lost, which ranks it below all others.
+/// f of each member. If contact is lost, f is kLostSpan, which is worse than any other value.
 std::vector<double> ranked(const std::vector<MemberSpan>& spans);
 constexpr double kLostSpan = 1e3;  ///< rad
 

@@ -27,7 +27,7 @@ bool is_share(std::size_t quantity) {
          q == ScatterQuantity::edge_share;
 }
 
-// Members of all samples, by a function of replicate and n that gives x.
+// The members of all samples. `x_at` returns x for a replicate and the number n of a sample.
 template <class F>
 std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTask& task,
                                       const F& x_at) {
@@ -48,7 +48,7 @@ std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTa
   return samples;
 }
 
-// x of A with the coordinates of a group from B.
+// The point `a` with the coordinates of a group from `b`.
 std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
                           std::vector<double> a, const std::vector<double>& b) {
   std::size_t from = 0;
@@ -69,7 +69,7 @@ Probability share_of(const std::vector<ScatterSample>& samples, double confidenc
                         static_cast<std::int64_t>(samples.size()), confidence);
 }
 
-// One quantity of all samples; NaN of those that lose contact.
+// One quantity of all samples; NaN for samples that lose contact.
 std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t quantity) {
   std::vector<double> values;
   for (const ScatterSample& s : samples)

@@ -1,11 +1,11 @@
-// The effect of tolerances on a pair: the distribution of each number of its contact,
+// Computes the effect of tolerances on a pair: the distribution of each number of its contact,
 // probabilities, the influence of each tolerance, and the worst member of the box.
 //
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
 //
-// A member of the family is computed independently, from its own cold start, and statistics are
-// computed in the order of the samples, so no result depends on the number of threads.
+// Every member of the family is computed independently of the others, and statistics are computed in the
+// order of the samples, so no result depends on the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -62,8 +62,8 @@ struct ScatterSample {
 struct Percentile {
   double percent;
   Estimate estimate;
-  std::optional<double> lower, upper;  ///< of its interval; none if there are too few samples
-  std::size_t sample;                  ///< of all samples that next to it
+  std::optional<double> lower, upper;  ///< ends of the interval; none if there are too few samples
+  std::size_t sample;                  ///< index of the sample with the nearest value
 };
 
 /// One quantity over the members that keep contact.
@@ -106,11 +106,10 @@ struct WorstMember {
 struct Loosening {
   double percent, percentile;  ///< rad, of the first replicate as it is
   struct Change {
-    std::optional<double>
-        factor;     ///< by which it may be multiplied until the percentile has grown by
-                    ///< kLooser; none if any factor up to kMostFactor
-                    ///< for which the teeth exist is permitted
-    double halved;  ///< rad, the percentile with half of this tolerance
+    std::optional<double> factor;  ///< greatest factor with which the percentile grows by at most
+                                   ///< kLooser; none if this holds for any factor up to
+                                   ///< kMostFactor for which the teeth exist
+    double halved;                 ///< rad, the percentile with half of this tolerance
   };
   std::vector<Change> by_tolerance;
   /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
@@ -119,9 +118,9 @@ struct Loosening {
 constexpr double kLooser = 0.05, kMostFactor = 8.0;
 
 struct Scatter {
-  Scatter() = default;                 ///< empty, and not an aggregate; scatter_of() makes it
+  Scatter() = default;                 ///< empty; also prevents aggregate initialisation
   std::vector<ScatterSample> samples;  ///< replicate by replicate
-  /// One for each ScatterQuantity; none if there is no such number.
+  /// The spread of each ScatterQuantity; none if there is no such number.
   std::array<std::optional<Spread>, kScatterQuantities> spread{};
   /// None if the quantity varies by rounding only, or if a sample has no contact.
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};
@@ -132,9 +131,9 @@ struct Scatter {
 };
 
 /// Domain    tolerances, samples a power of two, 1 ≤ replicates, 0 < confidence < 1 (contract)
-/// Errors    as check_ends(); `tolerances`, more than the table of Sobol's points has dimensions;
-///           without_contact() where no sample touches anywhere
-/// Accuracy  of a member as member_at(); of a statistic as given by its interval
+/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's points;
+///           nothing_touches() if no sample touches anywhere
+/// Accuracy  as member_at() for each member; each statistic has a confidence interval
 /// Laws      (1) the same bytes on any number of threads   (2) tolerances of width 0 give the numbers of
 ///           analyse_contact()
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);

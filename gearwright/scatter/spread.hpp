@@ -12,8 +12,8 @@
 
 namespace gearwright {
 
-/// Over values replicate by replicate, `per_replicate` of each; NaN for a sample without a value.
-/// Percentile::sample is an index of `values`. None if no sample has a value.
+/// The spread of `values`, which are stored replicate by replicate, `per_replicate` in each. A sample
+/// without a value is NaN. Percentile::sample is an index of `values`. None if no sample has a value.
 std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
                                 int per_replicate);
 

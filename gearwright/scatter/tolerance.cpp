@@ -42,7 +42,7 @@ void add_modification(FlankModifications& m, RemovalField::Parameter parameter, 
   }
 }
 
-// [T14.12]: the effect of one bore, with the other one at its nominal place.
+// Adds the effect of one bore, with the other bore in its nominal position. [T14.12]
 void add_bore(ContactErrors& e, const VaryingBore& bore, double x, double y) {
   const double sign = bore.far_end ? 1.0 : -1.0;
   const double in_plane = sign * x / bore.span;

@@ -1,6 +1,6 @@
-// Variations from pair to pair: one toleranced number each, or the place of a bore in a circle.
+// Variations from pair to pair: a toleranced number, the position of a bore, pitches, or waves of flanks.
 //
-//   x   coordinates of a member of the family, one for each number and two for each bore; 0 is the
+//   x   coordinates of a member of the family, one to three for each tolerance; 0 is the
 //       pair as drawn, because every x is added to the value of the drawing
 //                                    theory: docs/theory/14-scatter.md, [T14.12]
 #pragma once
@@ -33,7 +33,7 @@ struct VaryingThickness {
   int gear;
 };
 
-/// An amount of both flanks of a gear, mm.
+/// The amount of a modification of both flanks of a gear, mm.
 struct VaryingModification {
   int gear;
   RemovalField::Parameter parameter;
@@ -44,7 +44,7 @@ struct VaryingModification {
 struct VaryingBore {
   double span;    ///< L  mm
   double offset;  ///< c  mm, of the gear from the middle of the span, towards +z
-  bool far_end;   ///< at z = +L/2, else −L/2
+  bool far_end;   ///< true for the plane at z = +L/2, false for −L/2
 };
 
 /// The pitches of a gear: an eccentricity and a random walk around it. Their range is at most a
@@ -56,11 +56,11 @@ struct VaryingPitch {
   double total, single;  ///< F_pT, f_ptT  mm, along the reference circle
 };
 
-/// A wave of the form of both flanks, of the whole height f_f. The coordinates x are the number of
-/// waves and the phase in degrees.   [T14.21]
+/// A wave as form deviation of both flanks, with the full height f_f. The coordinates x are the number
+/// of waves and the phase in degrees.   [T14.21]
 struct VaryingWave {
   int gear;
-  bool along_face;           ///< over the face, else over the usable profile
+  bool along_face;           ///< true if over the face, false if over the usable profile
   std::array<int, 2> waves;  ///< least and most
   double height;             ///< f_fα or f_fβ  mm
 };
@@ -68,8 +68,8 @@ struct VaryingWave {
 struct ScatterTolerance {
   std::string name;   ///< name for the user, "errors.crossing_deg"
   double unit = 1.0;  ///< one unit of the user in rad or mm; the distribution uses the user's unit
-  /// The distribution of each coordinate over −R to R for a bore, and of the share for a pitch; 0
-  /// to 1 for a wave.
+  /// The distribution of the number. For a bore it is that of each coordinate, over −R to R, and for a
+  /// pitch that of the share. For a wave it is 0 to 1 and not used.
   Distribution distribution;
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
                VaryingWave>
@@ -87,7 +87,7 @@ struct ScatterTolerance {
 /// A member of the family: its difference from the pair as drawn, in mm and rad.
 struct Deviation {
   ContactErrors errors;               ///< of the member, including those of the drawing
-  PairModifications modifications;    ///< likewise
+  PairModifications modifications;    ///< of the member, including those of the drawing
   bool modified = false;              ///< true if they differ from those of the drawing
   std::array<double, 2> thickness{};  ///< ΔE_sn  mm
   /// ε of each tooth of a gear, rad, > 0 ahead in the driving direction; empty for equal pitches.
@@ -107,7 +107,7 @@ int coordinates_of(std::span<const ScatterTolerance> tolerances);
 
 /// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, for the first tolerance that causes it; its name is the field
+/// Errors    as ContactSetup::of, for the first tolerance at fault; the field is the name of the tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 

@@ -55,7 +55,7 @@ std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance
   const auto teeth = static_cast<std::size_t>(std::abs(gear.spec.teeth));
   std::uint64_t key = hash64(static_cast<std::uint64_t>(tolerance.gear));
   for (const double x : {share, phase, eccentric}) {
-    std::uint64_t bits;  // a bit_cast, which the standard library of the browser's build lacks
+    std::uint64_t bits;  // std::bit_cast is missing in the standard library of the browser build
     std::memcpy(&bits, &x, sizeof bits);
     key = hash64(key ^ bits);
   }
@@ -106,7 +106,8 @@ void add_wave(std::array<FlankModifications, 2>& flanks, const FlankExtent& exte
       grid.heights = {-0.5 * extent.face_width, 0.5 * extent.face_width};
       grid.removed.assign(4, 0.0);
     }
-    // The two waves are perpendicular: a row and a column of the grid each have one.
+    // Waves along the face and along the profile are perpendicular, so the grid is the sum of a wave over
+    // its rows and a wave over its columns.
     Topography next;
     std::vector<double> along;
     for (int i = 0; i < points; ++i) along.push_back(place(i));

@@ -13,13 +13,13 @@
 
 namespace gearwright {
 
-/// ε of every tooth: r ε_k = e sin(2πk/z + χ) + g_k, with g a closed random walk that the three numbers
-/// determine.
+/// ε of every tooth: r ε_k = e sin(2πk/z + χ) + g_k, where g is a closed random walk that `share`, `phase`
+/// and `eccentric` determine.
 ///
 /// Formula   [T14.20]
 /// Domain    share ≥ 0, 0 ≤ eccentric ≤ 1 (contract)
-/// Laws      (1) the sum is 0   (2) the greatest less the least is at most share · F_pT, and no
-///           step is over f_ptT; one of the two limits is reached
+/// Laws      (1) the sum is 0   (2) r ε_k varies by at most share · F_pT, and no step exceeds f_ptT;
+///           one of the two limits is reached
 std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance, double share,
                                  double phase, double eccentric);
 
@@ -32,7 +32,7 @@ struct FormWave {
 
 /// Adds a wave to the modifications of both flanks: ½ f_f sin(π w q + χ).
 ///
-/// Formula   [T14.21], by a spline of 16 points to a wave
+/// Formula   [T14.21], by a spline with 16 points per wave
 /// Accuracy  1e-3 of the height
 /// Domain    waves ≥ 1; topographies made by this function only (contract)
 void add_wave(std::array<FlankModifications, 2>& flanks, const FlankExtent& extent,

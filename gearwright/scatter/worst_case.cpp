@@ -12,10 +12,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kMostCorners = 1024;  // beyond them corners are chosen evenly
+constexpr std::size_t kMostCorners = 1024;  // if there are more, some are chosen evenly
 constexpr std::size_t kChosenCorners = 256;
-constexpr std::size_t kStartCorners = 8;   // the worst corners, from which the search starts,
-constexpr std::size_t kStartSamples = 16;  // and the worst samples
+constexpr std::size_t kStartCorners = 8;   // number of the worst corners at which a search starts
+constexpr std::size_t kStartSamples = 16;  // number of the worst samples at which a search starts
 constexpr int kDirections = 8;             // places of a bore on its circle that count as corners
 constexpr double kFirstStep = 0.25;        // of a range
 constexpr double kLastStep = 1e-4;         // of a range
@@ -141,7 +141,7 @@ struct Place {
   double badness = -std::numeric_limits<double>::infinity();
 };
 
-// Hooke and Jeeves: steps along each coordinate, then along their common gain.
+// The method of Hooke and Jeeves: steps along each coordinate, then along the sum of these steps.
 Place climb(const Box& box, Place place) {
   for (double step = kFirstStep; step >= kLastStep;) {
     Place best = place;

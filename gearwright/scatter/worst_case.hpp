@@ -1,4 +1,4 @@
-// The worst member of a family: a search of the whole box of tolerances, not only of its corners.
+// Finds the worst member of a family by a search of the whole box of tolerances, not only of its corners.
 //
 // Peak to peak TE is the difference of the greatest and the least value of a curve, and therefore
 // neither convex nor quasi-convex in the errors. If contact changes between edges, the inside of a
@@ -11,8 +11,9 @@
 
 namespace gearwright {
 
-/// The greatest peak to peak, or the least play: from the corners of the box and the worst samples, by
-/// steps along the coordinates and along the last gain, which are halved if nothing is gained.
+/// The member with the greatest peak to peak, or with the least play. The search starts at the worst
+/// corners of the box and the worst samples, and takes steps along the coordinates and along the last
+/// gain, which are halved if nothing is gained.
 ///
 /// Accuracy  a local maximum, the worst one found from several starts; not a bound
 /// Laws      (1) no sample and no corner that was tried is worse
