@@ -194,7 +194,7 @@ export interface ShiftRegion {
   window: [number, number, number, number]; // x1 lo, x1 hi, x2 lo, x2 hi: the lower and upper limits
   chosen: [number, number] | null; // the point that a search would choose
   whatKills: string; // the first limit that leaves no region; "" if there is a region
-  figure: Figure | null; // null if no view was given or no shifts are within the limits
+  figure: Figure | null; // null if no view was given
 }
 
 // ---------------------------------------------------------------------------------- long work

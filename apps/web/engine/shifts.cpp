@@ -85,6 +85,26 @@ struct Nearest {
   }
 };
 
+// The window of the view, which stays the same during a drag, or `otherwise`.
+Bounds window_of(const ShiftView& view, bool swapped, const Bounds& otherwise) {
+  if (!view.window) return otherwise;
+  const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
+  return {turned(view.window->lo), turned(view.window->hi)};
+}
+
+// The figure of a graph without a region, which shows the rectangle of the limits.
+Figure limits_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
+                     const ShiftView& view) {
+  Bounds around;
+  around.cover(design);
+  const Bounds limits = limits_box(graph);
+  for (const Vec2& p : {limits.lo, limits.hi}) around.cover(p);
+  const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
+  const Figure f = shift_limits_figure(
+      graph, window_of(view, swapped, region_window(limits, around, aspect, 0.0).box));
+  return swapped ? exchanged(f) : f;
+}
+
 // The figure without the design point. The page draws the point, so that it can be dragged.
 Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                     const ShiftView& view) {
@@ -93,10 +113,7 @@ Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
   const ShiftChart chart = shift_chart(graph, design);
   const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
   RegionWindow window = region_window(limits_box(graph), chart.around, aspect, kFairPart);
-  if (view.window) {
-    const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
-    window.box = {turned(view.window->lo), turned(view.window->hi)};
-  }
+  window.box = window_of(view, swapped, window.box);
   Figure f = shift_region_figure(chart, window);
   f.point(chosen_point(graph, chart.region), 5.0, "mark hollow", "what a search would take",
           {12.0, 12.0});
@@ -145,7 +162,10 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
              {"figure", nullptr},
              {"whatKills", killed ? words_of(*killed) : ""}};
   const auto region = gearwright::shift_region(graph);
-  if (!region) return chart;
+  if (!region) {
+    if (view) chart["figure"] = shape(limits_figure(graph, asked, swapped, *view), view->width);
+    return chart;
+  }
   std::map<std::string, std::string> borders;
   Nearest nearest;
   for (const auto& loop : region_boundary(graph, *region)) {

@@ -230,6 +230,41 @@ describe("pictures", () => {
     await page.waitForFunction(() => /profile_shift = 0\.31\b/.test(window.gearwright.text()));
   });
 
+  it("the shift chart has the limits and the design if no shifts are feasible", async () => {
+    await put(page, example("helical_pair") + "\n[search]\ncontact_ratio_min = 9\n", "shifts");
+    await page.waitForSelector("#room-shifts .design.outside");
+    assert.match(await page.textContent(".shift-sentence"), /No shifts satisfy the limits/);
+    assert.equal(await page.locator("#room-shifts .limits-box").count(), 1);
+  });
+
+  it("the circles of a gear follow an error of the centre distance", async () => {
+    await put(page, example("helical_pair") + "\n[errors]\ncenter_distance_mm = 1\n", "mesh");
+    await settled(page);
+    const apart = await page.evaluate(() => {
+      const plot = document.querySelector("#room-mesh g.plot");
+      const gears = [...plot.querySelectorAll("use[data-turn]")].map((use) => use.getBoundingClientRect());
+      const middle = (box) => box.left + box.width / 2;
+      return gears.map((gear) =>
+        Math.min(...[...plot.querySelectorAll("circle.thin")].map((c) => Math.abs(middle(c.getBoundingClientRect()) - middle(gear)))),
+      );
+    });
+    for (const px of apart) assert.ok(px < 1, `${px} px between a gear and its circles`);
+  });
+
+  it("a map of errors is read and clicked before it is complete", async () => {
+    await put(page, example("misaligned_pair"), "contact");
+    await page.waitForSelector("#room-contact #te path.curve");
+    await page.click(".error-map .map-head button");
+    await page.waitForSelector(".error-map g.plot");
+    await page.click(".error-map .map-head button:has-text('Cancel')");
+    const box = await page.locator(".error-map g.plot").boundingBox();
+    const before = await page.evaluate(() => window.gearwright.text());
+    await page.mouse.click(box.x + 0.75 * box.width, box.y + 0.5 * box.height, { button: "right" });
+    assert.equal(await page.evaluate(() => window.gearwright.text()), before);
+    await page.mouse.click(box.x + 0.75 * box.width, box.y + 0.5 * box.height);
+    await page.waitForFunction((before) => window.gearwright.text() !== before, before);
+  });
+
   it("an error slider moves transmission error and text", async () => {
     await put(page, example("misaligned_pair"), "contact");
     await page.waitForSelector("#room-contact #te path.curve");
@@ -370,9 +405,9 @@ describe("in and out", () => {
     assert.equal(await page.textContent("h1"), "from JSON");
   });
 
-  it("the one file opens from disk, offline, and is under 4 MB", async () => {
+  it("the one file opens from disk, offline, and is under 2.99 MB", async () => {
     const path = join(web, "gearwright.html");
-    assert.ok(statSync(path).size < 4e6);
+    assert.ok(statSync(path).size < 2.99e6);
     const context = await browser.newContext({ offline: true });
     const alone = await context.newPage();
     const asked = [];

@@ -32,7 +32,12 @@ export class MeshView implements Tab {
   });
   readonly picture = h(
     "div",
-    { class: "canvas-room", pointerleave: () => (this.readout.textContent = "") },
+    {
+      class: "canvas-room",
+      role: "group",
+      "aria-label": "section of the gears; + and − zoom, arrows move, 0 shows the whole picture again",
+      pointerleave: () => (this.readout.textContent = ""),
+    },
     this.slot.element,
     this.readout,
   );
@@ -52,6 +57,11 @@ export class MeshView implements Tab {
   /** The window to which the user has zoomed or moved, mm. */
   private window: View["window"] = null;
   private figure: Figure | undefined;
+  /** Displacements of the axes from the centres of the circles in the figure, mm. */
+  private shifts: [number, number][] = [
+    [0, 0],
+    [0, 0],
+  ];
   private motion: Motion | null = null;
   private design = -1;
   private drawn = ""; // the text of the spec that the figure shows
@@ -171,12 +181,30 @@ export class MeshView implements Tab {
     const words = [0, 1].flatMap((gear) => {
       const own = circles.filter((one) => one.gear === gear);
       if (!own.length) return [];
-      const radius = Math.hypot(x - own[0]!.center[0], y - own[0]!.center[1]);
+      const [cx, cy] = own[0]!.center;
+      const [dx, dy] = this.shifts[gear]!;
+      const radius = Math.hypot(x - cx - dx, y - cy - dy);
       const circle = own.find((one) => Math.abs(one.radius - radius) < near);
       return `gear ${gear + 1}: ⌀ ${length(2 * (circle?.radius ?? radius))}${circle ? " " + circle.name : ""}`;
     });
     const named = points.find(({ at }) => Math.hypot(at[0] - x, at[1] - y) < 2 * near);
     this.readout.textContent = (named ? named.name.replace("_", "") + "   " : "") + words.join("   ");
+  }
+
+  /** Moves the circles of a gear to its axis, which errors of the mounting have moved to `axis`, mm. */
+  private shiftCircles(gear: number, axis: [number, number]): void {
+    const { plot } = this.slot;
+    const center = this.figure?.data.circles?.find((one) => one.gear === gear)?.center;
+    if (!plot || !center) return;
+    this.shifts[gear] = [axis[0] - center[0], axis[1] - center[1]];
+    const [x, y] = [axisOf(plot, "x"), axisOf(plot, "y")];
+    const [cx, cy] = [x.px(center[0]), y.px(center[1])];
+    const move = `translate(${x.px(axis[0]) - cx} ${y.px(axis[1]) - cy})`;
+    const kRounding = 0.1; // px, of the numbers in the SVG
+    for (const circle of plot.querySelectorAll<SVGCircleElement>("circle.thin")) {
+      const [dx, dy] = [circle.cx.baseVal.value - cx, circle.cy.baseVal.value - cy];
+      if (Math.hypot(dx, dy) < kRounding) circle.setAttribute("transform", move);
+    }
   }
 
   /** Turns the gears to their current positions and moves the contact point with them. */
@@ -200,6 +228,7 @@ export class MeshView implements Tab {
         const pose = poseAt(motion, gear, t);
         place = `translate(${x.px(pose[12]!)} ${y.px(pose[13]!)})`;
         angle = Math.atan2(pose[1]!, pose[0]!);
+        this.shiftCircles(gear, [pose[12]!, pose[13]!]);
         meshing = true;
       } else angle = turnAt(motion, gear, t); // a single gear, or a gear of a crossed pair
       use.setAttribute("transform", `${place} ${scale} rotate(${(-angle * 180) / Math.PI})`);
