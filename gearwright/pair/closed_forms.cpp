@@ -16,7 +16,8 @@ constexpr double kHalfTurn = std::numbers::pi;
 
 using namespace leaf;
 
-// As in the vector code of closed_forms_simd.cpp, which has shifts but no integer division.
+// A third of the bits, by the same shifts as in closed_forms_simd.cpp. Vector instructions have no
+// integer division.
 double third_of_bits(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);
