@@ -35,8 +35,8 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// The matrices of a section. If `wave`, B belongs to U = (u cos kz, v cos kz, w sin kz), divided by k
-/// [T12.6]; otherwise B belongs to free functions of z.
+/// The matrices of a section. If `wave` is true, B belongs to U = (u cos kz, v cos kz, w sin kz), divided
+/// by k [T12.6]. If not, B belongs to free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
@@ -53,7 +53,7 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// `matrices` are those of waves for double, and of free functions of z for complex numbers.
+  /// `matrices` belong to waves if Scalar is double, and to free functions of z if Scalar is complex.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;

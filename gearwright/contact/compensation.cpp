@@ -17,11 +17,11 @@ namespace {
 // kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// f of corrections with which contact is lost, rad. The value is far above any other, but finite, as
-// the optimiser requires.
+// The value of f if contact is lost, rad. It is far above all other values, but finite, because the
+// optimiser requires finite values.
 constexpr double kLost = 1e3;
-// The last gain and the value for lost contact of an aim, in units of its smallest improvement worth
-// making.
+// The change of an aim at which a search ends, and the value for lost contact, in units of the smallest
+// relevant difference of the aim.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
 // Cost of transmission error beyond the limit, per unit. The cost of the pattern without corrections
 // is added, so that corrections beyond the limit are never better than none. f decreases towards the

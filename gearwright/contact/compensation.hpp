@@ -56,7 +56,7 @@ struct CompensationTask {
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;               ///< reports the progress
   std::optional<CompensationAim> aim{};       ///< minimised in place of f, if present
-  /// The pair under a scenario with these corrections; null if there is none.
+  /// Returns the pair under a scenario with these corrections; null if the pair cannot be made.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
 
@@ -84,7 +84,7 @@ struct Compensation {
   ContactScore before, after;                         ///< the worst of each number
   std::vector<ContactScore> each_before, each_after;  ///< by scenario
   Angle centering;                                    ///< w
-  int evaluations = 0;                                ///< of f
+  int evaluations = 0;                                ///< number of evaluations of f
 
   /// True if no corrections lower f by 0.001 arcsec. Every value is then 0.
   bool nothing_to_correct() const;

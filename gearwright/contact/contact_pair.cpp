@@ -84,8 +84,8 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   double cosine = (a - radius(patches_[1], true)) / r1;
   double aside = 0.0;
   if (internal_) {
-    // On crossed axes, the sections of gear 1 are displaced from axis 2, at the end of the face by
-    // `off`. [T4.37]
+    // On crossed axes, the sections of gear 1 are displaced from axis 2. At the end of the face, the
+    // displacement is `off`. [T4.37]
     const double r2 = radius(patches_[1], false);
     const double off = g1.spec.face_width / 2 * std::abs(std::sin(mount.axis_angle.rad()));
     const double across = 2 * r1 * off, along = 2 * a * r1;

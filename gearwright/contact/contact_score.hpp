@@ -51,8 +51,8 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target, true).score;
 }
 
-/// Replaces each number of `worst` by that of `score` if the latter is worse. Places keep their sign,
-/// and a pair without any contact is the worst.
+/// Replaces each number of `worst` by the number of `score` if the number of `score` is worse. Places
+/// keep their sign, and a pair without any contact is the worst.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

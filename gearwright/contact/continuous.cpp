@@ -138,7 +138,7 @@ class Branches {
       if (up ? turn.te() > best.te() : turn.te() < best.te()) best = turn;
       const double at_turn = slope(turn);
       const bool low = (at_turn > 0.0) == (at_lo > 0.0);
-      // The remaining change up to the other end of the bracket is below this.
+      // Stop if the change of T up to the other end of the bracket is negligible.
       if (std::abs(at_turn * ((low ? hi : lo) - t)) < kFlat) break;
       narrow(low, t, at_turn, lo, at_lo, hi, at_hi, stays);
     }

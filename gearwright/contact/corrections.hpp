@@ -21,8 +21,8 @@ enum class CorrectionOf {
   profile_slope,     ///< µm, on the driven flanks
   profile_crowning,  ///< µm, on both flanks
   tip_relief,        ///< µm, on both flanks, of a relief whose reach the drawing gives
-  root_relief,       ///< likewise
-  end_relief,        ///< likewise
+  root_relief,       ///< µm, as tip_relief
+  end_relief,        ///< µm, as tip_relief
 };
 
 struct WorkshopCorrection {
@@ -64,7 +64,7 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence for which sensitivities are computed, if the correction is one of the flanks; none for
+/// The influence for which sensitivities are computed, if the correction changes the flanks; none for
 /// a tool setting and for a lead.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 

@@ -59,8 +59,8 @@ ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
 
 /// The contact of the whole gears.
 struct WholeContact {
-  /// Rotations and TE of every position; the place of contact is NaN. `kind` is that of half B if only
-  /// half B touches at an edge, otherwise that of half A.
+  /// Rotations and TE of every position; the place of contact is NaN. `kind` is taken from half B if
+  /// only half B touches at an edge, otherwise from half A.
   ContactResult result;
   std::vector<double> float_axial;  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 };

@@ -60,7 +60,7 @@ class Profile {
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
-  double s_of(double u, double start) const;  ///< likewise, with an iteration from `start`
+  double s_of(double u, double start) const;  ///< the same by an iteration from `start`
   bool is_involute() const { return involute_ != nullptr; }
   /// Normal angle of the generating rack; none if the piece was not cut by a circle of a rack.
   std::optional<double> rack_angle(double s) const;

@@ -206,7 +206,8 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// For whole convex flanks, for which T has only one maximum and one interval of rotation.
+// Follows the maximum of T on whole convex flanks, for which T has only one maximum and one interval of
+// rotation.
 void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kBelow, best);
   const int most = farthest_pair_ * n;
@@ -230,8 +231,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// For flanks with several maxima and separate intervals of rotation. Cold starts at regular positions
-// find the maxima, and each is followed until it meets one that has been followed before. On uneven
+// Follows the maxima of T on flanks with several maxima and separate intervals of rotation. Cold starts
+// at regular positions find the maxima. Each maximum is followed until it meets another track. On uneven
 // flanks the cold starts are closer, because a crest of a wave may touch for a small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);

@@ -39,7 +39,7 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 
 namespace {
 
-constexpr double kFarOff = 1e9;  // modules: a distance outside that no point has
+constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point
 // A smaller distance from a border, modules, is a rounding error.
 constexpr double kSameEnd = 1e-9;
 

@@ -45,7 +45,7 @@ struct DriveSearchProblem {
   std::array<double, 2> ratio{};       ///< closed, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Bands of the members of the kind; by default those of teeth_band().
+  /// Bands of the members of the kind; by default the bands of teeth_band().
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of stages of a train, all with one module
   TeethBand pinion{17, 40}, wheel{17, 150};

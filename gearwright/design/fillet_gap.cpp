@@ -77,8 +77,9 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // If the gap between nodes is less than at the least node, the difference is at most that between the
-  // least node and its neighbours. If this cannot make the gap negative, the least node is returned.
+  // Between the nodes, the gap may be smaller than at the least node, but at most by the difference
+  // between the least node and its neighbours. If the gap stays positive even with this difference, the
+  // value at the least node is returned.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;

@@ -184,7 +184,7 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b, int nod
   return superlevel(f, a, b, nodes, hump).pieces;
 }
 
-/// The intervals in which f ≥ 0; if there are none, those in which f ≥ −touch.
+/// The intervals in which f ≥ 0. If there are none, the intervals in which f ≥ −touch.
 ///
 /// Domain    touch much smaller than −hump.below
 template <class F>

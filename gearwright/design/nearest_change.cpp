@@ -92,7 +92,7 @@ class Least {
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
   }
-  // Calls f for the trials that pass the filter with the member at its far end.
+  // Sets the member to the far end of its range, and calls f for the trials that pass the filter.
   template <class F>
   void each_candidate(const F& f) {
     knob_->set(problem_, far_);

@@ -102,7 +102,7 @@ class ShiftGraph {
   double pitch() const { return pitch_; }        ///< p_bt; p_bn on crossed axes
   /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
-  /// The range of Σ that meets those of the first `limits` limits that depend on Σ alone.
+  /// The range of Σ that meets the limits that depend on Σ alone. Only the first `limits` limits are used.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -119,7 +119,7 @@ class ShiftGraph {
   };
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// All bounds of x1 on a line Σ = const, except that of the path length.
+  /// All bounds of x1 on a line Σ = const, except the bound of the path length.
   ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
     return bounds_before_path(place(sum), sum, limits);
   }
@@ -146,7 +146,7 @@ class ShiftGraph {
   /// The least margin of all limits at one point, modules, from the same bounds as the slices. The point
   /// is inside the region if it is ≥ 0. Outside sums(), it is the distance from this range.
   double margin(double x1, double x2) const;
-  /// The limits of each shift that are independent of the other shift, without those of shortened
+  /// The limits of each shift that are independent of the other shift, without the limits of shortened
   /// tips.
   std::array<Interval, 2> shift_limits() const;
   /// margin() without the band of centre distances, because its ends are a choice of the user. It is the

@@ -40,7 +40,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   };
-  // The residual is that of inv α_wt, and the derivative of inv α is tan² α.
+  // The residual is an error of inv α_wt, and the derivative of inv α is tan² α.
   const double tan_w = b.out[CandidateBatch::tan_working][i];
   if (!(b.out[CandidateBatch::residual][i] < 0.01 * kSieveDoubt * tan_w * tan_w)) ask = true;
   at_least(CandidateBatch::contact_ratio, limits.contact_ratio);

@@ -57,7 +57,7 @@ constexpr std::size_t kMaxChanges = 40;
 // Relative difference of sums between which there are no doubles.
 constexpr double kSameSum = 4e-16;
 // The distance from a corner at which the edges are evaluated, relative to the interval and in modules.
-// The latter exceeds kOneBound, within which rounding decides the name of an edge.
+// The distance in modules exceeds kOneBound, within which rounding decides the name of an edge.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
 // The ends of a piece are corners. At this fraction of its width from an end, the edge has a unique

@@ -58,8 +58,8 @@ std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 /// True if the line of Eq. 11 between the sums a and b lies outside a limit that is a straight line in
 /// the plane, so that no point of it needs to be evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
-/// The boundary of each piece, counter-clockwise. If only one centre distance is possible, it is a
-/// segment in both directions.
+/// The boundary of each piece, counter-clockwise. If only one centre distance is possible, the boundary
+/// is a segment in both directions.
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 

@@ -19,7 +19,7 @@ struct Bore {
   bool has_keyway() const { return keyway_width > 0.0; }
 };
 
-/// Largest distance of the bore from the axis, mm: that of the corner of the keyway, or the bore radius.
+/// Largest distance of the bore from the axis, mm: the distance of the keyway's corner, or the bore radius.
 double bore_reach(const Bore& bore);
 /// The error of a bore that is too large or invalid; empty if there is none. `room` is the radius, mm,
 /// that the bore and its keyway must not exceed.

@@ -160,7 +160,7 @@ std::optional<double> tip_thickness(const Gear& gear) {
     if (gear.tooth->pointed || gear.tooth->rounded_tip) return 0.0;
     const double d_end = 2 * gear.tooth->tip_radius;
     const Arc& land = gear.tooth->outline.arcs.back();
-    // By rounding, a tip on the base circle may lie inside the base circle.
+    // Due to rounding, a tip on the base circle may lie inside the base circle.
     const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
     const double s_t = plain
                            ? tooth_thickness_transverse(

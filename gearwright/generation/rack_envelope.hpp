@@ -70,8 +70,8 @@ class RackTrochoid final : public Curve {
 };
 
 // Computes W = (r + x + ik) e^{iφ} and its derivatives by τ; inline, because the inner loop of contact/
-// calls it. The height is split into that of the centre and q sin τ, so that no term is divided by
-// more than sin² τ.
+// calls it. The height is split into the height of the centre and q sin τ, so that no term is divided
+// by more than sin² τ.
 inline PolarJet RackTrochoid::polar_jet(double tau) const {
   const double r = motion_.pitch_radius, cos_beta = motion_.cos_beta;
   const double x = circle_.center.x(), q = circle_.q;

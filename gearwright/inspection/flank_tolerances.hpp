@@ -57,7 +57,7 @@ inline constexpr const char* kClassesOfEditions =
 
 /// True if the gear is within the range of the formulas of the edition.
 bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
-/// All tolerances except those of the axes.
+/// All tolerances except the tolerances of the axes.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
 ///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]

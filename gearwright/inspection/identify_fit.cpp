@@ -30,8 +30,8 @@ double& unknown(GearNumbers& g, int which) {
 // Step of the difference quotients, which is small compared with the resolution of readings.
 double step_of(const GearNumbers& g, int which) { return which == 2 ? 1e-6 * g.module : 1e-6; }
 
-// Computes the residuals; the last one is that of the prior of the shift. Returns false if a residual is
-// undefined.
+// Computes the residuals. The last residual belongs to the prior of the shift. Returns false if a
+// residual is undefined.
 bool residuals(const GearNumbers& g, const std::vector<Observation>& readings,
                std::vector<double>& r) {
   r.clear();

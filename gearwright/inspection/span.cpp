@@ -96,7 +96,7 @@ Result<Span> span_over(const Gear& gear, int k) {
   const Span span = span_of(gear, *flank, k);
   if (!(span.length > 0.0))
     return no("the flanks face the other way there; " + range_text(gear, *flank));
-  // For the numbers next to the range a span is returned, so that a warning can give its length.
+  // For the numbers of teeth next to the range, a span is returned, so that a warning can give its length.
   const Teeth on_flank = touching_teeth(gear, *flank, false);
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;
   if (span.place == ContactPlace::beyond_tip && !near) {

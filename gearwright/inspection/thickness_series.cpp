@@ -76,8 +76,9 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 
 constexpr int kMaxGrade = 12;
 
-// ISO 286-1, table 3: fundamental deviations below the nominal size, µm. That of P, for grades above IT7,
-// is listed for the first sizes. That of N, for grades above IT8, differs from 0 only up to 3 mm.
+// Fundamental deviations below the nominal size, µm, of ISO 286-1, table 3. The deviation of P, for grades
+// above IT7, is listed for the first sizes. The deviation of N, for grades above IT8, differs from 0 only
+// up to 3 mm.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 

@@ -50,10 +50,11 @@ struct ArcContact {
   Mat2 curvature_concave;     ///<
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
   Angle angle;                ///< of the direction of k1 to the projection of the axis
-  double transverse_radius_convex;   ///< of the transverse profile, mm; > 0 if its centre lies on
-                                     ///< the convex gear's side
-  double transverse_radius_concave;  ///< likewise
-  double line_contact_difference;    ///< second minus first radius that line contact requires, mm
+  double transverse_radius_convex;  ///< of the transverse profile, mm; > 0 if its centre lies on
+                                    ///< the convex gear's side
+  double
+      transverse_radius_concave;   ///< the same for the concave gear, with the same sign convention
+  double line_contact_difference;  ///< second minus first radius that line contact requires, mm
 };
 
 /// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the

@@ -19,7 +19,7 @@ namespace gearwright {
 struct ArcPairContact {
   int convex_gear;  ///< 1 or 2
   ArcContact at;    ///< `point` and `normal` are in the housing frame at rotation 0, and `normal`
-                    ///< points out of gear 1; `rotation_offset` is that of the concave gear
+  ///< points out of gear 1; `rotation_offset` refers to the concave gear
   std::optional<Angle> nominal_theta;  ///< θ at the reference centre distance [T7.9]
 };
 

@@ -8,8 +8,8 @@
 // set. At run time the best available instruction set is used, as in design/candidate.hpp. Rows
 // outside a domain are NaN.
 //
-//   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the bit, on any
-//             machine
+//   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit, on
+//             any machine
 //         (2) the backlashes of both instances agree to 1e-12 modules
 #pragma once
 

@@ -14,7 +14,7 @@ namespace gearwright {
 
 /// The parts that collide.
 enum class CollisionCause {
-  negative_backlash,  ///< the flanks themselves
+  negative_backlash,  ///< the flanks overlap
   root,               ///< a tip that reaches below the mating gear's root circle
   tip_to_fillet,
   tip_corner,
@@ -31,7 +31,7 @@ struct Collision {
   CollisionCause cause;
   int gear;      ///< the gear whose root, or projecting tip, collides; 0 for both
   double depth;  ///< mm along the common normal: depth of an overlap in the middle of the play, or
-                 ///< distance by which a contact beyond the flank precedes that of the flanks
+  ///< distance by which a contact beyond the flank precedes the contact of the flanks
   std::optional<OutlineTouch> touch;  ///< place of contact; none if the collision was found from a
                                       ///< circle and not from the outlines
   std::string message;                ///< one sentence

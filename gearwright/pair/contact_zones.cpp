@@ -19,7 +19,8 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  // relative to the pitch; at an integral contact ratio, one pair enters where another one leaves
+  // Relative to the pitch. At an integral contact ratio, one tooth pair enters contact at the position
+  // at which another pair leaves contact.
   constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;

@@ -116,7 +116,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   return angle >= theta ? least : -least;
 }
 
-constexpr double kFarAway = 1e9;  // mm: the corner never gets as deep as the fillet
+constexpr double kFarAway = 1e9;  // mm, value if the corner does not reach the depth of the fillet
 
 // The least of f on [0, 1].
 std::optional<double> min_on(const std::function<double(double)>& f) {

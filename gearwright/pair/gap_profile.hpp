@@ -23,7 +23,8 @@ struct ProfilePlace {
 /// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName name;  ///< of the arc that begins there; of the arc before if a land begins there
+  ArcName
+      name;  ///< the arc that begins at the corner; if this arc is a land, the arc before the corner
 };
 
 /// An arc that is not a land. The distance from the gear's axis changes along it.
@@ -38,8 +39,8 @@ struct ProfileArc {
   ProfilePlace at(double u) const;
   /// The place at a radius. A radius beyond an end of the arc gives that end.
   ///
-  /// Accuracy  that of the curve's own points, because the last step runs along the circle of
-  ///           curvature and is shorter than 2e-6 of the radius of that circle
+  /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle of
+  ///           curvature and is shorter than 2e-6 of the radius of this circle
   ProfilePlace at_radius(double rho) const;
   double u_at_radius(double rho) const;
 

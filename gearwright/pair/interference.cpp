@@ -61,7 +61,7 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
     const double y = r * std::sin(psi);
     const double lo = std::max(-half, (-half_mate + y * sine) / cosine);
     const double hi = std::min(half, (half_mate + y * sine) / cosine);
-    if (lo > hi) return kInfinity;  // no part of both faces is there
+    if (lo > hi) return kInfinity;  // the faces do not overlap at this angle
     const auto at = [&](double z) {
       return std::hypot(apart + r * std::cos(psi), y * cosine + z * sine);
     };

@@ -107,8 +107,8 @@ void warn_about_collisions(InvolutePair& p) {
   for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
-// Relative to the sum of the base radii. A backlash-free pair has a centre distance above that sum,
-// so half of it is implausible.
+// Least plausible centre distance, relative to the sum of the base radii. A backlash-free pair has a
+// centre distance above this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
 // Checks that the pinion lies inside the internal gear and that its flanks are more curved than those

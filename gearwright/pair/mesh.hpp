@@ -88,8 +88,8 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-// Clips the path to the usable flanks. Each flank begins at the form point of its gear; that of an
-// internal gear lies outside the flank. [T2.19]
+// Clips the path to the usable flanks. The flank of each gear begins at its form point. On an internal
+// gear, the form point has the greatest radius of the flank. [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   const auto start = [&](int i) {

@@ -26,7 +26,7 @@ struct MountedGears {
   /// computed (unequal leads, or an internal gear with an unknown cutter). On crossed axes, only tips
   /// are compared with the mating gear
   std::optional<std::vector<Collision>> overlap{};
-  /// Contact off the flanks without overlap. The ratio is not constant there
+  /// Contacts outside the flanks without overlap. During these contacts, the ratio is not constant.
   std::vector<Collision> beyond_flank{};
   /// The play of gear 2 without collision, which does not exceed the play of the flanks; < 0 if there
   /// is no position without overlap. None if not computed, or if a tip lies in a root
@@ -38,8 +38,8 @@ struct MountedGears {
   /// action, and its tips are closest to the roots at the ends of the faces. [T4.35], [T4.37]
   bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
-  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical gears it is
-  /// that of both halves and the wider of the two gaps.
+  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical gears, it
+  /// includes both halves and the wider gap of the two gears.
   double whole_face(double face) const;
   /// σ Σ. Axis 2 has the direction (0, sin σΣ, cos σΣ). [T1.8]
   Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0

@@ -193,8 +193,8 @@ class ArcFamily {
   int entry_ = 0;
 };
 
-/// [T2.32]: a corner of A against an arc of B. The parameter t gives the arc's parameter
-/// u = u_0 + (1 − u_0) t².
+/// The gap between a corner of A and an arc of B. The parameter t gives the parameter of the arc,
+/// u = u_0 + (1 − u_0) t². [T2.32]
 class CornerFamily {
  public:
   CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)

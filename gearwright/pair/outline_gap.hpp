@@ -46,7 +46,7 @@ struct OutlineGap {
   /// The touch with the least gap, which is half the true play; none if the gears do not reach each
   /// other.
   std::optional<OutlineTouch> least() const;
-  /// The touch with the least gap, except those of flank on flank.
+  /// The touch with the least gap, without the touches of a flank with a flank.
   std::optional<OutlineTouch> least_beyond_flanks() const;
   int evaluations = 0;  ///< number of evaluated gaps, for performance counts
 };

@@ -23,7 +23,7 @@ namespace gearwright {
 
 namespace {
 
-// The order is that of the documents.
+// The causes are in the same order as in the documents.
 constexpr std::array kCauses{
     CauseMeaning{CollisionCause::tip_bulge, "tip_bulge", "a tip that projects beyond its involute"},
     CauseMeaning{CollisionCause::tip_to_fillet, "tip_to_fillet",
@@ -204,7 +204,8 @@ void explain(InvolutePair& p) {
                                                                : WarningCode::overlap;
     p.interference.push_back({code, s.gear, -s.depth, s.message});
   }
-  // Of a circle and a collision of the outlines with the same cause, only the collision is reported.
+  // If a finding from a circle and a collision of the outlines have the same cause, only the collision
+  // is reported.
   std::vector<Collision>& collisions = p.beyond_flank;
   for (Interference& i : only_beyond) {
     if (borne_out(i, collisions)) continue;
@@ -215,7 +216,8 @@ void explain(InvolutePair& p) {
   deepest_first(collisions);
 }
 
-// The touches that may be nearer than the flanks and, on parallel axes, those of the flanks.
+// The touches that may have a smaller gap than the flanks. On parallel axes, the touches of the flanks
+// are included.
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
   if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;

@@ -36,9 +36,9 @@ struct PairSpec {
   std::optional<double> center_distance = {};  ///< a  mm; by default the backlash-free one, or a_d
                                                ///< for circular-arc teeth
   std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; by default 0 if a distance is
-                                          ///< given, otherwise that of complete_place
-  std::optional<double> friction = {};    ///< μ, for the efficiency
-  std::optional<double> speed_rpm = {};   ///< n_1  1/min, of gear 1
+  ///< given, otherwise the result of complete_place
+  std::optional<double> friction = {};   ///< μ, for the efficiency
+  std::optional<double> speed_rpm = {};  ///< n_1  1/min, of gear 1
 };
 
 /// The position of a pair.

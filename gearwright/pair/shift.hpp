@@ -41,7 +41,7 @@ struct ShiftProblem {
 
 struct ShiftSolution {
   double x1, x2;
-  double center_distance;  ///< a  mm: as given, or that of the `mounting`
+  double center_distance;  ///< a  mm, as given or as determined by the `mounting`
 };
 
 /// Reference centre distance a_d = m_n |z1 + z2| / (2 cos β), mm. [T2.15]

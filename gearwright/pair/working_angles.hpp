@@ -152,8 +152,8 @@ T transverse_angle_of_equal_virtual_teeth(const BasePair<T>& gears) {
 
 }  // namespace detail
 
-/// The α at which X = 0: on crossed axes that of the least centre distance, on parallel axes that of
-/// the backlash-free position. None if the teeth are too thin (internal pairs: too thick).
+/// The α at which X = 0. On crossed axes, it belongs to the least centre distance, and on parallel axes
+/// to the backlash-free position. None if the teeth are too thin (internal pairs: too thick).
 ///
 /// Formula   Q(α) = 0; [T4.15], [T5.17]. For equal |β_b|, inv α = K/Σ τ d_b cos β_b without
 ///           iteration; [T2.20]. For internal pairs, the root at which Q increases; [T4.38]
@@ -225,7 +225,7 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
     }
     return s;
   };
-  // At this α the pitch radius of gear g alone is a, so the sum exceeds a.
+  // At this α, the pitch radius of gear g is equal to a, so the sum of both pitch radii exceeds a.
   const T hi = acos(gears[g].radius / a);
   const auto root = newton_in_bracket<T>(f, T(0), hi, T(hi / T(2)), true);
   if (!root.found()) return std::nullopt;
@@ -315,7 +315,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   if (least) {
     from = *least;
     if (!(f(from).value < T(0))) return found;
-    // At this lower end the term K/(2 sin α_n) alone is a, so the sum exceeds a.
+    // At this lower end, the term K/(2 sin α_n) is equal to a, so the sum of all terms exceeds a.
     const T c_g = cos(gears[limiting_gear(gears)].helix_angle);
     T lo = asin(base_excess(gears) / (T(2) * c_g * a));
     if (lo > from) lo = from;

@@ -23,7 +23,7 @@ struct WantedSafety {
 bool holds(const Rating& rating, const WantedSafety& wanted);
 
 /// The greatest torque on gear 1 with the required safety factors, N m. None if there is no such torque
-/// between 1e-6 and 1e6 times that of the input.
+/// between 1e-6 and 1e6 times the torque of the input.
 ///
 /// Accuracy  1e-9, relative
 /// Law       safety factors decrease as the torque increases
