@@ -56,8 +56,8 @@ std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                      const std::vector<double>& z);
 
 /// Twist of a gear at each z of its face, rad, relative to the end of the face on the side of the torque.
-/// It is positive in the sense in which the mesh force turns the gear. The twist is that of a solid body
-/// of the diameter `body`, mm.
+/// It is positive in the sense in which the mesh force turns the gear. The gear is regarded as a solid
+/// body of the diameter `body`, mm.
 ///
 /// Formula   [T11.51]
 /// Domain    shaft.possible(), lo < hi, every z within [lo, hi] (contract)

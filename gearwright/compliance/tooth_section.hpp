@@ -54,7 +54,7 @@ double bump_width(double s, double flank_hi);
 }  // namespace detail
 /// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the section,
 /// rad/mm. `also` is an additional position along the flank for which modes are computed. `progress` is
-/// that of section_modes().
+/// passed to section_modes().
 ///
 /// Domain    a gear with teeth (contract)
 /// Errors    as make_section_mesh

@@ -86,8 +86,8 @@ class ContactPair {
   Vec3 direction_in_housing(const Vec3& v) const;
   /// Rotates the directions of gear 1 before mounting into N.
   const Mat3& tilt() const { return tilt_; }
-  double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< of y, in N
-  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< of z, in N
+  double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< sign of y in N
+  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< sign of z in N
   /// z of the middle of a face, mm, in N.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
   /// Radius at which the root fillet ends, mm; none without ContactMount::fillets or without a

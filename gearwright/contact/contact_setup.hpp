@@ -19,7 +19,7 @@ namespace gearwright {
 /// The modifications of gear 1 and of gear 2, each for the right and the left flank.
 using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
 
-/// Changes made by a workshop, as amounts in addition to those of the drawing.
+/// Changes made by a workshop, as amounts in addition to the amounts on the drawing.
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ
@@ -45,7 +45,7 @@ class ContactSetup {
                                  const PairModifications& modifications = {},
                                  std::array<bool, 2> fields = {});
 
-  /// The pair for the analysis. It points into this setup, which must outlive it.
+  /// The pair for the analysis. It refers to the data of this setup, which must outlive the pair.
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
   /// The same pair with a copy of this setup.

@@ -23,7 +23,7 @@ using M = SetMember;
 constexpr std::size_t kCarrier = kSetMembers;  // the carrier follows the members
 constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
 
-// Speed of a body relative to the carrier, divided by that of the planet, p/q.
+// Speed of a body divided by the speed of the planet, both relative to the carrier, as a fraction p/q.
 struct Share {
   long long p, q;
 };

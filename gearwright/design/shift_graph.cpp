@@ -20,8 +20,9 @@ using detail::raise;
 
 namespace {
 
-// Relative excess of the least centre distance over the sum of the base radii. Its working pressure
-// angle is 4e-5 rad. Below it, double precision cannot distinguish a mesh from no mesh.
+// Relative excess of the least centre distance over the sum of the base radii. At this distance, the
+// working pressure angle is 4e-5 rad. For smaller distances, double precision is not sufficient to
+// decide whether there is a mesh.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace

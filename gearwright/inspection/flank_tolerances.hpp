@@ -5,9 +5,9 @@
 //                                              theory: docs/theory/10-inspection.md
 //
 // Tolerances are in µm. The formulas give class 5, and the factor from class to class is √2. The edition
-// of 2013 uses the dimensions of the gear, and that of 1995 the geometric means of ranges of dimensions.
-// Radial composite tolerances are those of ISO 1328-2:1997. Sector pitch and single flank composite
-// tolerances exist in the edition of 1995 only. Tolerances of axes are those of ISO/TR 10064-3.
+// of 2013 uses the dimensions of the gear, and the edition of 1995 uses geometric means of ranges of
+// dimensions. Radial composite tolerances follow ISO 1328-2:1997. Sector pitch and single flank composite
+// tolerances exist in the edition of 1995 only. Tolerances of axes follow ISO/TR 10064-3.
 #pragma once
 
 #include <optional>

@@ -34,7 +34,7 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance);
 Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size);
 
 /// Deviations of the tip diameter, lower and upper, mm. The tip of an external gear is a shaft, whose
-/// deviations are those of the hole with the opposite sign. The tip of an internal gear is a hole.
+/// deviations have the opposite sign of the deviations of a hole. The tip of an internal gear is a hole.
 ///
 /// Errors    `fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not H1 to H12 or JS1 to
 ///           JS12; `size` above 3150 mm

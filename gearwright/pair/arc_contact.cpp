@@ -69,7 +69,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   // If the excess is not positive at the first-order angle, that angle is the result. Otherwise the
   // exact angle is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
-  // The bracket grows fourfold from a first step that is short even for the least change of distance.
+  // The bracket starts with this step, which is short even for a very small change of the centre
+  // distance, and grows fourfold.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {

@@ -72,7 +72,7 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
 /// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
-/// pitch radii and sin ψ are those of the transverse section. [T7.10]
+/// pitch radii and sin ψ refer to the transverse section. [T7.10]
 double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
                                       double sin_psi);
 

@@ -77,7 +77,7 @@ void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
-    // rotated, and with the opposite sign, so that it points out of gear 1
+    // The normal is rotated, and its sign is changed, so that it points out of gear 1.
     at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};
   }
   const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;

@@ -102,7 +102,7 @@ class TipMotion {
   double start_;
 };
 
-// The ψ at which `beyond` changes its sign, on the negative side of the change. It is negative at
+// The ψ at which `beyond` changes its sign, on the negative side of the change. `beyond` is negative at
 // `deepest` and not negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {

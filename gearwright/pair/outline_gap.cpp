@@ -3,7 +3,7 @@
 //   A, B   the moving gear, and the gear in whose frame A moves; either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
 //   ψ      angle of this point in the space of B, from the middle of the space
-//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B, which is times z_1/z_2 if B is gear 1
+//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; multiplied by z_1/z_2 if B is gear 1
 //
 // The mesh lies at +x of the axis of A. A tooth of A is in the middle of a space of B at φ = 0, and
 // B turns by −κφ. So D = k a + ε e^{iφ} W and ψ = arg D + κφ, reduced to one pitch.
@@ -127,8 +127,8 @@ struct Motion {
   }
 };
 
-/// [T2.31]: the points of an arc of A against an arc of B. Each point is examined at the position in
-/// which its normal passes through the pitch point. There are two such positions, one per branch.
+/// The gap between the points of an arc of A and an arc of B. Each point is examined at the position in
+/// which its normal passes through the pitch point. There are two such positions, one per branch. [T2.31]
 class ArcFamily {
  public:
   ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)

@@ -1,4 +1,4 @@
-// The teeth of a rack in its transverse section, as an outline of the same kind as that of a gear.
+// The teeth of a rack in its transverse section, as an outline of the same kind as the outline of a gear.
 //
 //   x     height above the datum line, mm       y   along the travel, mm
 //   s_n   thickness at the datum line, in the normal section, mm
@@ -12,7 +12,7 @@
 //
 //   Laws  (1) the first point is the middle of the space, y = p_t/2, and the last the middle of the
 //             tooth, y = 0
-//         (2) the normal section, (x, y cos β), is that of the spur rack with the same m_n
+//         (2) the normal section, (x, y cos β), is the section of the spur rack with the same m_n
 //         (3) the flank is straight, and the pinion's flank is its envelope
 #pragma once
 

@@ -13,8 +13,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kNoLength = 1e-9;  // modules: smaller values are rounding errors
-// Modules. The fillet radii of ISO 53 are rounded to two digits (0.38 for 0.37993). The start of a
-// fillet may therefore deviate by this much from the depth of the mating tip.
+// Permitted deviation of the start of a fillet from the depth of the mating tip, modules. The fillet
+// radii of ISO 53 are rounded to two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }

@@ -74,8 +74,8 @@ struct RackPair {
   double normal_backlash() const;           ///< j_n  mm
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack
-  /// ζ of pinion and rack for a contact at g. That of the pinion is none at and beyond the base
-  /// tangent point.
+  /// ζ of pinion and rack for a contact at g. The value of the pinion is empty at the base tangent point
+  /// and beyond.
   std::array<std::optional<double>, 2> specific_sliding(double g) const;
 };
 

@@ -13,8 +13,8 @@
 //            X = m_n Σx
 //                                              theory: docs/theory/05-approximations.md
 //
-// With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Templates
-// over the scalar.
+// With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Classes and
+// functions are templates over the scalar.
 #pragma once
 
 #include <array>

@@ -7,8 +7,8 @@
 //   f_sh       greatest minus least f over the common face, µm
 //                                                          theory: docs/theory/11-rating.md
 //
-// The bending of a shaft is computed with its given diameters. Over the face, the twist is that of a
-// solid body of the root diameter.
+// The bending of a shaft is computed with its given diameters, and the twist over the face with a solid
+// body of the root diameter.
 #pragma once
 
 #include <array>
